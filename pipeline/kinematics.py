@@ -1,0 +1,96 @@
+"""The analytic kinematics of a twisted string, forward and inverse: pure functions of arrays.
+
+Lengths in mm, forces in N, twist in rad unless a name says turns. Equation numbers are those of Liu et al.,
+"Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks".
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Values = Any  # a float or an array that broadcasts with the others
+
+RAD_PER_TURN = 2.0 * np.pi
+
+
+def loaded_radius(radius_mm: Values, length_mm: Values, stiffness_n_per_mm: Values, load_n: Values) -> Array:
+    """Radius of a string that a load stretches at constant volume (eqs 2, 3), in mm."""
+    stretched_mm = length_mm + load_n / stiffness_n_per_mm
+    return np.asarray(radius_mm * np.sqrt(length_mm / stretched_mm))
+
+
+def separator_contraction(
+    twist_rad: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values
+) -> Array:
+    """Contraction of a string with separator (eqs 1, 4), in mm; at zero twist it is √(d² + b²) − d, not 0."""
+    return np.asarray(
+        np.hypot(torsion_zone_mm, separator_mm + np.asarray(twist_rad) * radius_mm) - torsion_zone_mm
+    )
+
+
+def separator_twist(
+    contraction_mm: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values
+) -> Array:
+    """Twist of a string with separator (eq. 5), in rad.
+
+    Where the contraction is negative eq. 5 has no real root: its radicand is clipped at 0.
+    """
+    x = np.asarray(contraction_mm)
+    radicand = np.maximum(x * (x + 2.0 * np.asarray(torsion_zone_mm)), 0.0)
+    return np.asarray((np.sqrt(radicand) - separator_mm) / radius_mm)
+
+
+def pair_contraction(twist_rad: Values, length_mm: Values, radius_mm: Values) -> Array:
+    """Contraction x = L − √(L² − (θr)²) of a twisted pair without separator, in mm; NaN beyond θr = L."""
+    wound_mm = np.asarray(twist_rad) * radius_mm
+    with np.errstate(invalid="ignore"):
+        return np.asarray(length_mm - np.sqrt(np.square(length_mm) - np.square(wound_mm)))
+
+
+def pair_twist(contraction_mm: Values, length_mm: Values, radius_mm: Values) -> Array:
+    """Twist of a twisted pair without separator, in rad; a contraction outside 0…L is clipped to it."""
+    x = np.clip(contraction_mm, 0.0, length_mm)
+    return np.asarray(np.sqrt(x * (2.0 * np.asarray(length_mm) - x)) / radius_mm)
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """The measured dimensions of one string on its rig: scalars, or arrays with a value per sample."""
+
+    actuator: str  # "separator" or "twisted_pair"
+    radius_mm: Values
+    length_mm: Values
+    stiffness_n_per_mm: Values
+    torsion_zone_mm: Values = np.nan  # separator only
+    separator_mm: Values = np.nan  # separator only
+
+    def contraction_mm(self, motor_turns: Values, load_n: Values) -> Array:
+        """Contraction that the analytic model predicts for a twist and a load (eq. 4, or the pair), in mm."""
+        twist_rad = np.asarray(motor_turns) * RAD_PER_TURN
+        if self.actuator == "twisted_pair":
+            return pair_contraction(twist_rad, self.length_mm, self.radius_mm)
+        radius_mm = loaded_radius(self.radius_mm, self.length_mm, self.stiffness_n_per_mm, load_n)
+        return separator_contraction(twist_rad, self.torsion_zone_mm, self.separator_mm, radius_mm)
+
+    def motor_turns(self, contraction_mm: Values, load_n: Values) -> Array:
+        """Twist that the analytic model needs for a contraction under a load (eq. 5, or the pair), in turns."""
+        if self.actuator == "twisted_pair":
+            return pair_twist(contraction_mm, self.length_mm, self.radius_mm) / RAD_PER_TURN
+        radius_mm = loaded_radius(self.radius_mm, self.length_mm, self.stiffness_n_per_mm, load_n)
+        twist_rad = separator_twist(contraction_mm, self.torsion_zone_mm, self.separator_mm, radius_mm)
+        return twist_rad / RAD_PER_TURN
+
+    def slope_mm_per_turn(self, motor_turns: Values, load_n: Values) -> Array:
+        """Derivative of the contraction by the twist at a twist and a load, in mm/turn."""
+        twist_rad = np.asarray(motor_turns) * RAD_PER_TURN
+        if self.actuator == "twisted_pair":
+            contraction_mm = pair_contraction(twist_rad, self.length_mm, self.radius_mm)
+            slope = twist_rad * np.square(self.radius_mm) / (self.length_mm - contraction_mm)
+        else:
+            radius_mm = loaded_radius(self.radius_mm, self.length_mm, self.stiffness_n_per_mm, load_n)
+            open_mm = self.separator_mm + twist_rad * radius_mm
+            slope = radius_mm * open_mm / np.hypot(self.torsion_zone_mm, open_mm)
+        return np.asarray(slope * RAD_PER_TURN)

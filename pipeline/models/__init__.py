@@ -1,0 +1,1 @@
+"""Kinematic models of a twisted string: one file a model, one interface."""

@@ -1,0 +1,84 @@
+"""Every table that passes a door: its columns, their types and their units, checked on both sides."""
+
+from pathlib import Path
+
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from pipeline.errors import BadInput
+from pipeline.files import whole
+
+UNIT = {  # by the ending of a column's name
+    "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
+    "_deg": "deg", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm",
+}  # fmt: skip
+# The channels that a run can have besides time_s: the driver (what the motor does), then what is measured.
+CHANNELS = {
+    "separator": ("motor_turns", "displacement_mm"),
+    "twisted_pair": ("motor_turns", "displacement_mm"),
+    "cable_drive": ("motor_deg", "jaw_deg"),
+    "moving_mass": ("position_m", "force_n"),
+}
+OPTIONAL_CHANNELS = ("load_n", "temperature_c", "motor_current_a", "torque_nm")
+
+
+def unit_of(column: str) -> str:
+    """Unit that a column's name ends in, or "1" for a count, a label or a share."""
+    endings = [ending for ending in UNIT if column.endswith(ending)]
+    return UNIT[max(endings, key=len)] if endings else "1"
+
+
+def _schema(**columns: pa.DataType) -> pa.Schema:
+    return pa.schema(
+        pa.field(name, kind, nullable=False, metadata={"unit": unit_of(name)})
+        for name, kind in columns.items()
+    )
+
+
+F, I, S, B = pa.float64(), pa.int32(), pa.string(), pa.bool_()
+
+
+def samples(columns: list[str]) -> pa.Schema:
+    """Schema of `processed/<run>/samples.parquet`: one row a sample, `time_s` and the run's channels."""
+    return _schema(**{name: F for name in columns})
+
+
+# One row for each stretch of a run in which the motor keeps doing one thing.
+STROKES = _schema(
+    stroke=I, phase=S, first_sample=I, last_sample=I, start_s=F, end_s=F, start_turns=F, end_turns=F,
+    missing_samples=I, complete=B,
+)  # fmt: skip
+# One row a point of a material; `within` and `later` hold "train", "test" or "" (not used).
+DATASET = _schema(
+    run=S, string=S, stroke=I, phase=S, direction=I, block=I, within=S, later=S, time_s=F,
+    motor_turns=F, displacement_mm=F, load_n=F, actuator=S, radius_mm=F, length_mm=F, stiffness_n_per_mm=F,
+    torsion_zone_mm=F, separator_mm=F,
+)  # fmt: skip
+# One row a held-out point; `point` is its row in the dataset.
+PREDICTIONS = _schema(point=I, displacement_mm=F, motor_turns=F)
+METRICS = _schema(
+    material=S, model=S, split=S, map=S, stroke=S, phase=S, angle_band=S, seed=I, metric=S, unit=S, value=F
+)
+
+
+def write(table: pd.DataFrame, schema: pa.Schema, path: Path | str) -> None:
+    """Write a table as Parquet under its schema, units included, whole or not at all."""
+    columns = [pa.array(table[field.name].to_numpy(), field.type, from_pandas=False) for field in schema]
+    with whole(path) as temporary:
+        pq.write_table(pa.Table.from_arrays(columns, schema=schema), temporary)
+
+
+def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
+    """Read a Parquet table and refuse it unless its columns, types and units are the schema's.
+
+    Without a schema the columns' names, types and units must agree with each other (samples).
+    Raises BadInput when they do not.
+    """
+    arrow = pq.read_table(path)
+    expected = schema if schema is not None else samples(arrow.schema.names)
+    if not arrow.schema.equals(expected, check_metadata=True):
+        raise BadInput(
+            path, "schema", "columns, types or units are not this version's", "delete it and run again"
+        )
+    return arrow.to_pandas()
