@@ -22,18 +22,12 @@ def loaded_radius(radius_mm: Values, length_mm: Values, stiffness_n_per_mm: Valu
     return np.asarray(radius_mm * np.sqrt(length_mm / stretched_mm))
 
 
-def separator_contraction(
-    twist_rad: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values
-) -> Array:
+def separator_contraction(twist_rad: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values) -> Array:
     """Contraction of a string with separator (eqs 1, 4), in mm; at zero twist it is √(d² + b²) − d, not 0."""
-    return np.asarray(
-        np.hypot(torsion_zone_mm, separator_mm + np.asarray(twist_rad) * radius_mm) - torsion_zone_mm
-    )
+    return np.asarray(np.hypot(torsion_zone_mm, separator_mm + np.asarray(twist_rad) * radius_mm) - torsion_zone_mm)
 
 
-def separator_twist(
-    contraction_mm: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values
-) -> Array:
+def separator_twist(contraction_mm: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values) -> Array:
     """Twist of a string with separator (eq. 5), in rad.
 
     Where the contraction is negative eq. 5 has no real root: its radicand is clipped at 0.

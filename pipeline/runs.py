@@ -32,9 +32,7 @@ class String(_Section):
     radius_mm: Positive = Field(description="radius of one string in mm", examples=[0.55])
     length_mm: Positive = Field(description="length l0 of the unloaded string in mm", examples=[320])
     stiffness_n_per_mm: Positive = Field(description="stiffness K of the string in N/mm", examples=[35])
-    id: str | None = Field(
-        None, description="name of this very string; runs that share it continue each other"
-    )
+    id: str | None = Field(None, description="name of this very string; runs that share it continue each other")
     strokes_before: int = Field(0, ge=0, description="strokes that the string had done before this run")
 
     @field_validator("material")
@@ -69,13 +67,11 @@ class Run(_Section):
 
     run: str
     actuator: Literal["separator", "twisted_pair", "cable_drive", "moving_mass"] = "separator"
-    string: String | None = Field(
-        None, description="the string: material, radius_mm, length_mm, stiffness_n_per_mm"
-    )
+    string: String | None = Field(None, description="the string: material, radius_mm, length_mm, stiffness_n_per_mm")
     rig: dict[str, Number] = Field(default_factory=dict, description="the rig's dimensions")
     tolerance: dict[str, Positive] = Field(default_factory=dict)
     simulation: list[dict[str, Any]] = Field(default_factory=list)
-    file: TextFile = TextFile()
+    file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
     channels: dict[str, Channel] = Field(default_factory=dict)
     mended: dict[str, Annotated[int, Field(ge=0)]] = Field(default_factory=dict)
 
@@ -84,21 +80,17 @@ class Run(_Section):
         if self.actuator not in STRING_ACTUATORS:
             return self
         if self.string is None:
-            raise ValueError(
-                "string: is missing; add the string's material, radius_mm, length_mm, stiffness_n_per_mm"
-            )
+            raise ValueError("string: is missing; add the string's material, radius_mm, length_mm, stiffness_n_per_mm")
         needed = ("torsion_zone_mm", "separator_mm") if self.actuator == "separator" else ()
         for key in needed:
             if key not in self.rig:
                 raise ValueError(f"rig.{key}: is missing; add the length in mm that you measured on the rig")
-        known = ("torsion_zone_mm", "separator_mm", "load_n")
+        known: tuple[str, ...] = ("torsion_zone_mm", "separator_mm", "load_n")
         for key, value in self.rig.items():
             if key not in known:
                 raise ValueError(f"rig.{key}: is not a known key{_meant(key, known)}")
             if value < 0 or (value == 0 and key == "torsion_zone_mm"):
-                raise ValueError(
-                    f"rig.{key}: is {value:g}; give the length in mm or the load in N that was measured"
-                )
+                raise ValueError(f"rig.{key}: is {value:g}; give the length in mm or the load in N that was measured")
         known = ("radius", "separator_mm", "torsion_zone_mm", "length_mm")
         for key in self.tolerance:
             if key not in known:
@@ -154,13 +146,9 @@ def parse_run(content: Any, path: Path) -> Run:
     except ValidationError as error:
         raise _bad(path, error) from None
     if not RUN_NAME.fullmatch(run.run):
-        raise BadInput(
-            path, "run", f"is {run.run!r}", "use lower-case letters, digits and -, as in uhmwpe-20261121-01"
-        )
+        raise BadInput(path, "run", f"is {run.run!r}", "use lower-case letters, digits and -, as in uhmwpe-20261121-01")
     if run.run != path.parent.name:
-        raise BadInput(
-            path, "run", f"is {run.run!r} in a folder named {path.parent.name!r}", "make both the same"
-        )
+        raise BadInput(path, "run", f"is {run.run!r} in a folder named {path.parent.name!r}", "make both the same")
     return run
 
 
@@ -170,9 +158,7 @@ def read_run(folder: Path | str) -> Run:
     try:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
-        raise BadInput(
-            path, "run.yaml", "is missing", "write it: python -m pipeline.new_run shows how"
-        ) from None
+        raise BadInput(path, "run.yaml", "is missing", "write it: python -m pipeline.new_run shows how") from None
     except UnicodeDecodeError:
         raise BadInput(path, "run.yaml", "is not UTF-8 text", "save it as UTF-8") from None
     try:
@@ -209,9 +195,7 @@ def capture_info(folder: Path | str) -> dict[str, Any]:
     except ValueError:
         info = None
     if not isinstance(info, dict):
-        raise BadInput(
-            path, "capture.json", "is not what the capture program writes", "restore it, or use --recover"
-        )
+        raise BadInput(path, "capture.json", "is not what the capture program writes", "restore it, or use --recover")
     return info
 
 

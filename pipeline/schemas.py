@@ -31,12 +31,11 @@ def unit_of(column: str) -> str:
 
 def _schema(**columns: pa.DataType) -> pa.Schema:
     return pa.schema(
-        pa.field(name, kind, nullable=False, metadata={"unit": unit_of(name)})
-        for name, kind in columns.items()
+        pa.field(name, kind, nullable=False, metadata={"unit": unit_of(name)}) for name, kind in columns.items()
     )
 
 
-F, I, S, B = pa.float64(), pa.int32(), pa.string(), pa.bool_()
+F, N, S, B = pa.float64(), pa.int32(), pa.string(), pa.bool_()
 
 
 def samples(columns: list[str]) -> pa.Schema:
@@ -46,19 +45,19 @@ def samples(columns: list[str]) -> pa.Schema:
 
 # One row for each stretch of a run in which the motor keeps doing one thing.
 STROKES = _schema(
-    stroke=I, phase=S, first_sample=I, last_sample=I, start_s=F, end_s=F, start_turns=F, end_turns=F,
-    missing_samples=I, complete=B,
+    stroke=N, phase=S, first_sample=N, last_sample=N, start_s=F, end_s=F, start_turns=F, end_turns=F,
+    missing_samples=N, complete=B,
 )  # fmt: skip
 # One row a point of a material; `within` and `later` hold "train", "test" or "" (not used).
 DATASET = _schema(
-    run=S, string=S, stroke=I, phase=S, direction=I, block=I, within=S, later=S, time_s=F,
+    run=S, string=S, stroke=N, phase=S, direction=N, block=N, within=S, later=S, time_s=F,
     motor_turns=F, displacement_mm=F, load_n=F, actuator=S, radius_mm=F, length_mm=F, stiffness_n_per_mm=F,
     torsion_zone_mm=F, separator_mm=F,
 )  # fmt: skip
 # One row a held-out point; `point` is its row in the dataset.
-PREDICTIONS = _schema(point=I, displacement_mm=F, motor_turns=F)
+PREDICTIONS = _schema(point=N, displacement_mm=F, motor_turns=F)
 METRICS = _schema(
-    material=S, model=S, split=S, map=S, stroke=S, phase=S, angle_band=S, seed=I, metric=S, unit=S, value=F
+    material=S, model=S, split=S, map=S, stroke=S, phase=S, angle_band=S, seed=N, metric=S, unit=S, value=F
 )
 
 
@@ -78,7 +77,5 @@ def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
     arrow = pq.read_table(path)
     expected = schema if schema is not None else samples(arrow.schema.names)
     if not arrow.schema.equals(expected, check_metadata=True):
-        raise BadInput(
-            path, "schema", "columns, types or units are not this version's", "delete it and run again"
-        )
+        raise BadInput(path, "schema", "columns, types or units are not this version's", "delete it and run again")
     return arrow.to_pandas()

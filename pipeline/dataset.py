@@ -1,0 +1,184 @@
+"""Strokes → dataset: the points of a material, tared, numbered by stroke, and parted into two splits.
+
+`within` holds out blocks inside strokes (interpolation), `later` the last quarter of a string's strokes
+(extrapolation in n). Both are the same whatever the seed, so every model and seed is judged on the same points.
+"""
+
+import argparse
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from pipeline import schemas
+from pipeline.errors import BadInput, program
+from pipeline.ingest import geometry
+from pipeline.runs import Run, capture_info, read_run
+
+TRAINING_POINTS = 5000  # as in the paper
+MOST_BLOCKS = 40  # into which a stroke's winding, or unwinding, is cut
+BLOCK_LEAST_SAMPLES = 10
+HOLD_OUT = 4  # one block in so many
+LATER_LEAST_STROKES = 4
+MOVING = ("winding", "unwinding")
+
+Numbers = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """One run as it reaches this stage: what it is, when it began, its samples and its strokes."""
+
+    run: Run
+    started_utc: str
+    samples: pd.DataFrame
+    strokes: pd.DataFrame
+
+
+def in_order(runs: list[Recorded]) -> list[Recorded]:
+    """Runs of one string in the order in which they were recorded.
+
+    The capture program notes when it began. Where it did not record every run, their own time stamps tell as long
+    as no two overlap; failing that, their names do.
+    """
+    by_name = sorted(runs, key=lambda one: one.run.run)
+    if all(one.started_utc for one in runs):
+        return sorted(by_name, key=lambda one: one.started_utc)
+    spans = sorted((one.samples["time_s"].iloc[0], one.samples["time_s"].iloc[-1]) for one in runs)
+    if all(before[1] <= after[0] for before, after in pairwise(spans)):
+        return sorted(by_name, key=lambda one: float(one.samples["time_s"].iloc[0]))
+    return by_name
+
+
+def tare_mm(first: Recorded) -> float:
+    """What to add to a string's displacement so that it is the model's on the rest before the first stroke.
+
+    Without a rest there, its first sample serves. The median keeps outliers out.
+    """
+    samples, strokes = first.samples, first.strokes
+    before = strokes[(strokes["stroke"] == 0) & (strokes["phase"] == "rest")]
+    rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
+    if before.empty:
+        rest = samples.iloc[:1]
+    expected_mm = geometry(first.run).contraction_mm(rest["motor_turns"].to_numpy(), rest["load_n"].to_numpy())
+    return float(np.median(expected_mm - rest["displacement_mm"].to_numpy()))
+
+
+def blocks_from_top(samples: int) -> Numbers:
+    """Block of each sample of one winding, counted from its top and given in order of rising twist."""
+    count = min(max(samples // BLOCK_LEAST_SAMPLES, 1), MOST_BLOCKS)
+    return (np.arange(samples) * count // max(samples, 1))[::-1].copy()
+
+
+def held_out(block: Numbers, stroke: Numbers) -> Mask:
+    """Whether a block of a stroke is held out in the split `within`.
+
+    One block in four, shifted by one from stroke to stroke and from group to group of four, so that over four strokes
+    every twist is held out once; strokes 1, 5 and 9, which the tables show, hold out their very top.
+    """
+    return np.asarray(block % HOLD_OUT == (block // HOLD_OUT + stroke - 1) % HOLD_OUT)
+
+
+def points_of(recorded: Recorded, strokes_before: int, offset_mm: float) -> pd.DataFrame:
+    """The moving points of a run, with stroke number, phase, block and the string's dimensions."""
+    run, samples = recorded.run, recorded.samples
+    assert run.string is not None
+    parts = []
+    stretches = recorded.strokes[recorded.strokes["phase"].isin(MOVING) & (recorded.strokes["stroke"] > 0)]
+    for (stroke, phase), group in stretches.groupby(["stroke", "phase"], sort=True):
+        rows = np.concatenate(
+            [np.arange(a, b + 1) for a, b in zip(group["first_sample"], group["last_sample"], strict=True)]
+        )
+        block = blocks_from_top(len(rows))
+        part = samples.iloc[rows][["time_s", "motor_turns", "displacement_mm", "load_n"]].reset_index(drop=True)
+        part["displacement_mm"] += offset_mm
+        part["stroke"] = int(stroke) + strokes_before
+        part["phase"] = phase
+        part["direction"] = 1 if phase == "winding" else -1
+        part["block"] = block if phase == "winding" else block[::-1]
+        parts.append(part)
+    points = pd.concat(parts, ignore_index=True).sort_values("time_s", ignore_index=True)
+    points["run"], points["string"], points["actuator"] = run.run, run.string_id, run.actuator
+    points["radius_mm"] = run.string.radius_mm
+    points["length_mm"] = run.string.length_mm
+    points["stiffness_n_per_mm"] = run.string.stiffness_n_per_mm
+    points["torsion_zone_mm"] = run.rig.get("torsion_zone_mm", np.nan)
+    points["separator_mm"] = run.rig.get("separator_mm", np.nan)
+    return points
+
+
+def _thinned(eligible: Mask) -> Mask:
+    """At most TRAINING_POINTS of the eligible rows, evenly spaced over them."""
+    rows = np.flatnonzero(eligible)
+    if len(rows) > TRAINING_POINTS:
+        rows = rows[np.linspace(0, len(rows) - 1, TRAINING_POINTS).round().astype(int)]
+    chosen = np.zeros(len(eligible), bool)
+    chosen[rows] = True
+    return chosen
+
+
+def _split(test: Mask, eligible: Mask) -> NDArray[np.str_]:
+    """Labels "train", "test" and "" of the points."""
+    return np.where(test, "test", np.where(_thinned(eligible & ~test), "train", ""))
+
+
+def make_dataset(recorded: list[Recorded]) -> pd.DataFrame:
+    """Points of all runs of a material; columns of `schemas.DATASET`.
+
+    Runs of the same string continue each other's stroke numbers and share its tare.
+    """
+    strings: dict[str, list[Recorded]] = {}
+    for one in sorted(recorded, key=lambda one: one.run.run):
+        strings.setdefault(one.run.string_id, []).append(one)
+    parts = []
+    for runs in map(in_order, strings.values()):
+        offset_mm, done = tare_mm(runs[0]), 0
+        for one in runs:
+            assert one.run.string is not None
+            done = max(done, one.run.string.strokes_before)
+            parts.append(points_of(one, done, offset_mm))
+            done += int(one.strokes["stroke"].max())
+    points = pd.concat(parts, ignore_index=True)
+
+    everything = np.ones(len(points), bool)
+    points["within"] = _split(held_out(points["block"].to_numpy(), points["stroke"].to_numpy()), everything)
+    numbers = points.groupby("string")["stroke"]
+    enough = (numbers.transform("nunique") >= LATER_LEAST_STROKES).to_numpy()
+    rank = numbers.rank("dense").to_numpy()
+    test = enough & (rank > np.floor(0.75 * numbers.transform("nunique").to_numpy() + 0.5))
+    points["later"] = _split(test, enough)
+    return points[schemas.DATASET.names]
+
+
+def read_recorded(run_dir: Path, processed: Path) -> Recorded:
+    """One run from its folder and from what the earlier stages made of it."""
+    run = read_run(run_dir)
+    samples = schemas.read(processed / run.run / "samples.parquet")
+    strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
+    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes)
+
+
+@program
+def main() -> None:
+    """Write `dataset.parquet` of one material."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("run_dirs", type=Path, nargs="+")
+    parser.add_argument("--processed", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True)
+    arguments = parser.parse_args()
+    dataset = make_dataset([read_recorded(folder, arguments.processed) for folder in arguments.run_dirs])
+    if not (dataset["within"] == "test").any():
+        mend = "record more samples a stroke"
+        raise BadInput(arguments.out, "within", "there are too few points to hold any out", mend)
+    schemas.write(dataset, schemas.DATASET, arguments.out)
+    for split in ("within", "later"):
+        counts = dataset[split].value_counts()
+        print(f"{split}: {counts.get('train', 0)} points to train on, {counts.get('test', 0)} held out")
+
+
+if __name__ == "__main__":
+    main()

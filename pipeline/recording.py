@@ -1,0 +1,123 @@
+"""A recording, in whatever form it lies in a run folder, as a table of channels in our units."""
+
+import gzip
+import io
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from pipeline.errors import BadInput
+from pipeline.runs import Channel, Run, TextFile, recording_path
+from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS, unit_of
+from pipeline.units import conversion
+
+
+def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
+    """Text table of numbers as it stands in the file; columns have their header's names or indices from 0.
+
+    Raises BadInput for a file that is empty, is not text, or holds something else than numbers.
+    """
+    opened = gzip.open if path.suffix == ".gz" else open
+    try:
+        with opened(path, "rb") as file:
+            text = file.read().decode(layout.encoding)
+    except (OSError, EOFError) as error:
+        raise BadInput(path, "file", f"cannot be read ({error})", "copy it again from the logger") from None
+    except (UnicodeDecodeError, LookupError):
+        mend = "set file.encoding, latin1 for instance"
+        raise BadInput(path, "file.encoding", f"is not {layout.encoding}", mend) from None
+    lines = [line for line in text.splitlines() if line.strip()]
+    if layout.comment:
+        lines = [line for line in lines if not line.lstrip().startswith(layout.comment)]
+    if len(lines) <= layout.header:
+        raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
+    separator = r"\s+" if layout.delimiter.isspace() else layout.delimiter
+    try:
+        table = pd.read_csv(
+            io.StringIO("\n".join(lines)),
+            sep=separator,
+            header=0 if layout.header else None,
+            skipinitialspace=True,
+            index_col=False,
+            float_precision="round_trip",
+            engine="c",
+        )
+    except (pd.errors.ParserError, pd.errors.EmptyDataError, pd.errors.ParserWarning) as error:
+        mend = "check file.delimiter, and the line that it names"
+        raise BadInput(path, "file", f"is not a table ({str(error).strip()})", mend) from None
+    table.columns = [str(name).strip() if layout.header else name for name in table.columns]
+    return table
+
+
+def _read(run: Run, folder: Path) -> tuple[pd.DataFrame, Path]:
+    """Raw table and the file that it came from."""
+    path = recording_path(folder)
+    if path.suffix == ".frames":
+        raise NotImplementedError
+    if path.suffix == ".parquet":
+        try:
+            return pq.read_table(path).to_pandas(), path
+        except (pa.ArrowException, OSError):
+            mend = "copy it again; a Parquet file whose writer was killed cannot be read"
+            raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
+    return read_text(path, run.file), path
+
+
+def _raw(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool) -> pd.Series:
+    """The raw column of a channel; raises BadInput when the file does not have it or it is not numeric."""
+    key = name if channel.column is None else channel.column
+    if isinstance(key, int):
+        if not 0 <= key < table.shape[1]:
+            mend = f"correct channels.{name}.column"
+            raise BadInput(path, f"column {key}", f"is not among its {table.shape[1]} columns", mend)
+        column = table.iloc[:, key]
+    elif key in table.columns:
+        column = table[key]
+    else:
+        there = ", ".join(str(name) for name in table.columns[:12])
+        where = f"correct channels.{name}.column" if given else f"name the column under channels.{name}.column"
+        raise BadInput(path, name, f"there is no column {key!r}, only {there}", f"{where} in run.yaml")
+    numbers = pd.to_numeric(column, errors="coerce")
+    if column.dtype == bool or (numbers.isna() & column.notna()).any():
+        row = int(np.argmax((numbers.isna() & column.notna()).to_numpy()))
+        raise BadInput(path, name, f"row {row + 1} holds {column.iloc[row]!r}, not a number", "remove that row")
+    return numbers.astype(float)
+
+
+def read_recording(run: Run, folder: Path | str) -> pd.DataFrame:
+    """Samples of a run: `time_s` and its channels in our units, as recorded, unchecked but for being numbers.
+
+    A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. Raises BadInput.
+    """
+    folder = Path(folder)
+    table, path = _read(run, folder)
+    required = ("time_s", *CHANNELS[run.actuator])
+    known = (*required, *OPTIONAL_CHANNELS)
+    for name in run.channels:
+        if name not in known:
+            mend = f"use one of {', '.join(known)}"
+            raise BadInput(folder / "run.yaml", f"channels.{name}", "is not a known channel", mend)
+    samples = {}
+    for name in known:
+        given = name in run.channels
+        channel = run.channels.get(name, Channel.model_validate({}))
+        if name not in required and not given and name not in table.columns:
+            continue
+        raw = _raw(table, name, channel, path, given)
+        try:
+            factor, shift = conversion(name, channel.unit, channel.counts_per_turn)
+        except ValueError as error:
+            problem, _, mend = str(error).partition("; ")
+            raise BadInput(folder / "run.yaml", f"channels.{name}.unit", f"{channel.unit} {problem}", mend) from None
+        samples[name] = factor * (channel.scale * raw + channel.offset) + shift
+    if run.string is not None and "load_n" not in samples:
+        samples["load_n"] = pd.Series(run.rig.get("load_n", 0.0), index=table.index)
+    return pd.DataFrame(samples).astype(float)
+
+
+def describe(name: str) -> str:
+    """Name and unit of a channel, for a message."""
+    return f"{name} [{unit_of(name)}]"
