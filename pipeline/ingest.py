@@ -11,6 +11,8 @@ from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
 from pipeline.recording import read_recording
 from pipeline.runs import Run, read_run, recording_path
+from pipeline.schemas import CHANNELS
+from pipeline.strokes import segment
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 LEAST_SAMPLES = 20
@@ -99,15 +101,21 @@ def check_string(samples: pd.DataFrame, base: Geometry, path: Path) -> None:
     raise BadInput(path, field, problem, mend)
 
 
+def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
+    """Raise BadInput unless the samples of a run, read from `path`, can be what their names say and hold a stroke."""
+    check_numbers(samples, path)
+    if run.string is not None:
+        check_string(samples, geometry(run), path)
+    segment(samples, CHANNELS[run.actuator][0], path)
+
+
 def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     """A run and its samples (`time_s` and the channels, one row a sample), checked; raises BadInput."""
     folder = Path(folder)
     run = read_run(folder)
     samples = read_recording(run, folder)
     path = recording_path(folder)
-    check_numbers(samples, path)
-    if run.string is not None:
-        check_string(samples, geometry(run), path)
+    check(run, samples, path)
     return run, samples
 
 

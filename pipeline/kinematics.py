@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 Values = Any  # a float or an array that broadcasts with the others
 
 RAD_PER_TURN = 2.0 * np.pi
+DIMENSIONS = ("radius_mm", "length_mm", "stiffness_n_per_mm", "torsion_zone_mm", "separator_mm")
+POINT_COLUMNS = ("actuator", "motor_turns", "displacement_mm", "load_n", *DIMENSIONS)
 
 
 def loaded_radius(radius_mm: Values, length_mm: Values, stiffness_n_per_mm: Values, load_n: Values) -> Array:
@@ -88,3 +90,20 @@ class Geometry:
             open_mm = self.separator_mm + twist_rad * radius_mm
             slope = radius_mm * open_mm / np.hypot(self.torsion_zone_mm, open_mm)
         return np.asarray(slope * RAD_PER_TURN)
+
+
+def nominal(points: Any) -> tuple[Array, Array]:
+    """What the analytic model predicts at each of a dataset's points: contraction in mm and twist in turns.
+
+    `points` is a table with the columns of `schemas.DATASET`; its rows may be of several strings and actuators.
+    """
+    contraction_mm, motor_turns = np.empty(len(points)), np.empty(len(points))
+    column = {name: np.asarray(points[name]) for name in POINT_COLUMNS}
+    for actuator in np.unique(column["actuator"].astype(str)):
+        rows = column["actuator"] == actuator
+        own = {name: values[rows] for name, values in column.items()}
+        dimensions = {name: own[name] for name in DIMENSIONS}
+        geometry = Geometry(str(actuator), **dimensions)
+        contraction_mm[rows] = geometry.contraction_mm(own["motor_turns"], own["load_n"])
+        motor_turns[rows] = geometry.motor_turns(own["displacement_mm"], own["load_n"])
+    return contraction_mm, motor_turns

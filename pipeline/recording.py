@@ -11,7 +11,7 @@ import pyarrow.parquet as pq
 
 from pipeline.errors import BadInput
 from pipeline.runs import Channel, Run, TextFile, recording_path
-from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS, unit_of
+from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS
 from pipeline.units import conversion
 
 
@@ -52,18 +52,15 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     return table
 
 
-def _read(run: Run, folder: Path) -> tuple[pd.DataFrame, Path]:
-    """Raw table and the file that it came from."""
-    path = recording_path(folder)
-    if path.suffix == ".frames":
-        raise NotImplementedError
-    if path.suffix == ".parquet":
-        try:
-            return pq.read_table(path).to_pandas(), path
-        except (pa.ArrowException, OSError):
-            mend = "copy it again; a Parquet file whose writer was killed cannot be read"
-            raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
-    return read_text(path, run.file), path
+def read_table(path: Path, layout: TextFile) -> pd.DataFrame:
+    """Raw table of a foreign recording, text or Parquet, as it stands in the file; raises BadInput."""
+    if path.suffix != ".parquet":
+        return read_text(path, layout)
+    try:
+        return pq.read_table(path).to_pandas()
+    except (pa.ArrowException, OSError):
+        mend = "copy it again; a Parquet file whose writer was killed cannot be read"
+        raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
 
 
 def _raw(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool) -> pd.Series:
@@ -87,37 +84,37 @@ def _raw(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bo
     return numbers.astype(float)
 
 
-def read_recording(run: Run, folder: Path | str) -> pd.DataFrame:
-    """Samples of a run: `time_s` and its channels in our units, as recorded, unchecked but for being numbers.
+def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.DataFrame:
+    """A raw table from `path` as `time_s` and the run's channels in our units, by the channels of file `mapping`.
 
     A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. Raises BadInput.
     """
-    folder = Path(folder)
-    table, path = _read(run, folder)
     required = ("time_s", *CHANNELS[run.actuator])
     known = (*required, *OPTIONAL_CHANNELS)
     for name in run.channels:
         if name not in known:
             mend = f"use one of {', '.join(known)}"
-            raise BadInput(folder / "run.yaml", f"channels.{name}", "is not a known channel", mend)
+            raise BadInput(mapping, f"channels.{name}", "is not a known channel", mend)
     samples = {}
     for name in known:
         given = name in run.channels
-        channel = run.channels.get(name, Channel.model_validate({}))
         if name not in required and not given and name not in table.columns:
             continue
+        channel = run.channels.get(name, Channel.model_validate({}))
         raw = _raw(table, name, channel, path, given)
         try:
             factor, shift = conversion(name, channel.unit, channel.counts_per_turn)
         except ValueError as error:
             problem, _, mend = str(error).partition("; ")
-            raise BadInput(folder / "run.yaml", f"channels.{name}.unit", f"{channel.unit} {problem}", mend) from None
+            raise BadInput(mapping, f"channels.{name}.unit", f"{channel.unit} {problem}", mend) from None
         samples[name] = factor * (channel.scale * raw + channel.offset) + shift
     if run.string is not None and "load_n" not in samples:
         samples["load_n"] = pd.Series(run.rig.get("load_n", 0.0), index=table.index)
     return pd.DataFrame(samples).astype(float)
 
 
-def describe(name: str) -> str:
-    """Name and unit of a channel, for a message."""
-    return f"{name} [{unit_of(name)}]"
+def read_recording(run: Run, folder: Path) -> pd.DataFrame:
+    """Samples of a run folder, one row a sample: `time_s` and its channels, unchecked but for being numbers."""
+    path = recording_path(folder)
+    table = read_table(path, run.file)
+    return to_samples(run, table, path, folder / "run.yaml")

@@ -200,5 +200,5 @@ def capture_info(folder: Path | str) -> dict[str, Any]:
 
 
 def find_runs(raw: Path | str) -> Iterator[Path]:
-    """Run folders under `raw/`, sorted by name: every folder that holds a `run.yaml`."""
-    return (path.parent for path in sorted(Path(raw).glob("*/run.yaml")))
+    """Run folders under `raw/`, sorted by name: every folder that holds a `run.yaml`, hidden ones left out."""
+    return (path.parent for path in sorted(Path(raw).glob("[!.]*/run.yaml")))

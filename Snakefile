@@ -1,0 +1,69 @@
+"""twistbench: from recordings of a twisted string rig to the paper's tables and figures."""
+
+import json
+import sys
+from pathlib import Path
+
+from snakemake.utils import min_version, validate
+
+min_version("9.27")
+sys.path.insert(0, workflow.basedir)
+
+from pipeline.dag import SYNTHETIC_FILES, fits, make_plan, recorded_files
+from pipeline.fingerprint import fingerprint
+from pipeline.report.summary import summary
+
+
+configfile: str(Path(workflow.basedir) / "pipeline/config/default.yaml")
+
+
+validate(config, str(Path(workflow.basedir) / "pipeline/config/schema.yaml"))
+RAW, SYNTHETIC = Path("raw"), list(config["synthetic"])
+PLAN = make_plan(RAW, SYNTHETIC)
+MATERIALS = list(PLAN.materials)
+TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
+TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
+FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
+
+# One thread a job: two small trainings side by side are ten times slower with two threads each.
+shell.prefix(f"export PYTHONPATH={workflow.basedir} OMP_NUM_THREADS=1 PYTHONUNBUFFERED=1 TWISTBENCH_JOB=1; ")
+
+
+wildcard_constraints:
+    run="[^/]+",
+    material="[A-Za-z0-9][A-Za-z0-9_-]*",
+    model="[a-z_]+",
+    split="within|later",
+    seed="[0-9]+",
+
+
+rule all:
+    default_target: True
+    input:
+        expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, "comparison.md"]),
+        expand("processed/{run}/strokes.parquet", run=PLAN.others),
+        "reports/metrics.csv",
+        "reports/index.html",
+
+
+rule tables:
+    input:
+        expand("reports/{material}/{file}", material=MATERIALS, file=TABLES),
+
+
+include: "pipeline/rules/record.smk"
+include: "pipeline/rules/ingest.smk"
+include: "pipeline/rules/strokes.smk"
+include: "pipeline/rules/dataset.smk"
+include: "pipeline/rules/train.smk"
+include: "pipeline/rules/evaluate.smk"
+include: "pipeline/rules/report.smk"
+
+
+onstart:
+    for run in PLAN.unfinished:
+        print(f"raw/{run}: left out, its recording is unfinished (python -m pipeline.capture --recover raw/{run})")
+
+
+onsuccess:
+    print(summary(Path("reports"), MATERIALS))

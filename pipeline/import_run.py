@@ -1,0 +1,117 @@
+"""A foreign recording → a run folder, through a mapping that says which column is what.
+
+A mapping is a `run.yaml` without `run`: the string, the rig, how the file is written and where its channels stand.
+"""
+
+import argparse
+import os
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import yaml
+
+from pipeline import schemas
+from pipeline.errors import BadInput, program
+from pipeline.ingest import check
+from pipeline.kinematics import Array
+from pipeline.recording import read_table, to_samples
+from pipeline.runs import parse_run
+
+
+def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
+    """Time stamps that rise strictly, and how often each rule was needed.
+
+    `backward_time_stamps`: where the clock falls back for good, all that follows is moved to one usual step after the
+    sample before; a single stamp that falls back, or leaps ahead, is put between its neighbours.
+    `repeated_time_stamps`: samples that share a stamp are spread evenly up to the next. No sample is dropped.
+    """
+    time_s = np.array(time_s)
+    steps = np.diff(time_s)
+    usual_s = float(np.median(steps[steps > 0])) if (steps > 0).any() else 1.0
+    backward = repeated = 0
+    for row in range(1, len(time_s)):
+        if time_s[row] >= time_s[row - 1]:
+            continue
+        backward += 1
+        if row + 1 < len(time_s) and time_s[row + 1] > time_s[row - 1]:
+            time_s[row] = (time_s[row - 1] + time_s[row + 1]) / 2
+        elif row > 1 and time_s[row] > time_s[row - 2]:
+            time_s[row - 1] = (time_s[row - 2] + time_s[row]) / 2
+        else:
+            time_s[row:] += time_s[row - 1] + usual_s - time_s[row]
+    _, first, count = np.unique(time_s, return_index=True, return_counts=True)
+    for start, same in zip(first[count > 1], count[count > 1], strict=True):
+        following = start + same
+        gap_s = time_s[following] - time_s[start] if following < len(time_s) else same * usual_s
+        gap_s = min(gap_s, same * usual_s) if gap_s > 2 * same * usual_s else gap_s  # a gap stays a gap
+        time_s[start:following] += gap_s * np.arange(same) / same
+        repeated += int(same) - 1
+    mended = {"backward_time_stamps": backward, "repeated_time_stamps": repeated}
+    return time_s, {rule: times for rule, times in mended.items() if times}
+
+
+def read_mapping(path: Path) -> dict[str, Any]:
+    """Content of a mapping; raises BadInput when it is not there, not YAML, or names a run."""
+    try:
+        content = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise BadInput(path, "mapping", f"cannot be read ({type(error).__name__})", "write it as a run.yaml") from None
+    if not isinstance(content, dict) or {"run", "mended"} & content.keys():
+        mend = "write it as a run.yaml, without run and mended"
+        raise BadInput(path, "mapping", "is not a mapping", mend)
+    return content
+
+
+def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path) -> None:
+    """Make a run folder, whole or not at all; raises BadInput when it is there already."""
+    if folder.exists():
+        raise BadInput(folder, "run", "is there already", "choose another --run; runs are never overwritten")
+    temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
+    try:
+        temporary.mkdir(parents=True)
+        schemas.write(samples, schemas.samples(list(samples.columns)), temporary / "recording.parquet")
+        text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
+        (temporary / "run.yaml").write_text(text, encoding="utf-8")
+        os.rename(temporary, folder)
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
+    """Import one file as run `name` under `out`; a sentence that says what was done. Raises BadInput."""
+    folder = out / name
+    content = {"run": name, **read_mapping(mapping)}
+    try:
+        run = parse_run(content, folder / "run.yaml")
+    except BadInput as error:  # the mapping is what a person can mend, but for the name
+        where = "--run" if error.field == "run" else str(mapping)
+        raise BadInput(where, error.field, error.problem, error.mend) from None
+    if not file.is_file():
+        raise BadInput(file, "file", "is not there", "check the path")
+    samples = to_samples(run, read_table(file, run.file), file, mapping)
+    time_s, mended = mend_time(samples["time_s"].to_numpy())
+    samples["time_s"] = time_s
+    check(run, samples, file)
+    kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
+    write_run({**kept, **({"mended": mended} if mended else {})}, samples, folder)
+    said = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
+    return f"{folder}: {len(samples)} samples" + (f"; mended {said}" if said else "")
+
+
+@program
+def main() -> None:
+    """Import one file."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("file", type=Path)
+    parser.add_argument("--map", type=Path, required=True, help="mapping, such as pipeline/mappings/tsa_haptic_1.yaml")
+    parser.add_argument("--run", required=True, help="name of the new run: lower-case letters, digits and -")
+    parser.add_argument("--out", type=Path, default=Path("raw"))
+    arguments = parser.parse_args()
+    print(import_run(arguments.file, arguments.map, arguments.run, arguments.out))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Metrics and predictions → what a person reads: tables, comparison, figures. Stands on files, not on models."""

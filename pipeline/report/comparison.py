@@ -1,0 +1,90 @@
+"""Metrics → comparison.md: our numbers beside the paper's, their spread over the seeds, and the split `later`."""
+
+import argparse
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline import schemas
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.report import paper
+from pipeline.report.tables import titles_of
+
+NOTES = """\
+Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of
+the strokes, whole. Values are medians over the seeds, with the lowest and the highest in brackets where they differ.
+The displacement is tared once a string, on the rest before its first stroke, to the model's value at that twist.
+Where the contraction is negative eq. 5 has no real root: its radicand is clipped at 0.
+The INN has the paper's five inputs, so no direction: it learns the middle between winding and unwinding.
+"""
+
+
+def shown(values: pd.Series) -> str:
+    """Median with the spread over the seeds, three decimals."""
+    if values.empty:
+        return ""
+    low, middle, high = (f"{value:.3f}" for value in (values.min(), values.median(), values.max()))
+    return middle if low == high else f"{middle} ({low}–{high})"
+
+
+def line(cells: list[str]) -> str:
+    """One row of a Markdown table."""
+    return f"| {' | '.join(cells)} |"
+
+
+def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[str, str], beside: bool) -> list[str]:
+    """Errors of every model by stroke, with the paper's beside ours where `beside` asks for them."""
+    heads = [f"{metric} ({paper.UNITS[number]})" for metric in ("average", "maximum", "RMSE")]
+    columns = [name for head in heads for name in ((head, "paper") if beside else (head,))]
+    lines = [line(["model", "stroke", *columns]), line(["---"] * (2 + len(columns)))]
+    for model, title in titles.items():
+        for stroke in strokes:
+            mine = metrics[(metrics["model"] == model) & (metrics["stroke"] == stroke)]
+            printed = paper.TABLES[number].get(model, {}).get(int(stroke), ("", "", ""))
+            cells = []
+            for metric, theirs in zip(paper.METRICS, printed, strict=True):
+                cells.append(shown(mine.loc[mine["metric"] == metric, "value"]))
+                if beside:
+                    cells.append(f"{theirs:.3f}" if isinstance(theirs, float) else "")
+            lines.append(line([title, f"n={stroke}", *cells]))
+    return [*lines, ""]
+
+
+def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> str:
+    """Text of comparison.md of one material."""
+    whole = metrics[metrics["angle_band"] == "all"]
+    text = [f"# {material}: our errors beside the paper's", "", NOTES]
+    tabled = [str(stroke) for stroke in paper.STROKES]
+    for number, direction in paper.MAPS.items():
+        text += [f"## Table {'I' * number}, {direction}, within strokes, winding", ""]
+        chosen = whole[(whole["map"] == direction) & (whole["split"] == "within") & (whole["phase"] == "winding")]
+        text += table(chosen, number, tabled, titles, beside=True)
+    for number, direction in paper.MAPS.items():
+        chosen = whole[(whole["map"] == direction) & (whole["split"] == "within") & (whole["phase"] == "unwinding")]
+        text += [f"## {direction.capitalize()}, within strokes, unwinding", ""]
+        text += table(chosen, number, tabled, titles, beside=False)
+    for number, direction in paper.MAPS.items():
+        chosen = whole[(whole["map"] == direction) & (whole["split"] == "later") & (whole["phase"] == "winding")]
+        text += [f"## {direction.capitalize()}, later strokes, winding", ""]
+        strokes = sorted(set(chosen["stroke"]) - {"all"}, key=int)
+        few = ["Skipped: no string of this material has four strokes or more.", ""]
+        text += table(chosen, number, strokes, titles, beside=False) if strokes else few
+    return "\n".join(text)
+
+
+@program
+def main() -> None:
+    """Write `comparison.md` of one material."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("metrics", type=Path)
+    parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
+    parser.add_argument("--out", type=Path, required=True)
+    arguments = parser.parse_args()
+    metrics = schemas.read(arguments.metrics, schemas.METRICS)
+    text = comparison(metrics, str(metrics["material"].iloc[0]), titles_of(arguments.titles))
+    write_text(arguments.out, text)
+
+
+if __name__ == "__main__":
+    main()

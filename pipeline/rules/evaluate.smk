@@ -1,0 +1,18 @@
+def fits_of_material(wildcards):
+    return list(fits(config["models"], wildcards.material))
+
+
+rule evaluate:
+    input:
+        dataset="processed/{material}/dataset.parquet",
+        predictions=fits_of_material,
+    output:
+        "processed/{material}/metrics.parquet",
+    log:
+        "processed/logs/evaluate-{material}.log",
+    params:
+        code=fingerprint("pipeline.evaluate"),
+    message:
+        "evaluate the models of {wildcards.material}"
+    shell:
+        "exec python -m pipeline.evaluate {input.dataset} {input.predictions} --out {output} > {log} 2>&1"

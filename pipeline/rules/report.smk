@@ -1,0 +1,83 @@
+def fits_of_inn(wildcards):
+    return list(fits(config["models"], wildcards.material, only="inn"))
+
+
+rule table:
+    input:
+        "processed/{material}/metrics.parquet",
+    output:
+        expand("reports/{{material}}/{file}", file=TABLES),
+    log:
+        "processed/logs/table-{material}.log",
+    params:
+        titles=TITLES,
+        code=fingerprint("pipeline.report.tables"),
+    message:
+        "write Tables I and II of {wildcards.material}"
+    shell:
+        "exec python -m pipeline.report.tables {input} --titles {params.titles:q}"
+        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+
+
+rule comparison:
+    input:
+        "processed/{material}/metrics.parquet",
+    output:
+        "reports/{material}/comparison.md",
+    log:
+        "processed/logs/comparison-{material}.log",
+    params:
+        titles=TITLES,
+        code=fingerprint("pipeline.report.comparison"),
+    message:
+        "compare {wildcards.material} with the paper"
+    shell:
+        "exec python -m pipeline.report.comparison {input} --titles {params.titles:q} --out {output} > {log} 2>&1"
+
+
+rule figures:
+    input:
+        dataset="processed/{material}/dataset.parquet",
+        inn=fits_of_inn,
+    output:
+        expand("reports/{{material}}/{file}", file=FIGURES),
+    log:
+        "processed/logs/figures-{material}.log",
+    params:
+        code=fingerprint("pipeline.report.figures"),
+    message:
+        "draw Figures 4 and 5 of {wildcards.material}"
+    shell:
+        "exec python -m pipeline.report.figures {input.dataset} --inn {input.inn}"
+        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+
+
+rule metrics:
+    input:
+        expand("processed/{material}/metrics.parquet", material=MATERIALS),
+    output:
+        "reports/metrics.csv",
+    log:
+        "processed/logs/metrics.log",
+    params:
+        code=fingerprint("pipeline.report.metrics"),
+    message:
+        "gather the metrics of all materials"
+    shell:
+        "exec python -m pipeline.report.metrics {input} --out {output} > {log} 2>&1"
+
+
+rule index:
+    input:
+        expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, "comparison.md"]),
+    output:
+        "reports/index.html",
+    log:
+        "processed/logs/index.log",
+    params:
+        materials=MATERIALS,
+        code=fingerprint("pipeline.report.index"),
+    message:
+        "write the page that leads to every report"
+    shell:
+        "exec python -m pipeline.report.index {params.materials} --reports reports --out {output} > {log} 2>&1"

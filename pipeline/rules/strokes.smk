@@ -1,0 +1,13 @@
+rule strokes:
+    input:
+        "processed/{run}/samples.parquet",
+    output:
+        "processed/{run}/strokes.parquet",
+    log:
+        "processed/logs/strokes-{run}.log",
+    params:
+        code=fingerprint("pipeline.strokes"),
+    message:
+        "cut {wildcards.run} into strokes"
+    shell:
+        "exec python -m pipeline.strokes {input:q} --out {output:q} > {log:q} 2>&1"

@@ -1,0 +1,28 @@
+def settings(wildcards):
+    return json.dumps(config["models"][wildcards.model]["settings"], sort_keys=True)
+
+
+def code_of_model(wildcards):
+    return fingerprint("pipeline.train", f"pipeline.models.{wildcards.model}")
+
+
+rule train:
+    input:
+        "processed/{material}/dataset.parquet",
+    output:
+        predictions="processed/{material}/{model}/{split}-{seed}.predictions.parquet",
+        model="processed/{material}/{model}/{split}-{seed}.model",
+    log:
+        "processed/logs/train-{material}-{model}-{split}-{seed}.log",
+    benchmark:
+        "processed/logs/train-{material}-{model}-{split}-{seed}.tsv"
+    threads: 1
+    params:
+        settings=settings,
+        code=code_of_model,
+    message:
+        "train {wildcards.model} on {wildcards.material}, split {wildcards.split}, seed {wildcards.seed}"
+    shell:
+        "exec python -m pipeline.train {input} --model {wildcards.model} --split {wildcards.split}"
+        " --seed {wildcards.seed} --settings {params.settings:q}"
+        " --out-model {output.model} --out-predictions {output.predictions} > {log} 2>&1"
