@@ -13,7 +13,7 @@ class BadInput(Exception):
     """Input that cannot be used: which file, which field, what is wrong and how to mend it."""
 
     def __init__(self, file: Path | str, field: str, problem: str, mend: str) -> None:
-        super().__init__(f"{file}: {field}: {problem}. Mend: {mend}.")
+        super().__init__(f"{file}: {field}: {problem}. Mend: {mend}{'' if mend[-1:] in '.?' else '.'}")
         self.file, self.field, self.problem, self.mend = str(file), field, problem, mend
 
 

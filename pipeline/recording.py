@@ -42,7 +42,6 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
             header=0 if layout.header else None,
             skipinitialspace=True,
             index_col=False,
-            float_precision="round_trip",
             engine="c",
         )
     except (pd.errors.ParserError, pd.errors.EmptyDataError, pd.errors.ParserWarning) as error:

@@ -88,13 +88,13 @@ class Run(_Section):
         known: tuple[str, ...] = ("torsion_zone_mm", "separator_mm", "load_n")
         for key, value in self.rig.items():
             if key not in known:
-                raise ValueError(f"rig.{key}: is not a known key{_meant(key, known)}")
+                raise ValueError(f"rig.{key}: is not a known key; {_meant(key, known)}")
             if value < 0 or (value == 0 and key == "torsion_zone_mm"):
                 raise ValueError(f"rig.{key}: is {value:g}; give the length in mm or the load in N that was measured")
         known = ("radius", "separator_mm", "torsion_zone_mm", "length_mm")
         for key in self.tolerance:
             if key not in known:
-                raise ValueError(f"tolerance.{key}: is not a known key{_meant(key, known)}")
+                raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, known)}")
         return self
 
     @property
@@ -105,7 +105,7 @@ class Run(_Section):
 
 def _meant(key: str, known: Any) -> str:
     close = difflib.get_close_matches(key, list(known), n=1)
-    return f"; did you mean {close[0]!r}" if close else f"; known are {', '.join(known)}"
+    return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(known)}"
 
 
 def _known_keys(where: tuple[Any, ...]) -> list[str]:
@@ -115,7 +115,9 @@ def _known_keys(where: tuple[Any, ...]) -> list[str]:
 
 def _bad(path: Path, error: ValidationError) -> BadInput:
     """First complaint of pydantic as file, field and mend."""
-    complaint = error.errors(include_url=False)[0]
+    complaints = error.errors(include_url=False)
+    # A misspelt key is one mistake but two complaints: the unknown key says more than the missing one.
+    complaint = next((one for one in complaints if one["type"] == "extra_forbidden"), complaints[0])
     where, kind = complaint["loc"], complaint["type"]
     if not where:  # a check over several keys, whose message names its field
         field, _, rest = complaint["msg"].removeprefix("Value error, ").partition(": ")
@@ -123,8 +125,7 @@ def _bad(path: Path, error: ValidationError) -> BadInput:
         return BadInput(path, field, problem, mend)
     field = ".".join(str(part) for part in where)
     if kind == "extra_forbidden":
-        mend = "remove it" + _meant(str(where[-1]), _known_keys(where))
-        return BadInput(path, field, "is not a known key", mend)
+        return BadInput(path, field, "is not a known key", _meant(str(where[-1]), _known_keys(where)))
     section: type[BaseModel] = String if where[0] == "string" and len(where) > 1 else Run
     info = section.model_fields.get(str(where[-1]))
     hint = f" ({info.description})" if info is not None and info.description else ""

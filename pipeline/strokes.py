@@ -63,9 +63,14 @@ def _runs_of(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
+def _half_window(time_s: Array) -> int:
+    """Samples on either side over which the speed is taken."""
+    return max(1, round(SPEED_WINDOW_S / 2 / float(np.median(np.diff(time_s)))))
+
+
 def _holds(time_s: Array, motion: Array, legs: Indices, span: float) -> NDArray[np.bool_]:
     """Where the motor stands: slower than a share of its leg's own speed, for long enough."""
-    half = max(1, round(SPEED_WINDOW_S / 2 / float(np.median(np.diff(time_s)))))
+    half = _half_window(time_s)
     ahead = np.minimum(np.arange(len(motion)) + half, len(motion) - 1)
     behind = np.maximum(np.arange(len(motion)) - half, 0)
     speed = np.abs(motion[ahead] - motion[behind]) / (time_s[ahead] - time_s[behind])
@@ -86,6 +91,17 @@ def _holds(time_s: Array, motion: Array, legs: Indices, span: float) -> NDArray[
     return slow
 
 
+def _after_stands(points: Indices, holding: NDArray[np.bool_], reach: int) -> Indices:
+    """Turning points moved to the end of the stand that they lie in, or within `reach` samples of.
+
+    The motor turns anywhere in a stand as far as the twist tells: what moves before it belongs to the leg before.
+    """
+    moved = points.copy()
+    for first, last in _runs_of(holding):
+        moved[(points >= first - reach) & (points < last + reach)] = last
+    return np.clip(moved, 0, len(holding) - 1)
+
+
 def label(time_s: Array, motion: Array) -> tuple[Indices, Phases]:
     """Stroke and phase of every sample; both of shape (samples,).
 
@@ -96,6 +112,7 @@ def label(time_s: Array, motion: Array) -> tuple[Indices, Phases]:
     span = float(high - low)
     strokes, legs = (turning_points(smooth, share * span) for share in (STROKE_REVERSAL, PHASE_REVERSAL))
     holding = _holds(time_s, smooth, legs, span)
+    strokes, legs = (_after_stands(points, holding, _half_window(time_s)) for points in (strokes, legs))
     resting = holding & (smooth <= low + REST_BAND * span)
 
     phase = np.empty(len(motion), object)
@@ -109,10 +126,7 @@ def label(time_s: Array, motion: Array) -> tuple[Indices, Phases]:
     stroke = np.zeros(len(motion), np.intp)
     for first, last in pairwise(strokes):
         if smooth[last] > smooth[first]:
-            start = first
-            while start < last and holding[start]:  # a stand before the winding belongs to the stroke before
-                start += 1
-            stroke[start:] += 1
+            stroke[first:] += 1
     return stroke, phase
 
 
@@ -133,7 +147,7 @@ def segment(samples: pd.DataFrame, driver: str, where: Path | str) -> pd.DataFra
     last = np.concatenate([first[1:] - 1, [len(stroke) - 1]])
     step_s = np.diff(time_s, append=time_s[-1])
     missing = np.maximum(np.rint(step_s / np.median(step_s[:-1])) - 1, 0)
-    unwound = {number for number in stroke if (phase[stroke == number] == "unwinding").any()}
+    unwound = set(stroke[phase == "unwinding"])
     return pd.DataFrame(
         {
             "stroke": stroke[first],

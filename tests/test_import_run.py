@@ -1,0 +1,161 @@
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from conftest import content, recording
+
+from pipeline.errors import BadInput
+from pipeline.import_run import import_run, mend_time
+from pipeline.ingest import read_samples
+from pipeline.new_run import make_run as new_run
+
+MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
+HAPTIC = Path(__file__).parent.parent.parent / "shared" / "recordings" / "tsa_haptic"
+GOOD = recording()
+
+
+@pytest.fixture
+def foreign(tmp_path):
+    """A logger's file, its mapping, and what the samples must become."""
+    table = pd.DataFrame({0: GOOD["time_s"] * 1e3, 1: GOOD["motor_turns"] * 360, 2: GOOD["displacement_mm"]})
+    file, mapping = tmp_path / "log.csv", tmp_path / "map.yaml"
+    file.write_text("% a logger's remark\n" + table.to_csv(index=False, header=False, sep=";"))
+    channels = {
+        "time_s": {"column": 0, "unit": "ms"},
+        "motor_turns": {"column": 1, "unit": "deg"},
+        "displacement_mm": {"column": 2},
+    }
+    layout = {"delimiter": ";", "header": False, "comment": "%"}
+    mapping.write_text(yaml.safe_dump(content("x", run=None, file=layout, channels=channels)))
+    return file, mapping, tmp_path / "raw"
+
+
+def test_import_makes_a_run_folder_that_reads_like_any_other(foreign):
+    file, mapping, raw = foreign
+    import_run(file, mapping, "a-01", raw)
+    run, samples = read_samples(raw / "a-01")
+    assert samples["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy())
+    assert samples["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy())
+    assert run.mended == {}
+
+
+def test_import_mends_time_stamps_says_so_and_drops_nothing(foreign):
+    file, mapping, raw = foreign
+    lines = file.read_text().splitlines()
+    for row in (50, 51, 300):
+        lines[row] = ";".join([lines[row - 1].split(";")[0], *lines[row].split(";")[1:]])
+    lines[400] = ";".join(["0", *lines[400].split(";")[1:]])
+    file.write_text("\n".join(lines))
+    said = import_run(file, mapping, "a-01", raw)
+    run, samples = read_samples(raw / "a-01")
+    assert len(samples) == len(GOOD)
+    assert run.mended == {"backward_time_stamps": 1, "repeated_time_stamps": 3}
+    assert "3 repeated time stamps" in said
+    assert samples["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy(), abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "says"),
+    [
+        ("A_01", None, "--run: run"),
+        ("../../escape", None, "--run: run"),
+        ("a-01", ("% a", "a"), "not a number|not a table"),
+        ("a-01", None, None),
+    ],
+)
+def test_bad_imports_write_nothing(foreign, name, change, says):
+    file, mapping, raw = foreign
+    if change:
+        file.write_text(file.read_text().replace(*change))
+    if says is None:
+        import_run(file, mapping, name, raw)
+        says = "is there already"
+    before = sorted(raw.rglob("*")) if raw.exists() else []
+    with pytest.raises(BadInput, match=says):
+        import_run(file, mapping, name, raw)
+    assert (sorted(raw.rglob("*")) if raw.exists() else []) == before
+
+
+def test_a_bad_mapping_is_named_not_the_run(foreign):
+    file, mapping, raw = foreign
+    mapping.write_text(mapping.read_text().replace("radius_mm", "raduis_mm"))
+    with pytest.raises(BadInput, match=rf"{mapping}: string.raduis_mm"):
+        import_run(file, mapping, "a-01", raw)
+
+
+def test_the_program_exits_2_on_bad_input(foreign):
+    file, mapping, raw = foreign
+    command = [
+        sys.executable,
+        "-m",
+        "pipeline.import_run",
+        str(file),
+        "--map",
+        str(mapping),
+        "--out",
+        str(raw),
+        "--run",
+    ]
+    assert subprocess.run([*command, "Bad"], capture_output=True).returncode == 2
+    assert subprocess.run([*command, "good"], capture_output=True).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("stamps", "mended", "rules"),
+    [
+        ([0, 1, 2, 3], [0, 1, 2, 3], {}),
+        ([0, 1, 1, 1, 2, 3], [0, 1, 4 / 3, 5 / 3, 2, 3], {"repeated_time_stamps": 2}),
+        ([0, 1, 2, 1.5, 4, 5], [0, 1, 2, 3, 4, 5], {"backward_time_stamps": 1}),
+        ([0, 1, 9, 3, 4, 5], [0, 1, 2, 3, 4, 5], {"backward_time_stamps": 1}),
+        ([0, 1, 2, 0, 1, 2], [0, 1, 2, 3, 4, 5], {"backward_time_stamps": 1}),
+        ([0, 1, 2, 3, 3], [0, 1, 2, 3, 4], {"repeated_time_stamps": 1}),
+    ],
+)
+def test_mended_time(stamps, mended, rules):
+    time_s, counts = mend_time(np.array(stamps, float))
+    assert time_s == pytest.approx(np.array(mended, float))
+    assert counts == rules
+
+
+def test_new_run_checks_and_copies(tmp_path):
+    file = tmp_path / "log.csv.gz"
+    GOOD.to_csv(file, index=False)
+    folder = new_run(content("a-01"), file, tmp_path / "raw")
+    _, samples = read_samples(folder)
+    assert len(samples) == len(GOOD)
+    with pytest.raises(BadInput, match="is there already"):
+        new_run(content("a-01"), file, tmp_path / "raw")
+    with pytest.raises(BadInput, match="did you mean"):
+        new_run({**content("a-02"), "rigg": {}}, file, tmp_path / "raw")
+    with pytest.raises(BadInput, match="--recording"):
+        new_run(content("a-02"), tmp_path / "log.xlsx", tmp_path / "raw")
+    assert [path.name for path in (tmp_path / "raw").iterdir()] == ["a-01"]
+
+
+def test_new_run_from_the_command_line(tmp_path):
+    command = (
+        "new_run nylon-01 --material nylon --radius-mm 0.5 --length-mm 300 --stiffness-n-per-mm 8 "
+        f"--torsion-zone-mm 150 --separator-mm 8 --load-n 20 --string-id spool-1 --out {tmp_path}"
+    )
+    subprocess.run([sys.executable, "-m", *f"pipeline.{command}".split()], check=True, capture_output=True)
+    written = yaml.safe_load((tmp_path / "nylon-01" / "run.yaml").read_text())
+    assert written["string"] == {
+        "material": "nylon", "radius_mm": 0.5, "length_mm": 300.0, "stiffness_n_per_mm": 8.0, "id": "spool-1",
+    }  # fmt: skip
+
+
+@pytest.mark.skipif(not HAPTIC.is_dir(), reason="recordings of github.com/FaragSeif/tsa_haptic, scripts/data, not here")
+@pytest.mark.parametrize("module", [1, 2, 3])
+def test_the_haptic_device_imports_through_its_committed_mapping(tmp_path, module):
+    for file in sorted(HAPTIC.glob("*.csv.gz")):
+        name = file.name.split(".")[0].replace("_", "-")
+        import_run(file, MAPPINGS / f"tsa_haptic_{module}.yaml", name, tmp_path)
+        run, samples = read_samples(tmp_path / name)
+        raw = pd.read_csv(file, header=None)
+        assert samples["displacement_mm"].to_numpy() == pytest.approx(raw[12 + module].to_numpy())
+        assert samples["motor_turns"].to_numpy() == pytest.approx(raw[module].to_numpy() / 2 / np.pi)
+        assert run.string.material == f"tsa_haptic_{module}"

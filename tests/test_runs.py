@@ -1,0 +1,102 @@
+from pathlib import Path
+
+import pytest
+from conftest import content
+
+from pipeline.errors import BadInput
+from pipeline.runs import find_runs, parse_run, read_run, recording_path
+
+PLACE = Path("raw/a-01/run.yaml")
+
+
+def without(section, key):
+    whole = content("a-01")
+    whole[section] = {name: value for name, value in whole[section].items() if name != key}
+    return whole
+
+
+def changed(section, **changes):
+    whole = content("a-01")
+    return {**whole, section: {**whole.get(section, {}), **changes}}
+
+
+def test_a_good_run_is_taken_as_written():
+    run = parse_run(content("a-01"), PLACE)
+    assert (run.actuator, run.string.material, run.rig["separator_mm"]) == ("separator", "UHMWPE", 8.0)
+    assert run.string_id == "a-01"
+    assert parse_run(changed("string", id="spool-3"), PLACE).string_id == "spool-3"
+
+
+@pytest.mark.parametrize(
+    ("bad", "field", "mend"),
+    [
+        (changed("string", raduis_mm=1), "string.raduis_mm", "did you mean 'radius_mm'"),
+        (changed("string", colour="red"), "string.colour", "known are material"),
+        (without("string", "radius_mm"), "string.radius_mm", "radius of one string in mm"),
+        (without("string", "material"), "string.material", "add it"),
+        (without("rig", "separator_mm"), "rig.separator_mm", "add the length in mm"),
+        (without("rig", "torsion_zone_mm"), "rig.torsion_zone_mm", "add the length in mm"),
+        (changed("rig", torsion_zone=150), "rig.torsion_zone", "did you mean 'torsion_zone_mm'"),
+        (changed("rig", load_n=-3), "rig.load_n", "that was measured"),
+        (changed("tolerance", radius_mm=0.1), "tolerance.radius_mm", "did you mean 'radius'"),
+        (changed("string", radius_mm="thick"), "string.radius_mm", "radius of one string in mm"),
+        (changed("string", radius_mm=0), "string.radius_mm", "correct it"),
+        (changed("string", length_mm=float("nan")), "string.length_mm", "correct it"),
+        (changed("string", material="../etc"), "string.material", "correct it"),
+        (changed("channels", motor_turns={"colum": 1}), "channels.motor_turns.colum", "did you mean 'column'"),
+        (content("a-01", string=None), "string", "add the string's material"),
+        (content("a-01", actuator="winch"), "actuator", "correct it"),
+        (content("a-01", run=None), "run", "add it"),
+        (content("a-02"), "run", "make both the same"),
+        ({**content("a-01"), "runn": "x"}, "runn", "did you mean 'run'"),
+        ("not a mapping", "run.yaml", "as the README shows"),
+    ],
+)
+def test_a_bad_run_names_file_field_and_mend(bad, field, mend):
+    with pytest.raises(BadInput) as error:
+        parse_run(bad, PLACE)
+    assert error.value.field == field
+    assert str(error.value).startswith(f"raw/a-01/run.yaml: {field}: ")
+    assert mend in str(error.value)
+
+
+def test_a_twisted_pair_needs_no_separator():
+    run = parse_run(content("a-01", actuator="twisted_pair", rig=None), PLACE)
+    assert run.rig == {}
+
+
+def test_a_rig_without_string():
+    run = parse_run({"run": "a-01", "actuator": "moving_mass", "rig": {"mass_kg": 95.0}}, PLACE)
+    assert run.string is None
+
+
+@pytest.mark.parametrize(
+    ("text", "says"), [("a: [1", "is not YAML"), (b"\xff\xfe", "is not UTF-8"), (None, "is missing")]
+)
+def test_an_unreadable_run(tmp_path, text, says):
+    if text is not None:
+        (tmp_path / "run.yaml").write_bytes(text.encode() if isinstance(text, str) else text)
+    with pytest.raises(BadInput, match=says):
+        read_run(tmp_path)
+
+
+def test_recording_must_be_one_and_finished(make_run):
+    folder = make_run("a-01")
+    assert recording_path(folder).name == "recording.parquet"
+    (folder / "recording.csv").write_text("x")
+    with pytest.raises(BadInput, match="more than once"):
+        recording_path(folder)
+    (folder / "recording.csv").unlink()
+    (folder / "recording.parquet").rename(folder / "recording.frames")
+    with pytest.raises(BadInput, match=r"capture\.json: is missing, so the recording is unfinished"):
+        recording_path(folder)
+    (folder / "recording.frames").unlink()
+    with pytest.raises(BadInput, match="recording: is missing"):
+        recording_path(folder)
+
+
+def test_runs_are_found_sorted_and_hidden_ones_left_out(make_run, tmp_path):
+    for name in ("b-01", "a-01", ".half"):
+        make_run(name)
+    (tmp_path / "raw" / "empty").mkdir()
+    assert [folder.name for folder in find_runs(tmp_path / "raw")] == ["a-01", "b-01"]

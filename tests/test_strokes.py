@@ -1,0 +1,150 @@
+import numpy as np
+import pandas as pd
+import pytest
+from conftest import motion, recording
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pipeline.errors import BadInput
+from pipeline.strokes import label, segment, turning_points
+
+
+def sampled(corners, rate_hz=50.0, noise_turns=0.0, seed=0):
+    rng = np.random.default_rng(seed)
+    time_s = np.arange(corners[0][0], corners[-1][0], 1 / rate_hz)
+    turns = np.interp(time_s, *np.transpose(corners))
+    return time_s, turns + noise_turns * rng.standard_normal(len(turns))
+
+
+def phases_of(corners, **how):
+    time_s, turns = sampled(corners, **how)
+    table = segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns}), "motor_turns", "here")
+    return list(zip(table["stroke"], table["phase"], strict=True)), table
+
+
+FULL = [(n, phase) for n in (1, 2, 3) for phase in ("winding", "hold", "unwinding", "rest")]
+
+
+@pytest.mark.parametrize("noise_turns", [0.0, 0.003])
+@pytest.mark.parametrize("rate_hz", [10.0, 50.0, 1000.0])
+def test_clean_protocol(rate_hz, noise_turns):
+    found, table = phases_of(motion(3), rate_hz=rate_hz, noise_turns=noise_turns)
+    assert found == [(0, "rest"), *FULL]
+    assert table["complete"][1:].all()
+
+
+def test_boundaries_lie_where_the_motor_starts_and_stops():
+    corners = motion(3)
+    _, table = phases_of(corners, rate_hz=100.0)
+    assert table["end_s"].to_numpy() == pytest.approx(corners[1:, 0], abs=0.15)
+    assert (table["first_sample"].to_numpy()[1:] == table["last_sample"].to_numpy()[:-1] + 1).all()
+
+
+def test_last_winding_without_unwinding_is_a_partial_stroke():
+    found, table = phases_of(motion(3)[:-3])
+    assert found[-1] == (3, "winding")
+    assert table.groupby("stroke")["complete"].first().to_dict() == {0: False, 1: True, 2: True, 3: False}
+
+
+def test_small_reversals_stay_inside_their_stroke():
+    corners = [(0, 0), (5, 20), (6, 16), (7, 20), (12, 0), (17, 20), (22, 0)]
+    found, _ = phases_of(corners)
+    assert max(stroke for stroke, _ in found) == 2
+    assert found[:4] == [(1, "winding"), (1, "unwinding"), (1, "winding"), (1, "unwinding")]
+
+
+def test_a_reversal_of_a_third_makes_a_new_stroke():
+    found, _ = phases_of([(0, 0), (5, 20), (7, 13), (9, 20), (14, 0)])
+    assert max(stroke for stroke, _ in found) == 2
+
+
+def test_partial_strokes_count():
+    corners = [(0, 0), (10, 20), (20, 0), (25, 10), (30, 0), (33, 6), (36, 0)]
+    found, _ = phases_of(corners)
+    assert max(stroke for stroke, _ in found) == 3
+
+
+def test_dwells_half_way_are_holds_and_split_nothing():
+    corners = [(0, 0), (5, 10), (15, 10), (20, 20), (25, 8), (40, 8), (44, 0), (50, 0), (60, 20), (70, 0)]
+    found, _ = phases_of(corners)
+    one = ["winding", "hold", "winding", "unwinding", "hold", "unwinding", "rest"]
+    assert found == [*((1, phase) for phase in one), (2, "winding"), (2, "unwinding")]
+
+
+def test_unwinding_before_the_first_winding_is_no_stroke():
+    found, _ = phases_of([(0, 20), (10, 0), (12, 0), (22, 20), (32, 0)])
+    assert found[:2] == [(0, "unwinding"), (0, "rest")]
+    assert found[2:] == [(1, "winding"), (1, "unwinding")]
+
+
+def test_sinusoid_that_starts_half_way():
+    time_s = np.arange(0, 21, 0.0102)
+    turns = 32.5 + 10 * np.sin(2 * np.pi * time_s / 6.2)
+    stroke, phase = label(time_s, turns)
+    assert stroke.max() == 4  # three whole ones and the last winding
+    assert {"winding", "unwinding"} <= set(phase)
+
+
+def test_gaps_dropped_samples_jitter_and_outliers_change_nothing():
+    rng = np.random.default_rng(3)
+    time_s, turns = sampled(motion(3), rate_hz=50.0)
+    expected = segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns}), "motor_turns", "here")
+    keep = rng.random(len(time_s)) > 0.1
+    keep[400:450] = False  # a second of nothing, within the first winding
+    time_s, turns = time_s[keep] + rng.uniform(0, 0.008, keep.sum()), turns[keep].copy()
+    turns[rng.choice(len(turns), 5, replace=False)] += 40.0
+    found = segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns}), "motor_turns", "here")
+    assert found["stroke"].tolist() == expected["stroke"].tolist()
+    assert found["phase"].tolist() == expected["phase"].tolist()
+    assert found["end_s"].to_numpy() == pytest.approx(expected["end_s"].to_numpy(), abs=0.2)
+    assert found["missing_samples"].sum() == pytest.approx((~keep).sum(), abs=3)
+
+
+def test_slow_and_fast_strokes_in_one_run():
+    corners, at = [(0.0, 0.0), (2.0, 0.0)], 2.0
+    for speed in (0.3, 2.0, 6.0):
+        for duration, turns in ((27 / speed, 27.0), (27 / speed, 0.0), (2.0, 0.0)):
+            at += duration
+            corners.append((at, turns))
+    found, _ = phases_of(corners, noise_turns=0.002)
+    assert found == [(0, "rest"), *((n, phase) for n in (1, 2, 3) for phase in ("winding", "unwinding", "rest"))]
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.lists(st.tuples(st.floats(0.5, 1.0), st.floats(0.5, 4.0), st.floats(0.0, 5.0)), min_size=1, max_size=6),
+    st.sampled_from([10.0, 37.0, 200.0]),
+)
+def test_any_protocol_of_large_strokes_is_counted(strokes, rate_hz):
+    corners, at = [(0.0, 0.0), (1.0, 0.0)], 1.0
+    for share, speed, hold_s in strokes:
+        top = 30.0 * share
+        for duration_s, turns in ((top / speed, top), (hold_s, top), (top / speed, 0.0), (1.0, 0.0)):
+            at += duration_s
+            corners.append((at, turns))
+    time_s, turns = sampled(corners, rate_hz, noise_turns=0.003)
+    stroke, phase = label(time_s, turns)
+    assert stroke.max() == len(strokes)
+    assert (np.diff(stroke) >= 0).all()
+    for number in range(1, len(strokes) + 1):
+        assert {"winding", "unwinding"} <= set(phase[stroke == number])
+
+
+@pytest.mark.parametrize("motion_turns", [np.zeros(200), np.full(200, 12.0), np.linspace(20, 0, 200)])
+def test_no_stroke_is_an_error_that_says_so(motion_turns):
+    table = pd.DataFrame({"time_s": np.arange(200) * 0.1, "motor_turns": motion_turns})
+    with pytest.raises(BadInput, match="motor_turns: there is no stroke in it"):
+        segment(table, "motor_turns", "here")
+
+
+def test_turning_points_of_a_staircase():
+    assert turning_points(np.array([0.0, 1, 2, 1.9, 3, 0, 3.0]), 1.0).tolist() == [0, 4, 5, 6]
+
+
+def test_every_sample_has_one_stretch():
+    samples = recording()
+    table = segment(samples, "motor_turns", "here")
+    covered = np.concatenate(
+        [np.arange(a, b + 1) for a, b in zip(table["first_sample"], table["last_sample"], strict=True)]
+    )
+    assert (covered == np.arange(len(samples))).all()
