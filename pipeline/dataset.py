@@ -16,12 +16,13 @@ from numpy.typing import NDArray
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.ingest import geometry
-from pipeline.runs import Run, capture_info, read_run
+from pipeline.runs import TOLERANCE, Run, capture_info, read_run
 
 TRAINING_POINTS = 5000  # as in the paper
-MOST_BLOCKS = 40  # into which a stroke's winding, or unwinding, is cut
+MOST_BLOCKS = 80  # into which a stroke's winding, or unwinding, is cut
 BLOCK_LEAST_SAMPLES = 10
 HOLD_OUT = 4  # one block in so many
+WHICH_OF_FOUR = np.array([0, 2, 1, 3])  # in the first group of four blocks, the second, …
 LATER_LEAST_STROKES = 4
 MOVING = ("winding", "unwinding")
 
@@ -61,9 +62,9 @@ def tare_mm(first: Recorded) -> float:
     """
     samples, strokes = first.samples, first.strokes
     before = strokes[(strokes["stroke"] == 0) & (strokes["phase"] == "rest")]
-    rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
-    if before.empty:
-        rest = samples.iloc[:1]
+    rest = samples.iloc[:1]
+    if not before.empty:
+        rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
     expected_mm = geometry(first.run).contraction_mm(rest["motor_turns"].to_numpy(), rest["load_n"].to_numpy())
     return float(np.median(expected_mm - rest["displacement_mm"].to_numpy()))
 
@@ -77,10 +78,12 @@ def blocks_from_top(samples: int) -> Numbers:
 def held_out(block: Numbers, stroke: Numbers) -> Mask:
     """Whether a block of a stroke is held out in the split `within`.
 
-    One block in four, shifted by one from stroke to stroke and from group to group of four, so that over four strokes
-    every twist is held out once; strokes 1, 5 and 9, which the tables show, hold out their very top.
+    One block of every four, another one from group to group so that no part of the range is favoured, and shifted from
+    stroke to stroke so that over four strokes every twist is held out once. Strokes 1, 5 and 9, which the tables show,
+    hold out their very top.
     """
-    return np.asarray(block % HOLD_OUT == (block // HOLD_OUT + stroke - 1) % HOLD_OUT)
+    first = WHICH_OF_FOUR[block // HOLD_OUT % len(WHICH_OF_FOUR)]
+    return np.asarray(block % HOLD_OUT == (first + stroke - 1) % HOLD_OUT)
 
 
 def points_of(recorded: Recorded, strokes_before: int, offset_mm: float) -> pd.DataFrame:
@@ -108,6 +111,10 @@ def points_of(recorded: Recorded, strokes_before: int, offset_mm: float) -> pd.D
     points["stiffness_n_per_mm"] = run.string.stiffness_n_per_mm
     points["torsion_zone_mm"] = run.rig.get("torsion_zone_mm", np.nan)
     points["separator_mm"] = run.rig.get("separator_mm", np.nan)
+    tolerance = {**TOLERANCE, **run.tolerance}
+    points["radius_tolerance"] = tolerance["radius"]
+    for name in ("length", "torsion_zone", "separator"):
+        points[f"{name}_tolerance_mm"] = tolerance[f"{name}_mm"]
     return points
 
 

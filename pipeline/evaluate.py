@@ -11,6 +11,7 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Array
 
+COLUMNS = ["map", "stroke", "phase", "angle_band", "metric", "unit", "value"]
 BANDS = 4  # of the material's twist range, for errors by angle
 MAPS = {"forward": ("displacement_mm", "mm"), "inverse": ("motor_turns", "turns")}
 METRICS = {
@@ -46,13 +47,15 @@ def metrics_of(dataset: pd.DataFrame, predictions: pd.DataFrame) -> pd.DataFrame
     """
     points = dataset.iloc[predictions["point"]].reset_index(drop=True)
     points["angle_band"] = angle_bands(dataset["motor_turns"].to_numpy())[predictions["point"]]
-    rows = []
+    rows: list[tuple[str, str, str, str, str, str, float]] = []
+    if points.empty:  # a split that the dataset leaves out
+        return pd.DataFrame(rows, columns=COLUMNS)
     for direction, (column, unit) in MAPS.items():
         points["error"] = predictions[column] - points[column]
         for stroke, phase, band, group in groups(points):
             for metric, measure in METRICS.items():
                 rows.append((direction, stroke, phase, band, metric, unit, measure(group["error"].to_numpy())))
-    return pd.DataFrame(rows, columns=["map", "stroke", "phase", "angle_band", "metric", "unit", "value"])
+    return pd.DataFrame(rows, columns=COLUMNS)
 
 
 def evaluate(dataset: pd.DataFrame, predictions: Path, material: str) -> pd.DataFrame:

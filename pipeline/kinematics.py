@@ -4,6 +4,7 @@ Lengths in mm, forces in N, twist in rad unless a name says turns. Equation numb
 "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks".
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +16,6 @@ Values = Any  # a float or an array that broadcasts with the others
 
 RAD_PER_TURN = 2.0 * np.pi
 DIMENSIONS = ("radius_mm", "length_mm", "stiffness_n_per_mm", "torsion_zone_mm", "separator_mm")
-POINT_COLUMNS = ("actuator", "motor_turns", "displacement_mm", "load_n", *DIMENSIONS)
 
 
 def loaded_radius(radius_mm: Values, length_mm: Values, stiffness_n_per_mm: Values, load_n: Values) -> Array:
@@ -92,18 +92,27 @@ class Geometry:
         return np.asarray(slope * RAD_PER_TURN)
 
 
-def nominal(points: Any) -> tuple[Array, Array]:
-    """What the analytic model predicts at each of a dataset's points: contraction in mm and twist in turns.
+def point_contraction_mm(points: Any) -> Array:
+    """Contraction for each point's `motor_turns`, in mm (eq. 4, or the pair); `points` as `schemas.DATASET`.
 
-    `points` is a table with the columns of `schemas.DATASET`; its rows may be of several strings and actuators.
+    A pair wound beyond θr = L, where its equation has no real value, is taken as wound up: contraction L.
     """
-    contraction_mm, motor_turns = np.empty(len(points)), np.empty(len(points))
-    column = {name: np.asarray(points[name]) for name in POINT_COLUMNS}
-    for actuator in np.unique(column["actuator"].astype(str)):
-        rows = column["actuator"] == actuator
-        own = {name: values[rows] for name, values in column.items()}
-        dimensions = {name: own[name] for name in DIMENSIONS}
-        geometry = Geometry(str(actuator), **dimensions)
-        contraction_mm[rows] = geometry.contraction_mm(own["motor_turns"], own["load_n"])
-        motor_turns[rows] = geometry.motor_turns(own["displacement_mm"], own["load_n"])
-    return contraction_mm, motor_turns
+    contraction = _of_points(points, "motor_turns", Geometry.contraction_mm)
+    return np.where(np.isnan(contraction), np.asarray(points["length_mm"]), contraction)
+
+
+def point_motor_turns(points: Any) -> Array:
+    """Twist for each point's `displacement_mm`, in turns (eq. 5, radicand clipped at 0, or the pair)."""
+    return _of_points(points, "displacement_mm", Geometry.motor_turns)
+
+
+def _of_points(points: Any, given: str, equation: Callable[[Geometry, Values, Values], Array]) -> Array:
+    """An equation's value for every row of a table, whose rows may be of several strings and actuators."""
+    result = np.empty(len(points))
+    actuators = np.asarray(points["actuator"]).astype(str)
+    column = {name: np.asarray(points[name], float) for name in (given, "load_n", *DIMENSIONS)}
+    for actuator in np.unique(actuators):
+        here = actuators == actuator
+        geometry = Geometry(str(actuator), **{name: column[name][here] for name in DIMENSIONS})
+        result[here] = equation(geometry, column[given][here], column["load_n"][here])
+    return result

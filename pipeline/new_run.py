@@ -9,6 +9,7 @@ from typing import Any
 import yaml
 
 from pipeline.errors import BadInput, program
+from pipeline.files import write_text
 from pipeline.runs import RECORDINGS, STRING_ACTUATORS, parse_run
 
 
@@ -16,8 +17,12 @@ def make_run(content: dict[str, Any], recording: Path | None, out: Path) -> Path
     """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput."""
     folder = out / str(content["run"])
     parse_run(content, folder / "run.yaml")
-    if folder.exists():
+    if (folder / "run.yaml").exists() or (folder.exists() and recording is not None):
         raise BadInput(folder, "run", "is there already", "choose another name; runs are never overwritten")
+    text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
+    if folder.exists():  # recorded before it was described
+        write_text(folder / "run.yaml", text)
+        return folder
     suffix = "".join(recording.suffixes[-2:]) if recording and recording.suffix == ".gz" else ""
     name = f"recording{suffix or (recording.suffix if recording else '')}"
     if recording is not None and (not recording.is_file() or name not in RECORDINGS[1:]):
@@ -26,7 +31,6 @@ def make_run(content: dict[str, Any], recording: Path | None, out: Path) -> Path
     temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
     try:
         temporary.mkdir(parents=True)
-        text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
         (temporary / "run.yaml").write_text(text, encoding="utf-8")
         if recording is not None:
             shutil.copyfile(recording, temporary / name)

@@ -1,6 +1,7 @@
 """A recording, in whatever form it lies in a run folder, as a table of channels in our units."""
 
 import gzip
+import hashlib
 import io
 from pathlib import Path
 
@@ -9,8 +10,9 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from pipeline import wire
 from pipeline.errors import BadInput
-from pipeline.runs import Channel, Run, TextFile, recording_path
+from pipeline.runs import Channel, Run, TextFile, capture_info, recording_path
 from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS
 from pipeline.units import conversion
 
@@ -112,8 +114,29 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
     return pd.DataFrame(samples).astype(float)
 
 
+def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
+    """Samples of the capture program's recording as the device named and scaled them, and each channel's unit.
+
+    Raises BadInput when the bytes are not those that were captured, or no hello says what they mean.
+    """
+    content, info = path.read_bytes(), capture_info(path.parent)
+    if hashlib.sha256(content).hexdigest() != info.get("sha256"):
+        mend = "restore it from a copy; a recording is never edited"
+        raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
+    recorded = wire.read_recording(content)
+    if recorded.hello is None:
+        raise BadInput(path, "hello", "no frame says what the channels are", "record again; see docs/protocol.md")
+    units = {channel.name: channel.unit for channel in recorded.hello.channels}
+    return pd.DataFrame({"time_s": recorded.time_s, **recorded.channels}), units
+
+
 def read_recording(run: Run, folder: Path) -> pd.DataFrame:
     """Samples of a run folder, one row a sample: `time_s` and its channels, unchecked but for being numbers."""
     path = recording_path(folder)
-    table = read_table(path, run.file)
+    if path.suffix == ".frames":
+        table, units = read_frames(path)
+        told = {name: Channel.model_validate({"unit": unit}) for name, unit in units.items()}
+        run = run.model_copy(update={"channels": {**told, **run.channels}})
+    else:
+        table = read_table(path, run.file)
     return to_samples(run, table, path, folder / "run.yaml")

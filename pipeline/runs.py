@@ -17,6 +17,9 @@ MATERIAL_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 RECORDINGS = ("recording.frames", "recording.parquet", "recording.csv", "recording.csv.gz")
 STRING_ACTUATORS = ("separator", "twisted_pair")
 
+# One sigma of how well each dimension was measured, unless run.yaml says otherwise; the radius relative.
+TOLERANCE = {"radius": 0.03, "separator_mm": 0.5, "torsion_zone_mm": 1.0, "length_mm": 2.0}
+
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 Number = Annotated[float, Field(allow_inf_nan=False)]
 
@@ -91,10 +94,9 @@ class Run(_Section):
                 raise ValueError(f"rig.{key}: is not a known key; {_meant(key, known)}")
             if value < 0 or (value == 0 and key == "torsion_zone_mm"):
                 raise ValueError(f"rig.{key}: is {value:g}; give the length in mm or the load in N that was measured")
-        known = ("radius", "separator_mm", "torsion_zone_mm", "length_mm")
         for key in self.tolerance:
-            if key not in known:
-                raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, known)}")
+            if key not in TOLERANCE:
+                raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, TOLERANCE)}")
         return self
 
     @property

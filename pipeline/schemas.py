@@ -48,11 +48,13 @@ STROKES = _schema(
     stroke=N, phase=S, first_sample=N, last_sample=N, start_s=F, end_s=F, start_turns=F, end_turns=F,
     missing_samples=N, complete=B,
 )  # fmt: skip
-# One row a point of a material; `within` and `later` hold "train", "test" or "" (not used).
+# One row a point of a material; `within` and `later` hold "train", "test" or "" (not used); the tolerances are one
+# sigma of how well each dimension was measured, the radius's relative.
 DATASET = _schema(
     run=S, string=S, stroke=N, phase=S, direction=N, block=N, within=S, later=S, time_s=F,
     motor_turns=F, displacement_mm=F, load_n=F, actuator=S, radius_mm=F, length_mm=F, stiffness_n_per_mm=F,
     torsion_zone_mm=F, separator_mm=F,
+    radius_tolerance=F, length_tolerance_mm=F, torsion_zone_tolerance_mm=F, separator_tolerance_mm=F,
 )  # fmt: skip
 # One row a held-out point; `point` is its row in the dataset.
 PREDICTIONS = _schema(point=N, displacement_mm=F, motor_turns=F)

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from conftest import content, recording
+from made_recording import content, recording
 
 from pipeline.errors import BadInput
 from pipeline.import_run import import_run, mend_time
@@ -134,6 +134,13 @@ def test_new_run_checks_and_copies(tmp_path):
     with pytest.raises(BadInput, match="--recording"):
         new_run(content("a-02"), tmp_path / "log.xlsx", tmp_path / "raw")
     assert [path.name for path in (tmp_path / "raw").iterdir()] == ["a-01"]
+
+
+def test_new_run_describes_a_recording_that_is_there_already(make_run, tmp_path):
+    folder = make_run("a-01")
+    (folder / "run.yaml").unlink()
+    new_run(content("a-01"), None, tmp_path / "raw")
+    assert len(read_samples(folder)[1]) == len(GOOD)
 
 
 def test_new_run_from_the_command_line(tmp_path):

@@ -3,7 +3,7 @@ import sys
 
 import numpy as np
 import pytest
-from conftest import recording
+from made_recording import recording
 
 from pipeline import schemas
 from pipeline.errors import BadInput

@@ -49,12 +49,12 @@ def test_contraction_rises_with_twist(radius, zone, separator, twist):
     assert upper > lower
 
 
-def test_nominal_takes_mixed_rows():
+def test_points_may_be_of_several_actuators():
     rows = []
     for geometry in (SEPARATOR, PAIR):
         x = geometry.contraction_mm(TURNS, 20.0)
         rows.append(pd.DataFrame({"motor_turns": TURNS, "displacement_mm": x, "load_n": 20.0, **vars(geometry)}))
     points = pd.concat(rows, ignore_index=True).sample(frac=1.0, random_state=0)
-    forward_mm, inverse_turns = k.nominal(points)
+    forward_mm, inverse_turns = k.point_contraction_mm(points), k.point_motor_turns(points)
     assert forward_mm == pytest.approx(points["displacement_mm"].to_numpy())
     assert inverse_turns == pytest.approx(points["motor_turns"].to_numpy(), abs=1e-6)

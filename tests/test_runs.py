@@ -1,7 +1,7 @@
 from pathlib import Path
 
 import pytest
-from conftest import content
+from made_recording import content
 
 from pipeline.errors import BadInput
 from pipeline.runs import find_runs, parse_run, read_run, recording_path

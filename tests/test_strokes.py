@@ -1,9 +1,9 @@
 import numpy as np
 import pandas as pd
 import pytest
-from conftest import motion, recording
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from made_recording import motion, recording
 
 from pipeline.errors import BadInput
 from pipeline.strokes import label, segment, turning_points

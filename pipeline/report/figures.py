@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from pipeline import schemas
 from pipeline.errors import program
 from pipeline.files import whole
-from pipeline.kinematics import nominal
+from pipeline.kinematics import point_contraction_mm, point_motor_turns
 
 FIGURE_4_STROKES = (1, 3, 5, 7)
 FIGURE_5_STROKES = (1, 5, 9)
@@ -31,8 +31,7 @@ TURNS, MILLIMETRES = "motor twist θ/2π (turns)", "displacement x (mm)"
 
 def with_nominal(points: pd.DataFrame) -> pd.DataFrame:
     """The points with what the traditional model predicts for them, `forward_mm` and `inverse_turns`."""
-    forward_mm, inverse_turns = nominal(points)
-    return points.assign(forward_mm=forward_mm, inverse_turns=inverse_turns)
+    return points.assign(forward_mm=point_contraction_mm(points), inverse_turns=point_motor_turns(points))
 
 
 def with_median(dataset: pd.DataFrame, predictions: list[Path]) -> pd.DataFrame:

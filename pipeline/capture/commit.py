@@ -1,0 +1,74 @@
+"""capture.json: the account of a recording, written last and whole; its existence is the commit."""
+
+import hashlib
+import json
+from dataclasses import asdict
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+from pipeline.capture.log import NAME, in_use, sync_folder
+from pipeline.capture.stream import Outcome
+from pipeline.errors import BadInput
+from pipeline.files import write_text
+from pipeline.wire import Recording, read_recording
+
+SCHEMA = 1
+GAPS = 1000  # so many are listed; they are counted all
+
+
+def account(data: bytes, recording: Recording, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+    """Content of capture.json; sent = received + lost holds for its frames."""
+    frames = recording.account
+    return {
+        "schema": SCHEMA,
+        "exit_status": outcome.status,
+        "fault": outcome.fault,
+        "started_utc": began.astimezone(UTC).isoformat(timespec="milliseconds"),
+        "ended_utc": ended.astimezone(UTC).isoformat(timespec="milliseconds"),
+        "bytes": len(data),
+        "sha256": hashlib.sha256(data).hexdigest(),
+        "frames": {
+            "sent": frames.sent,
+            "received": frames.received,
+            "lost": frames.lost,
+            "bad": frames.bad,
+            "repeated": frames.repeated,
+            "resets": frames.resets,
+            "tail_bytes": frames.tail_bytes,
+        },
+        "gaps": [{"after_samples": after, "frames": count} for after, count in frames.gaps[:GAPS]],
+        "samples": {"sent": frames.samples_sent, "received": len(recording.time_s)},
+        "hello": asdict(recording.hello) if recording.hello else None,
+    }
+
+
+def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+    """Account for `recording.frames` of a run folder and commit it; returns what capture.json says."""
+    path = folder / NAME
+    data = path.read_bytes()
+    info = account(data, read_recording(data), began, ended, outcome)
+    path.chmod(0o444)
+    write_text(folder / "capture.json", json.dumps(info, indent=1, ensure_ascii=False) + "\n")
+    sync_folder(folder)
+    return info
+
+
+def recover(folder: Path) -> dict[str, Any]:
+    """Commit a recording whose capture program was killed, as `recovered`; it is kept as it is.
+
+    Its start is reckoned back from the file's last change. Raises BadInput when there is nothing to recover.
+    """
+    path = folder / NAME
+    if not path.is_file():
+        raise BadInput(path, NAME, "is not there", "name the folder of a run that was being captured")
+    if (folder / "capture.json").exists():
+        raise BadInput(folder, "capture.json", "is there, so the run is finished", "there is nothing to recover")
+    if in_use(path):
+        raise BadInput(path, NAME, "is still being captured", "wait for that program, or end it")
+    recording = read_recording(path.read_bytes())
+    if recording.hello is None:
+        raise BadInput(path, NAME, "holds no HELLO, so nobody knows what was measured", "record again")
+    ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
+    seconds = float(recording.time_s[-1]) if len(recording.time_s) else 0.0
+    return commit(folder, ended - timedelta(seconds=seconds), ended, Outcome("recovered"))

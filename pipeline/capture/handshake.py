@@ -1,0 +1,67 @@
+"""The beginning of a recording: ask who is there, check what it says, and tell it to start."""
+
+import time
+
+from pipeline.capture.port import Port, Unplugged
+from pipeline.errors import BadInput
+from pipeline.wire import Decoder, Hello, Kind, encode
+
+SILENCE_S = 3.0
+GREET_AGAIN_S = 1.0
+LATE_HELLO_S = 0.5
+
+
+def greet(port: Port, name: str) -> tuple[Hello, bytes]:
+    """The device's HELLO, and the bytes with which the recording begins.
+
+    Whatever came before the HELLO, and answers to a second GREET, are no part of the recording: no device sends
+    samples before START. Raises BadInput for a port without a device that speaks this protocol.
+    """
+    decoder = Decoder()
+    heard_bytes = greeted = 0
+    next_s = began_s = time.monotonic()
+    try:
+        while (now_s := time.monotonic()) - began_s < SILENCE_S:
+            if now_s >= next_s:
+                port.write(encode(Kind.GREET, greeted))
+                greeted, next_s = greeted + 1, now_s + GREET_AGAIN_S
+            chunk = port.read()
+            heard_bytes += len(chunk)
+            for heard in decoder.feed(chunk):
+                if heard.frame.kind == Kind.HELLO:
+                    hello = _checked(heard.frame.payload, name)
+                    return hello, heard.raw + _late(port, decoder, greeted - 1)
+    except Unplugged as error:
+        raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
+    if heard_bytes:
+        problem = f"sent {heard_bytes} bytes and no HELLO in {SILENCE_S:g} s"
+        raise BadInput(name, "device", problem, "check --baud, and the firmware against docs/protocol.md")
+    mend = "check the cable, the power and that this is the rig's port"
+    raise BadInput(name, "device", f"said nothing for {SILENCE_S:g} s", mend)
+
+
+def _late(port: Port, decoder: Decoder, answers: int) -> bytes:
+    """Wait for the answers to earlier GREETs that are still under way; the beginning of a frame after them."""
+    until_s = time.monotonic() + (LATE_HELLO_S if answers else 0.0)
+    while answers > 0 and time.monotonic() < until_s:
+        answers -= sum(heard.frame.kind == Kind.HELLO for heard in decoder.feed(port.read()))
+    return decoder.rest
+
+
+def _checked(payload: bytes, name: str) -> Hello:
+    try:
+        return Hello.unpack(payload)
+    except ValueError as error:
+        field, colon, problem = str(error).rpartition(": ")
+        field = f"HELLO.{field}" if colon else "HELLO"
+        mend = "bring the firmware, or this program, up to date (docs/protocol.md)"
+        raise BadInput(name, field, problem, mend) from None
+
+
+def check_rate(hello: Hello, baud: int, name: str) -> None:
+    """Raise BadInput when the line cannot carry the samples that the device is to send."""
+    sample = encode(Kind.SAMPLE, 0, bytes(4 + sum(int(c.type[1:]) // 8 for c in hello.channels)))
+    needed = len(sample) * 10 * hello.rate_hz
+    if needed > baud:
+        problem = f"{hello.rate_hz:g} Hz need {needed:.0f} Bd, more than {baud}"
+        raise BadInput(name, "--baud", problem, "raise the baud rate on both sides or lower the sample rate")

@@ -1,0 +1,75 @@
+"""recording.frames while it grows: append only, never over another one, on the disk at most a second late."""
+
+import fcntl
+import os
+import time
+from pathlib import Path
+
+from pipeline.errors import BadInput
+from pipeline.runs import RECORDINGS, RUN_NAME
+
+NAME = "recording.frames"
+SYNC_S = 1.0
+
+
+def check_folder(folder: Path) -> None:
+    """Raise BadInput for a folder whose name is no run's, or which holds a recording already."""
+    name = folder.resolve().name
+    if not RUN_NAME.fullmatch(name):
+        mend = "use lower-case letters, digits and -, as in uhmwpe-20261121-01"
+        raise BadInput(folder, "RUN_DIR", f"{name!r} is no name of a run", mend)
+    for there in (*RECORDINGS, "capture.json"):
+        if (folder / there).exists():
+            raise BadInput(folder, there, "is there already and is never overwritten", "choose a new run name")
+
+
+def sync_folder(folder: Path) -> None:
+    """Put a folder's entries on the disk."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+class Log:
+    """The recording of a new run: made on opening, locked while open."""
+
+    def __init__(self, folder: Path) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
+        try:
+            self._file = os.open(folder / NAME, flags, 0o644)
+        except FileExistsError:
+            raise BadInput(folder, NAME, "is there already", "choose a new run name") from None
+        fcntl.flock(self._file, fcntl.LOCK_EX)
+        sync_folder(folder)
+        self._synced_s = time.monotonic()
+
+    def append(self, data: bytes) -> None:
+        """Write bytes through to the kernel, and every second to the disk."""
+        while data:
+            data = data[os.write(self._file, data) :]
+        if time.monotonic() - self._synced_s >= SYNC_S:
+            self.sync()
+
+    def sync(self) -> None:
+        """Put everything written so far on the disk."""
+        os.fdatasync(self._file)
+        self._synced_s = time.monotonic()
+
+    def close(self) -> None:
+        """Release it."""
+        os.close(self._file)
+
+
+def in_use(path: Path) -> bool:
+    """Whether a capture program is still writing to a recording."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    finally:
+        os.close(descriptor)
+    return False

@@ -1,0 +1,121 @@
+"""The paper's invertible neural network: (θ, b, l, r, n) ↔ (x, b, l, r, n) through 7 coupling blocks.
+
+What the paper fixes: 7 blocks with mixing layers between, nets of three fully connected layers of 256 ReLU
+neurons, learning rates 8e-4, 4e-4, 1e-4, 5e-5. What it leaves open is chosen here:
+
+- Reading of "each scale and shift net": GLOW's, one net of three ReLU layers and a linear output that gives s
+  and t together, two nets a block. It halves the cost of a net each for s and t, and is what the common INN
+  library does.
+- The rates hold for equal quarters of the epochs; Adam; the mean squared error of all five outputs.
+- `loss` "forward" trains on the outputs alone, "both" adds the inputs that the inverse gives, at twice the cost.
+- `composite` "identity" closes the chain of permutations (see `coupling.mixing_layers`), without which
+  "forward" ruins the inverse.
+- The scaling of the inputs: standardised, n on a log(1 + n) axis, `log_stroke` false for n itself. On n itself
+  the network fits the strokes it saw as well, but strays two strokes later.
+
+The direction of motion is not among the five inputs, faithful to the paper: this model cannot tell winding from
+unwinding, and half the hysteresis loop is its floor.
+"""
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import pandas as pd
+import torch
+from torch.nn.functional import mse_loss
+
+from pipeline.files import whole
+from pipeline.kinematics import Array
+from pipeline.models.coupling import InvertibleNet
+from pipeline.models.features import contraction_and_conditions, twist_and_conditions
+from pipeline.models.scaling import Scaling
+from pipeline.models.training import minimise, repeatable, tensor
+
+SIZE = 5
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The network's shape and its training."""
+
+    blocks: int = 7
+    width: int = 256
+    layers: int = 3
+    clamp: float = 1.0  # largest |s| of a block
+    composite: str = "identity"  # or "random"
+    permutation_seed: int = 0
+    loss: str = "forward"  # or "both"
+    log_stroke: bool = True
+    epochs: int = 24
+    batch: int = 125
+    rates: tuple[float, ...] = (8e-4, 4e-4, 1e-4, 5e-5)
+
+    def __post_init__(self) -> None:
+        if self.loss not in ("forward", "both"):
+            raise ValueError(f'loss: "{self.loss}" is neither "forward" nor "both"')
+
+
+class Inn:
+    """The paper-faithful INN with constant columns, leak and loss made safe or, by its settings, shown."""
+
+    def __init__(self, **settings: object) -> None:
+        self.settings = Settings(**settings)  # type: ignore[arg-type]
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Train from fresh weights on points; the seed draws the weights and the batches."""
+        log_stroke = self.settings.log_stroke
+        inputs = twist_and_conditions(points, log_stroke)
+        outputs = contraction_and_conditions(points, log_stroke)
+        self.inputs, self.outputs = Scaling.of(inputs), Scaling.of(outputs)
+        x, y = tensor(self.inputs.scaled(inputs)), tensor(self.outputs.scaled(outputs))
+        settings = self.settings
+
+        def loss_of(rows: torch.Tensor) -> torch.Tensor:
+            loss = mse_loss(self.network(x[rows]), y[rows])
+            return loss if settings.loss == "forward" else loss + mse_loss(self.network.inverse(y[rows]), x[rows])
+
+        with repeatable(seed):
+            self.network = self._fresh()
+            steps = [settings.rates[i * len(settings.rates) // settings.epochs] for i in range(settings.epochs)]
+            minimise(self.network, loss_of, len(points), settings.batch, steps)
+
+    @torch.no_grad()
+    def forward(self, points: pd.DataFrame) -> Array:
+        """Contraction in mm, shape (points,): the first of the five outputs."""
+        scaled = self.inputs.scaled(twist_and_conditions(points, self.settings.log_stroke))
+        return self.outputs.restored(self.network(tensor(scaled)).double().numpy())[:, 0]
+
+    @torch.no_grad()
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """Twist in turns, shape (points,): the first of the five inputs."""
+        scaled = self.outputs.scaled(contraction_and_conditions(points, self.settings.log_stroke))
+        return self.inputs.restored(self.network.inverse(tensor(scaled)).double().numpy())[:, 0]
+
+    def save(self, path: Path) -> None:
+        """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
+        scalings = [self.inputs.mean, self.inputs.std, self.outputs.mean, self.outputs.std]
+        saved = {
+            "settings": asdict(self.settings),
+            "scalings": [torch.from_numpy(values) for values in scalings],
+            "weights": self.network.state_dict(),
+        }
+        with whole(path) as temporary:
+            torch.save(saved, temporary)
+
+    def load(self, path: Path) -> None:
+        """Take over the settings, scalings and weights of a file."""
+        saved = torch.load(path, weights_only=True)
+        self.settings = Settings(**saved["settings"])
+        scalings = [values.numpy() for values in saved["scalings"]]
+        self.inputs, self.outputs = Scaling(*scalings[:2]), Scaling(*scalings[2:])
+        with repeatable(0):
+            self.network = self._fresh()
+        self.network.load_state_dict(saved["weights"])
+
+    def _fresh(self) -> InvertibleNet:
+        """The untrained network of the settings."""
+        s = self.settings
+        return InvertibleNet(SIZE, s.blocks, s.width, s.layers, s.clamp, s.composite, s.permutation_seed)
+
+
+MODEL = Inn

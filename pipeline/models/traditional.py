@@ -1,0 +1,34 @@
+"""The paper's traditional model: eqs 4 and 5 with the dimensions as measured, nothing fitted."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline import files
+from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
+
+
+class Traditional:
+    """The nominal analytic model; it has no settings and learns nothing."""
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Learn nothing: the dimensions stand in the points that are predicted."""
+
+    def forward(self, points: pd.DataFrame) -> Array:
+        """Contraction in mm by eq. 4 (or the pair), shape (points,); x(0) = √(d² + b²) − d is not 0."""
+        return point_contraction_mm(points)
+
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """Twist in turns by eq. 5 (or the pair), shape (points,); below x = 0 the radicand is clipped at 0."""
+        return point_motor_turns(points)
+
+    def save(self, path: Path) -> None:
+        """Write an empty JSON object: there is nothing to keep."""
+        files.write_text(path, "{}\n")
+
+    def load(self, path: Path) -> None:
+        """Take over nothing; the file must be there all the same."""
+        Path(path).read_text(encoding="utf-8")
+
+
+MODEL = Traditional

@@ -1,0 +1,28 @@
+"""The rig's effects: one file each, named as the contract names the mechanism, each with its class `Model`.
+
+Their state equations are the rig's own. The library that explains recordings must not share them, so nothing
+here is imported by, or imports, `pipeline.diagnosis` or `pipeline.models`.
+"""
+
+import importlib
+import pkgutil
+from collections.abc import Mapping
+from typing import Any
+
+from pipeline.rig.effect import Effect
+
+
+def names() -> list[str]:
+    """Names of all effects that the rig can simulate."""
+    return sorted(module.name for module in pkgutil.iter_modules(__path__))
+
+
+def make(name: str, parameters: Mapping[str, Any]) -> Effect:
+    """A fresh effect of that name; raises ValueError for a name or a parameter that it does not know."""
+    if name not in names():
+        raise ValueError(f"is not an effect of the rig; known are {', '.join(names())}")
+    model: type[Effect] = importlib.import_module(f"{__name__}.{name}").Model
+    try:
+        return model(**parameters)
+    except TypeError as error:
+        raise ValueError(f"has other parameters ({error})") from None

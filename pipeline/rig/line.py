@@ -1,0 +1,73 @@
+"""A pseudo-terminal as the rig's serial line: raw, under a name of our choice, with the kernel's back-pressure."""
+
+import math
+import os
+import pty
+import select
+import time
+import tty
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pipeline.errors import BadInput
+from pipeline.rig.device import Device
+
+REPEAT_END_S = 0.2
+FORGET_END_S = 10.0
+
+
+@contextmanager
+def line(link: Path) -> Iterator[int]:
+    """Open a pseudo-terminal, yield the device's end of it and name the host's end `link`; both go afterwards.
+
+    Raises BadInput when `link` is taken by something that is no link.
+    """
+    if link.exists() and not link.is_symlink():
+        raise BadInput(link, "--link", "is there and is no link", "choose a path that is free")
+    ours, theirs = pty.openpty()
+    try:
+        tty.setraw(theirs)  # a fresh one echoes and turns newlines
+        os.set_blocking(ours, False)
+        temporary = link.with_name(f".{link.name}.{os.getpid()}")
+        temporary.symlink_to(os.ttyname(theirs))
+        temporary.replace(link)
+        yield ours
+    finally:
+        os.close(ours)
+        os.close(theirs)  # kept open until now: a host may come, go and come back
+        link.unlink(missing_ok=True)
+
+
+def serve(end: int, device: Device, pace: float = math.inf) -> bool:
+    """Serve one recording at `pace` times real time; False when its END is not acknowledged within 10 s.
+
+    Waits as long as it takes for a host to begin and to read.
+    """
+    pending = b""
+    started_s: float | None = None
+    ended_s: float | None = None
+    while not device.acknowledged:
+        now_s = time.monotonic()
+        if not pending:
+            device_s = math.inf if math.isinf(pace) else pace * (now_s - (started_s or now_s))
+            pending = device.speak(device_s)
+        if device.waiting:
+            ended_s = ended_s if ended_s is not None else now_s
+            if now_s - ended_s > FORGET_END_S:
+                return False
+        else:
+            ended_s = None
+        writers = [end] if pending else []
+        patience_s = REPEAT_END_S if device.waiting else None if math.isinf(pace) else 0.02
+        readable, writable, _ = select.select([end], writers, [], patience_s)
+        if readable:
+            before = device.recording
+            device.hear(os.read(end, 4096))
+            if device.recording and not before:
+                started_s = time.monotonic()
+        if writable:
+            pending = pending[os.write(end, pending) :]
+        if not (readable or writable) and device.waiting and not pending:
+            pending = device.again()
+    return True

@@ -1,0 +1,67 @@
+"""Record a synthetic rig: run.yaml for its set-up, then the rig and the capture program, as with a real one."""
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import yaml
+
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.rig.setup import SetUp, described, names, read_setup
+
+PATIENCE_S = 30.0  # for the rig to be there, and to be gone
+
+
+def describe(setup: SetUp, folder: Path) -> None:
+    """Write run.yaml of a set-up; raises BadInput when another one stands there."""
+    path = folder / "run.yaml"
+    described(setup, path.resolve())
+    text = yaml.safe_dump({"run": folder.resolve().name, **setup.run}, sort_keys=False)
+    if path.exists() and path.read_text(encoding="utf-8") != text:
+        raise BadInput(path, "run.yaml", "is not the set-up's", "choose a run folder of its own")
+    write_text(path, text)
+
+
+def record(which: str, folder: Path, seed: int) -> int:
+    """Run the rig and the capture program against each other; the exit status of the one that failed, or 0."""
+    environment = dict(os.environ)
+    roots = [str(Path(__file__).parents[2]), environment.get("PYTHONPATH", "")]
+    environment["PYTHONPATH"] = os.pathsep.join(filter(None, roots))
+    with tempfile.TemporaryDirectory(prefix="rig-") as place:
+        link = Path(place) / "port"
+        command = [sys.executable, "-m", "pipeline.rig", which, "--link", str(link), "--seed", str(seed)]
+        # a session of its own: Ctrl-C is for the capture program, which then stops the rig in good order
+        rig = subprocess.Popen(command, env=environment, start_new_session=True, stdout=subprocess.DEVNULL)
+        try:
+            deadline_s = time.monotonic() + PATIENCE_S
+            while not link.is_symlink():
+                if rig.poll() is not None or time.monotonic() > deadline_s:
+                    return rig.poll() or 1
+                time.sleep(0.01)
+            capture = [sys.executable, "-m", "pipeline.capture", str(link), str(folder)]
+            status = subprocess.run(capture, env=environment, check=False).returncode
+            return status or rig.wait(PATIENCE_S)
+        finally:
+            rig.terminate()
+            rig.wait()
+
+
+@program
+def main() -> int:
+    """Write RUN_DIR with run.yaml, recording.frames and capture.json."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.rig.record", description=__doc__)
+    parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
+    parser.add_argument("run_dir", metavar="RUN_DIR", type=Path)
+    parser.add_argument("--seed", type=int, default=0)
+    arguments = parser.parse_args()
+    describe(read_setup(arguments.setup), arguments.run_dir)
+    return record(arguments.setup, arguments.run_dir, arguments.seed)
+
+
+if __name__ == "__main__":
+    main()

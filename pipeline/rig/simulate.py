@@ -1,0 +1,69 @@
+"""A set-up and a seed → what the rig's device would measure and tell, all at once and in memory."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.kinematics import Array
+from pipeline.rig import effects, sensors
+from pipeline.rig.motion import commands
+from pipeline.rig.setup import SetUp, described, dimensions
+from pipeline.rig.string import String
+from pipeline.wire import Event, Hello
+
+DEVICE = "twistbench synthetic rig"
+FIRMWARE = "1"
+
+
+@dataclass(frozen=True)
+class Simulated:
+    """One recording before it is sent, and the truth behind it."""
+
+    hello: Hello
+    samples: NDArray[np.void]  # (samples,), of the HELLO's sample type
+    events: list[tuple[int, int, Event, int]]  # the sample that it comes before, t_us, code, value
+    time_s: Array  # (samples,)
+    truth: dict[str, Array]  # by channel, each (samples,)
+
+
+def simulate(setup: SetUp, seed: int) -> Simulated:
+    """Run the set-up once; the same seed gives the same recording."""
+    # the nonce, and each channel's noise, have a stream of their own: one more channel must not move the others'
+    boot, *streams = (np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(17))
+    step_s = 1.0 / setup.rate_hz / setup.steps_per_sample
+    told = commands(setup.motion, step_s)
+    geometry = dimensions(described(setup, Path("synthetic/run.yaml")))
+    string = String(geometry, [effects.make(*effect) for effect in setup.effects.items()], step_s)
+    contraction_mm = string.pull(told.motor_turns, told.load_n)
+
+    sampled = slice(None, None, setup.steps_per_sample)
+    time_s = told.time_s[sampled]
+    truth = {
+        "motor_turns": told.motor_turns[sampled],
+        "displacement_mm": contraction_mm[sampled],
+        "load_n": told.load_n[sampled],
+    }
+    hello = Hello(
+        device=DEVICE,
+        firmware=FIRMWARE,
+        nonce=f"{boot.integers(1 << 32):08x}",
+        rate_hz=setup.rate_hz,
+        strokes=len(told.strokes_s),
+        channels=sensors.declare(setup.sensors),
+    )
+    samples = np.zeros(len(time_s), hello.sample_type)
+    samples["t_us"] = _t_us(setup, time_s)
+    for (name, sensor), rng in zip(setup.sensors.items(), streams, strict=False):
+        samples[name] = sensors.read(sensor, truth[name], rng)
+    events = []
+    for number, (start_s, _, _, end_s) in enumerate(told.strokes_s.tolist(), 1):
+        for at_s, code in ((start_s, Event.STROKE_START), (end_s, Event.STROKE_END)):
+            at_us = int(_t_us(setup, np.array([at_s]))[0])
+            events.append((int(np.searchsorted(time_s, at_s)), at_us, code, number))
+    return Simulated(hello, samples, events, time_s, truth)
+
+
+def _t_us(setup: SetUp, time_s: Array) -> NDArray[np.uint32]:
+    return ((setup.clock_start_us + np.rint(time_s * 1e6).astype(np.int64)) % (1 << 32)).astype(np.uint32)

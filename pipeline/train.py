@@ -1,0 +1,94 @@
+"""Fit a model on the training points of a dataset's split and predict its held-out points, both ways."""
+
+import argparse
+import json
+import logging
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from pipeline import schemas
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.models.interface import Model, make_model
+
+SPLITS = ("within", "later")
+
+
+def divided(dataset: pd.DataFrame, split: str, source: Path | str) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Training and held-out points of a split, with their row numbers in the dataset as index.
+
+    Both are empty for a split that the dataset leaves out. Raises BadInput, naming the source, when one is.
+    """
+    dataset = dataset.reset_index(drop=True)
+    train, test = (dataset[dataset[split] == part] for part in ("train", "test"))
+    for part, points in (("train", train), ("test", test)):
+        if points.empty and (dataset[split] != "").any():
+            raise BadInput(source, split, f'no point is "{part}"', "use the other split, or record more strokes")
+    return train, test
+
+
+def predictions(model: Model, test: pd.DataFrame) -> pd.DataFrame:
+    """Both predictions of a fitted model for held-out points, one row each (`schemas.PREDICTIONS`).
+
+    Each map is handed the points without the answer it is to give. Raises ArithmeticError when a prediction is
+    not finite.
+    """
+    table = pd.DataFrame(
+        {
+            "point": test.index.to_numpy(np.int32),
+            "displacement_mm": model.forward(test.assign(displacement_mm=np.nan)),
+            "motor_turns": model.inverse(test.assign(motor_turns=np.nan)),
+        }
+    )
+    lost = int((~np.isfinite(table.to_numpy(np.float64))).any(axis=1).sum())
+    if lost:
+        raise ArithmeticError(f"{lost} of {len(table)} predictions are not finite")
+    return table
+
+
+def configured(name: str, settings: str) -> Model:
+    """The unfitted model of a name with settings given as a JSON object; raises BadInput for what it refuses."""
+    try:
+        return make_model(name, **json.loads(settings))
+    except (ImportError, AttributeError) as error:
+        raise BadInput("--model", name, str(error), "name a file of pipeline/models that has a MODEL") from error
+    except (TypeError, ValueError) as error:
+        raise BadInput("--settings", name, str(error), "give the model's own settings as JSON") from error
+
+
+def arguments(words: list[str]) -> Any:
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.train", description=__doc__)
+    parser.add_argument("dataset", type=Path)
+    parser.add_argument("--model", required=True, help="a file of pipeline/models, without .py")
+    parser.add_argument("--split", required=True, choices=SPLITS)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
+    parser.add_argument("--out-model", type=Path, required=True)
+    parser.add_argument("--out-predictions", type=Path, required=True)
+    return parser.parse_args(words)
+
+
+def main() -> None:
+    """Fit, save, predict."""
+    asked = arguments(sys.argv[1:])
+    # A stream handler flushes every line: progress shows while the fit runs, also through a pipe.
+    logging.basicConfig(level=logging.INFO, stream=sys.stdout, format=f"{asked.model}: %(message)s")
+    model = configured(asked.model, asked.settings)
+    train, test = divided(schemas.read(asked.dataset, schemas.DATASET), asked.split, asked.dataset)
+    if test.empty:
+        print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")
+        write_text(asked.out_model, "")
+        schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, asked.out_predictions)
+        return
+    model.fit(train, asked.seed)
+    model.save(asked.out_model)
+    schemas.write(predictions(model, test), schemas.PREDICTIONS, asked.out_predictions)
+
+
+if __name__ == "__main__":
+    program(main)()

@@ -1,0 +1,116 @@
+"""Many frames at once: the frames of a whole byte log as numpy arrays, short ones decoded side by side."""
+
+from binascii import crc_hqx
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.wire.frames import CRC, HEAD, MAX_STUFFED, decode
+
+Bytes = NDArray[np.uint8]
+Whole = NDArray[np.int64]
+
+LONGEST_SHORT = 254  # stuffed bytes; up to here COBS has no group of 254 and needs no special case
+ROWS = 1 << 16  # decoded side by side: what the processor's cache holds
+_TABLE = np.array([crc_hqx(bytes([byte]), 0) for byte in range(256)], np.uint16)
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Good frames in the order of the log, and where bad ones begin.
+
+    kind, seq, start, end: shape (frames,); `start` and `end` are positions in the log, `end` after the zero byte.
+    `payloads` has each frame's payload by its position in these arrays, short ones of one length as a matrix.
+    """
+
+    kind: Whole
+    seq: Whole
+    start: Whole
+    end: Whole
+    bad_at: Whole
+    matrices: list[tuple[Whole, Bytes]]  # rows' frame numbers, and payloads of shape (rows, length)
+    long: dict[int, bytes]
+    tail: int  # bytes after the last zero: a frame that was cut off
+
+    def payload(self, frame: int) -> bytes:
+        """Payload of one frame."""
+        if frame in self.long:
+            return self.long[frame]
+        for frames, payloads in self.matrices:
+            row = int(np.searchsorted(frames, frame))
+            if row < len(frames) and frames[row] == frame:
+                return payloads[row].tobytes()
+        raise IndexError(frame)
+
+
+def unstuff_rows(rows: Bytes) -> tuple[Bytes, NDArray[np.bool_]]:
+    """Unstuff stuffed frames of one length, at most LONGEST_SHORT: shapes (n, length) → (n, length − 1), (n,).
+
+    The second array says which rows were stuffed properly. No row may hold a zero.
+    """
+    length = rows.shape[1]
+    code_at = rows[:, 0].astype(np.int16)  # where the next code byte stands
+    data = np.empty((len(rows), length - 1), np.uint8)
+    for column in range(1, length):
+        byte = rows[:, column]
+        here = code_at == column
+        data[:, column - 1] = np.where(here, 0, byte)
+        code_at += np.where(here, byte, 0).astype(np.int16)
+    return data, code_at == length
+
+
+def checksum_rows(rows: Bytes) -> NDArray[np.uint16]:
+    """CRC-16/CCITT-FALSE of every row: shape (n, length) → (n,)."""
+    crc = np.full(len(rows), 0xFFFF, np.uint16)
+    for column in range(rows.shape[1]):
+        crc = (crc << 8) ^ _TABLE[(crc >> 8) ^ rows[:, column]]
+    return crc
+
+
+def _short(log: Bytes, start: Whole, length: int) -> Iterator[tuple[Whole, Bytes, NDArray[np.bool_]]]:
+    """Positions, frames without their checksum, and which are good, for stuffed frames of one length."""
+    for first in range(0, len(start), ROWS):
+        block = start[first : first + ROWS]
+        body, good = unstuff_rows(log[block[:, None] + np.arange(length)])
+        data, crc = body[:, : -CRC.size], body[:, -CRC.size :]
+        sent = crc[:, 0].astype(np.uint16) | (crc[:, 1].astype(np.uint16) << 8)
+        yield block, data, good & (checksum_rows(data) == sent)
+
+
+def read_batch(data: bytes) -> Batch:
+    """All frames of a byte log; never raises, whatever the bytes."""
+    log = np.frombuffer(data, np.uint8)
+    zeros = np.flatnonzero(log == 0).astype(np.int64)
+    starts = np.concatenate([[0], zeros[:-1] + 1]).astype(np.int64) if len(zeros) else zeros
+    lengths = zeros - starts
+    bad = [starts[(lengths > MAX_STUFFED) | ((lengths > 0) & (lengths <= HEAD.size + CRC.size))]]
+    found: list[tuple[Whole, Bytes]] = []  # positions, and whole frames as rows
+    lone: list[tuple[int, int, int, bytes]] = []
+    for length in np.unique(lengths[(lengths > HEAD.size + CRC.size) & (lengths <= LONGEST_SHORT)]).tolist():
+        for block, rows, good in _short(log, starts[lengths == length], length):
+            bad.append(block[~good])
+            found.append((block[good], rows[good]))
+    for number in np.flatnonzero((lengths > LONGEST_SHORT) & (lengths <= MAX_STUFFED)).tolist():
+        at = int(starts[number])
+        frame = decode(data[at : int(zeros[number])])
+        if frame is None:
+            bad.append(np.array([at], np.int64))
+        else:
+            lone.append((at, frame.kind, frame.seq, frame.payload))
+
+    def joined(parts: list[Whole], last: list[int]) -> Whole:
+        return np.concatenate([*parts, np.array(last, np.int64)])
+
+    heads = [rows[:, : HEAD.size].astype(np.int64) for _, rows in found]
+    start = joined([block for block, _ in found], [one[0] for one in lone])
+    kind = joined([head[:, 0] for head in heads], [one[1] for one in lone])
+    seq = joined([head[:, 1:] @ (1 << np.arange(0, 32, 8)) for head in heads], [one[2] for one in lone])
+    order = np.argsort(start, kind="stable")
+    start = start[order]
+    ends = zeros[np.searchsorted(zeros, start)] + 1 if len(zeros) else zeros
+    matrices = [(np.searchsorted(start, block), rows[:, HEAD.size :]) for block, rows in found if len(block)]
+    long = {int(np.searchsorted(start, one[0])): one[3] for one in lone}
+    tail = len(data) - (int(zeros[-1]) + 1 if len(zeros) else 0)
+    return Batch(kind[order], seq[order], start, ends, np.sort(np.concatenate(bad)), matrices, long, tail)

@@ -1,0 +1,129 @@
+"""One frame: COBS(kind u8, seq u32, payload, CRC-16 u16) and a zero byte; all numbers little-endian."""
+
+import struct
+from binascii import crc_hqx
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+from pipeline.wire.cobs import stuff, unstuff
+
+HEAD = struct.Struct("<BI")
+CRC = struct.Struct("<H")
+MAX_PAYLOAD = 2048
+MAX_STUFFED = (HEAD.size + MAX_PAYLOAD + CRC.size) * 255 // 254 + 1  # what a frame can be without its zero byte
+
+
+class Kind(IntEnum):
+    """What a frame is: from the device below 0x80, from the host above."""
+
+    HELLO = 1
+    SAMPLE = 2
+    EVENT = 3
+    END = 4
+    GREET = 0x81
+    START = 0x82
+    STOP = 0x83
+    ACK = 0x84
+
+
+class Event(IntEnum):
+    """What an EVENT frame tells; its value is the stroke's number or the fault's."""
+
+    STROKE_START = 1
+    STROKE_END = 2
+    FAULT = 3
+
+
+class Reason(IntEnum):
+    """Why a recording ended."""
+
+    COMPLETE = 0
+    STOPPED = 1
+    FAULT = 2
+
+
+EVENT = struct.Struct("<IBi")  # t_us, code, value
+END = struct.Struct("<IB")  # samples sent, reason
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A frame whose checksum was right; `kind` is a Kind, or a number that a later protocol may know."""
+
+    kind: int
+    seq: int
+    payload: bytes = b""
+
+
+def checksum(data: bytes) -> int:
+    """CRC-16/CCITT-FALSE: polynomial 0x1021, start 0xFFFF, not reflected."""
+    return crc_hqx(data, 0xFFFF)
+
+
+def encode(kind: int, seq: int, payload: bytes = b"") -> bytes:
+    """Bytes of a frame on the wire, its ending zero included; raises ValueError for a payload that is too long."""
+    if len(payload) > MAX_PAYLOAD:
+        raise ValueError(f"a payload of {len(payload)} bytes is longer than {MAX_PAYLOAD}")
+    body = HEAD.pack(kind, seq & 0xFFFFFFFF) + payload
+    return stuff(body + CRC.pack(checksum(body))) + b"\0"
+
+
+def decode(stuffed: bytes) -> Frame | None:
+    """The frame in the bytes between two zeros, or None when it is damaged."""
+    body = unstuff(stuffed) if len(stuffed) <= MAX_STUFFED else None
+    if body is None or len(body) < HEAD.size + CRC.size:
+        return None
+    if checksum(body[: -CRC.size]) != CRC.unpack(body[-CRC.size :])[0]:
+        return None
+    kind, seq = HEAD.unpack_from(body)
+    return Frame(kind, seq, body[HEAD.size : -CRC.size])
+
+
+@dataclass(frozen=True)
+class Heard:
+    """A good frame in a stream: its exact bytes, and how many of the chunk's bytes it ends after."""
+
+    frame: Frame
+    raw: bytes
+    end: int
+
+
+@dataclass
+class Decoder:
+    """Frames out of chunks of any size; after garbage the next zero byte puts it right.
+
+    `bad` counts what stood between two zeros and was no frame. It holds at most one frame's bytes.
+    """
+
+    bad: int = 0
+    _rest: bytearray = field(default_factory=bytearray)
+    _overlong: bool = False
+
+    @property
+    def rest(self) -> bytes:
+        """Bytes after the last zero: the beginning of a frame, unless they are already too many for one."""
+        return bytes(self._rest)
+
+    def feed(self, chunk: bytes) -> list[Heard]:
+        """Whole frames that end in `chunk`."""
+        frames = []
+        at = 0
+        while (zero := chunk.find(b"\0", at)) >= 0:
+            self._keep(chunk[at:zero])
+            at = zero + 1
+            frame = None if self._overlong else decode(bytes(self._rest))
+            if frame is not None:
+                frames.append(Heard(frame, bytes(self._rest) + b"\0", at))
+            elif self._rest or self._overlong:
+                self.bad += 1
+            self._rest.clear()
+            self._overlong = False
+        self._keep(chunk[at:])
+        return frames
+
+    def _keep(self, piece: bytes) -> None:
+        if self._overlong or len(self._rest) + len(piece) > MAX_STUFFED:
+            self._overlong = True
+            self._rest.clear()
+        else:
+            self._rest += piece

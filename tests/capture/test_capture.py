@@ -1,0 +1,244 @@
+"""The capture program against the rig program, over a real pseudo-terminal."""
+
+import hashlib
+import json
+import os
+import pty
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+import tty
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pipeline.capture.handshake import check_rate
+from pipeline.errors import BadInput
+from pipeline.rig.device import Device
+from pipeline.rig.setup import read_setup
+from pipeline.rig.simulate import simulate
+from pipeline.wire import Hello, Kind, encode, read_recording
+
+SEED = 3
+
+
+@pytest.fixture(scope="module")
+def simulated():
+    return simulate(read_setup("small"), SEED)
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory):
+    """A run folder that the real programs have made."""
+    folder = tmp_path_factory.mktemp("raw") / "small-01"
+    done = run("pipeline.rig.record", "small", folder, "--seed", SEED)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def run(module: str, *arguments) -> subprocess.CompletedProcess:
+    command = [sys.executable, "-m", module, *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+
+
+def start(module: str, *arguments) -> subprocess.Popen:
+    command = [sys.executable, "-m", module, *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def info(folder: Path) -> dict:
+    return json.loads((folder / "capture.json").read_text())
+
+
+@pytest.fixture
+def rig(tmp_path):
+    """Start rigs by their options; each returns its port."""
+    rigs = []
+
+    def serve(*options) -> Path:
+        link = tmp_path / f"port{len(rigs)}"
+        rigs.append(start("pipeline.rig", "small", "--link", link, "--seed", SEED, *options))
+        while not link.is_symlink():
+            assert rigs[-1].poll() is None, rigs[-1].stdout.read()
+            time.sleep(0.01)
+        return link
+
+    yield serve
+    for one in rigs:
+        one.terminate()
+        one.wait()
+        one.stdout.close()
+
+
+@pytest.fixture
+def line():
+    """A serial port in our hands: our end, and the name of the host's."""
+    ours, theirs = pty.openpty()
+    tty.setraw(theirs)
+    yield ours, os.ttyname(theirs)
+    os.close(theirs)
+    os.close(ours)
+
+
+def exact(simulated) -> bytes:
+    """Every byte of a recording as the device sends it."""
+    device = Device(simulated)
+    device.hear(encode(Kind.GREET, 0))
+    sent = device.speak()
+    device.hear(encode(Kind.START, 0))
+    while device.recording:
+        sent += device.speak()
+    return sent
+
+
+def test_a_recording_holds_exactly_the_bytes_that_were_sent(recorded, simulated):
+    data = (recorded / "recording.frames").read_bytes()
+    assert data == exact(simulated)
+    recording = read_recording(data)
+    np.testing.assert_allclose(recording.time_s, simulated.time_s, atol=1e-6)
+    quanta = {channel.name: channel.scale for channel in simulated.hello.channels}
+    for name, values in recording.channels.items():
+        np.testing.assert_array_equal(np.rint(values / quanta[name]), simulated.samples[name])
+
+
+def test_capture_json_accounts_for_every_frame(recorded, simulated):
+    said = info(recorded)
+    data = (recorded / "recording.frames").read_bytes()
+    assert said["exit_status"] == "complete" and said["fault"] is None
+    assert said["bytes"] == len(data) and said["sha256"] == hashlib.sha256(data).hexdigest()
+    frames = said["frames"]
+    assert frames["sent"] == frames["received"] == len(simulated.samples) + len(simulated.events) + 2
+    assert frames["lost"] == frames["bad"] == 0
+    assert said["samples"] == {"sent": len(simulated.samples), "received": len(simulated.samples)}
+    assert said["hello"]["device"] == "twistbench synthetic rig"
+    assert said["started_utc"] <= said["ended_utc"]
+
+
+def test_the_same_seed_gives_the_same_bytes_and_another_one_does_not(recorded, tmp_path):
+    for name, seed in (("again", SEED), ("other", SEED + 1)):
+        assert run("pipeline.rig.record", "small", tmp_path / name, "--seed", seed).returncode == 0
+    first, again, other = (info(folder)["sha256"] for folder in (recorded, tmp_path / "again", tmp_path / "other"))
+    assert first == again != other
+
+
+def test_a_silent_port_is_given_up_with_a_sentence(line, tmp_path):
+    done = run("pipeline.capture", line[1], tmp_path / "run-1")
+    assert done.returncode == 2
+    assert "said nothing for 3 s" in done.stderr and "Traceback" not in done.stderr
+    assert not (tmp_path / "run-1").exists()
+
+
+@pytest.mark.parametrize("there", ["recording.frames", "recording.csv", "capture.json"])
+def test_a_recording_is_never_overwritten(there, tmp_path):
+    folder = tmp_path / "run-1"
+    folder.mkdir()
+    (folder / there).write_text("precious")
+    done = run("pipeline.capture", "/dev/null", folder)
+    assert done.returncode == 2 and "never overwritten" in done.stderr
+    assert (folder / there).read_text() == "precious"
+
+
+@pytest.mark.parametrize(
+    ("port", "name", "said"),
+    [
+        ("/dev/null", "Run_1", "no name of a run"),
+        ("/nowhere/port", "run-1", "is not there"),
+        ("/dev/null", "run-1", "cannot be opened"),
+    ],
+)
+def test_bad_input_is_one_line_that_names_the_mend(port, name, said, tmp_path):
+    done = run("pipeline.capture", port, tmp_path / name)
+    assert done.returncode == 2
+    assert said in done.stderr and "Mend:" in done.stderr and done.stderr.count("\n") == 1
+    assert not (tmp_path / name).exists()
+
+
+def answering(end: int, hello: bytes) -> threading.Thread:
+    """A device that answers GREET with these bytes and says nothing more."""
+
+    def answer() -> None:
+        os.read(end, 100)
+        os.write(end, hello)
+
+    thread = threading.Thread(target=answer)
+    thread.start()
+    return thread
+
+
+@pytest.mark.parametrize(
+    ("payload", "said"),
+    [(b'{"protocol":2}', "HELLO.protocol: is version 2"), (b"hello", "HELLO: is not JSON")],
+)
+def test_another_protocol_is_refused(payload, said, line, tmp_path):
+    thread = answering(line[0], encode(Kind.HELLO, 0, payload))
+    done = run("pipeline.capture", line[1], tmp_path / "run-1")
+    thread.join()
+    assert done.returncode == 2 and said in done.stderr
+    assert not (tmp_path / "run-1").exists()
+
+
+def test_a_device_that_falls_silent_leaves_a_fault_and_all_that_came(line, tmp_path, simulated):
+    beginning = exact(simulated)[:2000]
+    hello = beginning[: beginning.index(0) + 1]
+
+    def answer() -> None:
+        os.read(line[0], 100)
+        os.write(line[0], hello)
+        os.read(line[0], 100)
+        os.write(line[0], beginning[len(hello) :])
+
+    thread = threading.Thread(target=answer)
+    thread.start()
+    done = run("pipeline.capture", line[1], tmp_path / "run-1")
+    thread.join()
+    assert done.returncode == 1 and "said nothing" in done.stdout
+    assert (tmp_path / "run-1" / "recording.frames").read_bytes() == beginning
+    said = info(tmp_path / "run-1")
+    assert said["exit_status"] == "fault" and said["samples"]["sent"] is None
+    assert said["frames"]["sent"] == said["frames"]["received"] + said["frames"]["lost"]
+
+
+def test_ctrl_c_ends_a_recording_in_good_order(rig, tmp_path):
+    folder = tmp_path / "run-1"
+    capture = start("pipeline.capture", rig("--pace", "2"), folder)
+    while not (folder / "recording.frames").exists() or (folder / "recording.frames").stat().st_size < 1500:
+        assert capture.poll() is None, capture.stdout.read()
+        time.sleep(0.02)
+    capture.send_signal(signal.SIGINT)
+    said, _ = capture.communicate(timeout=20)
+    assert capture.returncode == 0, said
+    assert "aborted" in said and "samples/s" in said
+    assert "run.yaml: is missing" in said and "python -m pipeline.new_run" in said
+    recording = read_recording((folder / "recording.frames").read_bytes())
+    assert info(folder)["exit_status"] == "aborted"
+    assert info(folder)["samples"]["sent"] == info(folder)["samples"]["received"] == len(recording.time_s) > 10
+    assert recording.account.end.reason == 1
+
+
+def test_a_killed_capture_loses_nothing_and_can_be_recovered(rig, tmp_path):
+    port, folder = rig("--pace", "2"), tmp_path / "run-1"
+    capture = start("pipeline.capture", port, folder)
+    while not (folder / "recording.frames").exists() or (folder / "recording.frames").stat().st_size < 1500:
+        assert capture.poll() is None, capture.stdout.read()
+        time.sleep(0.02)
+    assert "still being captured" in run("pipeline.capture", "--recover", folder).stderr
+    assert "in use by another program" in run("pipeline.capture", port, tmp_path / "run-2").stderr
+    capture.kill()
+    capture.communicate()
+    before = (folder / "recording.frames").read_bytes()
+    assert run("pipeline.capture", "--recover", folder).returncode == 0
+    assert (folder / "recording.frames").read_bytes() == before
+    assert info(folder)["exit_status"] == "recovered" and info(folder)["samples"]["received"] > 10
+    assert run("pipeline.capture", "--recover", folder).returncode == 2
+    shutil.rmtree(folder)
+
+
+def test_a_line_that_is_too_slow_is_refused(simulated):
+    fast = Hello(**{**vars(simulated.hello), "rate_hz": 1000.0})
+    check_rate(simulated.hello, 115_200, "port")
+    with pytest.raises(BadInput, match="115200"):
+        check_rate(fast, 115_200, "port")

@@ -1,0 +1,83 @@
+import csv
+import io
+
+import pandas as pd
+import pytest
+
+from pipeline import schemas
+from pipeline.report import paper
+from pipeline.report.comparison import comparison
+from pipeline.report.tables import rows, to_csv, to_latex, to_markdown
+
+TITLES = {"inn": "INN model", "mlp": "MLP model", "traditional": "Traditional model"}
+HEADERS = {
+    1: "Model,Stroke times,Average error (mm),Maximum error (mm),RMSE (mm)",
+    2: "Model,Stroke times,Average error (θ/2π),Maximum error (θ/2π),RMSE (θ/2π)",
+}
+
+
+def made_metrics(strokes=(1, 5, 9), seeds=5):
+    """Metrics whose value tells where it came from: model + stroke/10 + metric/100 + seed/1000, unwinding + 50."""
+    lines = []
+    for model_number, model in enumerate(TITLES, 1):
+        for split in ("within", "later"):
+            for direction in ("forward", "inverse"):
+                for stroke in strokes:
+                    for phase, more in (("winding", 0), ("unwinding", 50)):
+                        for number, metric in enumerate(paper.METRICS, 1):
+                            for seed in range(seeds):
+                                value = model_number + stroke / 10 + number / 100 + seed / 1000 + more
+                                value += 100 * (split == "later") + 1000 * (direction == "inverse")
+                                lines.append(
+                                    ("m", model, split, direction, str(stroke), phase, "all", seed, metric, "mm", value)
+                                )
+    return pd.DataFrame(lines, columns=schemas.METRICS.names)
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_csv_layout_is_the_contracts(number):
+    text = to_csv(number, rows(made_metrics(), number, TITLES))
+    assert text.splitlines()[0] == HEADERS[number]
+    body = list(csv.reader(io.StringIO(text)))[1:]
+    assert [line[0] for line in body] == [title for title in TITLES.values() for _ in range(3)]
+    assert [line[1] for line in body] == ["n=1", "n=5", "n=9"] * 3
+
+
+def test_cells_are_medians_of_the_seeds_within_and_winding():
+    body = list(csv.reader(io.StringIO(to_csv(1, rows(made_metrics(), 1, TITLES)))))[1:]
+    assert body[0][2:] == ["1.112", "1.122", "1.132"]
+    assert body[7][2:] == ["3.512", "3.522", "3.532"]
+    inverse = list(csv.reader(io.StringIO(to_csv(2, rows(made_metrics(), 2, TITLES)))))[1:]
+    assert inverse[0][2] == "1001.112"
+
+
+def test_a_stroke_that_is_not_there_keeps_its_row_empty():
+    body = list(csv.reader(io.StringIO(to_csv(1, rows(made_metrics(strokes=(1,)), 1, TITLES)))))[1:]
+    assert len(body) == 9
+    assert body[1] == ["INN model", "n=5", "", "", ""]
+
+
+def test_markdown_and_latex_hold_the_same_numbers():
+    table = rows(made_metrics(), 1, TITLES)
+    markdown, latex = to_markdown(1, table), to_latex(1, table)
+    for _, _, cells in table:
+        assert all(cell in markdown and cell in latex for cell in cells)
+    assert latex.count("multirow") == 3 and markdown.count("INN model") == 1
+    assert r"$\theta/2\pi$" in to_latex(2, table)
+
+
+def test_comparison_shows_the_paper_beside_ours_with_the_spread():
+    text = comparison(made_metrics(), "m", TITLES)
+    assert "| INN model | n=1 | 1.112 (1.110–1.114) | 0.180 |" in text
+    assert "| Traditional model | n=9 | 3.912 (3.910–3.914) | 2.101 |" in text
+    assert "later strokes, winding" in text and "101.112" in text
+
+
+def test_comparison_says_when_later_was_skipped():
+    metrics = made_metrics()
+    assert "Skipped" in comparison(metrics[metrics["split"] == "within"], "m", TITLES)
+
+
+def test_the_papers_numbers_are_the_papers():
+    assert paper.TABLES[2]["traditional"][9] == (3.239, 6.945, 3.470)
+    assert sum(len(by_stroke) * 3 for table in paper.TABLES.values() for by_stroke in table.values()) == 36

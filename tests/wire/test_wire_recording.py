@@ -1,0 +1,138 @@
+"""A byte log becomes samples, and every frame of it is accounted for."""
+
+import json
+import time
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pipeline.wire import Channel, Decoder, Event, Hello, Kind, Reason, encode, read_recording
+from pipeline.wire.frames import END, EVENT
+
+CHANNELS = (Channel("motor_turns", "turns", "i32", 0.25, 1.0), Channel("displacement_mm", "mm", "i16", 0.02))
+HELLO = Hello("a rig", "1.0", "00000001", 50.0, 2, CHANNELS)
+EVERY_20_MS = 20_000
+
+
+def log(count: int, first_us: int = 0, hello: Hello = HELLO) -> list[bytes]:
+    """Frames of a complete recording: HELLO, `count` samples with an event before the second, END."""
+    frames = [encode(Kind.HELLO, 0, hello.pack())]
+    samples = np.zeros(count, hello.sample_type)
+    samples["t_us"] = (first_us + np.arange(count) * EVERY_20_MS) % 2**32
+    samples["motor_turns"] = np.arange(count) - 3
+    samples["displacement_mm"] = np.arange(count) * 7 % 30_000
+    for number, sample in enumerate(samples):
+        if number == 1:
+            stamp = (first_us + 12_345) % 2**32
+            frames.append(encode(Kind.EVENT, len(frames), EVENT.pack(stamp, Event.STROKE_START, 1)))
+        frames.append(encode(Kind.SAMPLE, len(frames), sample.tobytes()))
+    return [*frames, encode(Kind.END, len(frames), END.pack(count, Reason.COMPLETE))]
+
+
+def test_a_whole_recording_is_read_in_the_channels_units():
+    recording = read_recording(b"".join(log(100)))
+    assert recording.hello == HELLO
+    np.testing.assert_allclose(recording.time_s, np.arange(100) * 0.02)
+    np.testing.assert_allclose(recording.channels["motor_turns"], 0.25 * (np.arange(100) - 3) + 1.0)
+    np.testing.assert_allclose(recording.channels["displacement_mm"], 0.02 * (np.arange(100) * 7))
+    account = recording.account
+    assert (account.sent, account.received, account.lost, account.bad) == (103, 103, 0, 0)
+    assert (account.samples_sent, account.end.reason) == (100, Reason.COMPLETE)
+    (event,) = recording.events
+    assert (event.time_s, event.code, event.value) == (pytest.approx(0.012345), Event.STROKE_START, 1)
+
+
+def test_the_clock_may_wrap():
+    recording = read_recording(b"".join(log(100, first_us=2**32 - 10_000)))
+    np.testing.assert_allclose(recording.time_s, np.arange(100) * 0.02)
+    assert recording.events[0].time_s == pytest.approx(0.012345)
+
+
+@given(st.sets(st.integers(1, 61), max_size=20))
+def test_lost_frames_are_counted_and_located(lost):
+    frames = log(60)  # 63 frames: HELLO, one sample, EVENT, 59 samples, END
+    account = (recording := read_recording(b"".join(f for n, f in enumerate(frames) if n not in lost))).account
+    assert account.sent == 63 == account.received + account.lost
+    assert account.lost == len(lost) == sum(count for _, count in account.gaps)
+    assert len(recording.time_s) == 60 - len(lost - {2})
+    for after, _ in account.gaps:
+        before = recording.seq[after - 1] if after else 0
+        assert {int(before) + 1, int(before) + 2} & lost
+
+
+@given(st.binary(max_size=400), st.binary(max_size=100))
+def test_no_bytes_make_it_raise(garbage, more):
+    read_recording(garbage)
+    frames = log(10)
+    read_recording(b"".join([*frames[:5], garbage, *frames[5:], more]))
+    read_recording(garbage + b"\0" + b"".join(frames))
+
+
+@given(st.lists(st.tuples(st.integers(0, 2000), st.integers(1, 255)), max_size=12))
+def test_it_reads_the_frames_that_the_decoder_hears(flips):
+    data = bytearray(b"".join(log(80)))
+    for at, bits in flips:
+        data[at % len(data)] ^= bits
+    recording, decoder = read_recording(bytes(data)), Decoder()
+    heard = [one.frame for one in decoder.feed(bytes(data))]
+    assert recording.account.bad == decoder.bad
+    if recording.hello == HELLO:
+        assert recording.seq.tolist() == [frame.seq for frame in heard if frame.kind == Kind.SAMPLE]
+        assert recording.account.sent == recording.account.received + recording.account.lost
+
+
+def test_a_repeated_frame_counts_once():
+    frames = log(20)
+    account = read_recording(b"".join([frames[0], *frames[:5], *frames[4:], frames[-1]])).account
+    assert (account.sent, account.received, account.lost, account.repeated) == (23, 23, 0, 3)
+
+
+def test_what_follows_a_reset_is_not_read():
+    second = Hello("a rig", "1.0", "00000002", 50.0, 2, CHANNELS)
+    recording = read_recording(b"".join(log(50)[:31] + log(20, hello=second)))
+    assert (recording.account.resets, recording.account.sent, recording.account.end) == (1, 31, None)
+    assert len(recording.time_s) == 29
+
+
+def test_a_log_that_breaks_off_says_how_many_bytes_hang_over():
+    data = b"".join(log(50)[:-2])
+    account = read_recording(data + b"\5\1\2").account
+    assert (account.tail_bytes, account.end, account.lost) == (3, None, 0)
+
+
+@pytest.mark.parametrize("data", [b"", b"\0", b"abc", b"\0\0", b"\1\0", encode(Kind.SAMPLE, 0, b"1234")])
+def test_without_a_hello_there_is_nothing(data):
+    recording = read_recording(data)
+    assert recording.hello is None and not len(recording.time_s) and recording.account.sent == 0
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"protocol": 2}, "protocol"),
+        ({"rate_hz": 0}, "rate_hz"),
+        ({"channels": []}, "channels"),
+        ({"channels": [{"name": "a", "unit": "mm", "type": "f32", "scale": 1}]}, "type"),
+        ({"channels": [{"name": "a", "unit": "mm", "type": "i16", "scale": 1}] * 2}, "same name"),
+        ({"nonce": 7}, "nonce"),
+    ],
+)
+def test_a_hello_that_cannot_be_is_refused_with_the_field(change, said):
+    content = json.loads(HELLO.pack()) | change
+    with pytest.raises(ValueError, match=said):
+        Hello.unpack(json.dumps(content).encode())
+
+
+def test_a_hello_may_say_more_than_we_know():
+    content = json.loads(HELLO.pack()) | {"colour": "red"}
+    assert Hello.unpack(json.dumps(content).encode()) == HELLO
+
+
+def test_a_long_recording_is_read_fast():
+    one = b"".join(log(2000)[1:2])
+    data = log(1)[0] + one * 200_000
+    start_s = time.process_time()
+    assert read_recording(data).account.repeated == 199_999
+    assert time.process_time() - start_s < 3.0
