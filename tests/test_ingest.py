@@ -41,7 +41,7 @@ def repeated(values):
         (spoiled("time_s", backwards), "time_s", "runs backwards at row 101.*import_run"),
         (spoiled("time_s", repeated), "time_s", "stands still at row 101.*import_run"),
         (spoiled("time_s", lambda v: v * 1000), "time_s", "no rate of a rig.*unit"),
-        (spoiled("motor_turns", lambda v: v * 2 * np.pi), "motor_turns", "looks like rad: set channels.motor_turns.unit"),
+        (spoiled("motor_turns", lambda v: v * 2 * np.pi), "motor_turns", "looks like rad: set channels"),
         (spoiled("motor_turns", lambda v: v * 360), "motor_turns", "looks like deg"),
         (spoiled("displacement_mm", lambda v: v / 1000), "displacement_mm", "looks like m:"),
         (spoiled("motor_turns", lambda v: -v), "motor_turns", "negative throughout.*scale to -1"),

@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pipeline.dataset import blocks_from_top, held_out
 from pipeline.kinematics import Array
 from pipeline.rig.motion import commands
 from pipeline.rig.setup import described, dimensions, read_setup
 from pipeline.rig.simulate import simulate
+from pipeline.strokes import label
 
 LOAD_N = 20.0
 # Traditional model at n = 1, 5, 9: forward mean, maximum, RMSE in mm, then inverse mean, maximum, RMSE in turns.
@@ -20,19 +22,11 @@ PAPER = {
     5: [1.749, 4.813, 2.094, 2.871, 6.013, 3.140],
     9: [2.101, 4.920, 2.390, 3.239, 6.945, 3.470],
 }
-BANDS = {"all": (0.05, 0.10), "held out": (0.06, 0.10)}  # rms and worst relative error
+BANDS = {"all": (0.04, 0.10), "held out": (0.05, 0.10)}  # rms and worst relative error
 
 
 def summary(error: Array) -> list[float]:
     return [error.mean(), error.max(), np.sqrt(np.square(error).mean())]
-
-
-def held_out(turns: Array, stroke: int) -> Array:
-    """The test quarter of a winding, in 40 blocks counted from the top; mask of shape (samples,)."""
-    rank = np.empty(len(turns), int)
-    rank[np.argsort(-turns, kind="stable")] = np.arange(len(turns))
-    block = rank * 40 // len(turns)
-    return block % 4 == (block // 4 + stroke - 1) % 4
 
 
 @pytest.fixture(scope="module", params=[1, 2])
@@ -41,19 +35,19 @@ def errors(request):
     setup = read_setup("paper")
     simulated = simulate(setup, request.param)
     geometry = dimensions(described(setup, Path("synthetic-01/run.yaml")))
-    marks_s = commands(setup.motion, 0.02).strokes_s
     quanta = {channel.name: channel.scale for channel in simulated.hello.channels}
     turns, measured_mm = (simulated.samples[name] * quanta[name] for name in ("motor_turns", "displacement_mm"))
-    resting = simulated.time_s < marks_s[0, 0]
+    stroke_of, phase = label(simulated.time_s, turns)
+    resting = (stroke_of == 0) & (phase == "rest")
     model_mm = geometry.contraction_mm(turns, LOAD_N)
     measured_mm = measured_mm + np.median((model_mm - measured_mm)[resting])
     forward_mm = np.abs(model_mm - measured_mm)
     inverse_turns = np.abs(geometry.motor_turns(measured_mm, LOAD_N) - turns)
     found: dict[str, list[list[float]]] = {"all": [], "held out": []}
     for stroke in PAPER:
-        start_s, top_s = marks_s[stroke - 1, :2]
-        winding = np.flatnonzero((simulated.time_s > start_s) & (simulated.time_s <= top_s))
-        for name, points in (("all", winding), ("held out", winding[held_out(turns[winding], stroke)])):
+        winding = np.flatnonzero((stroke_of == stroke) & (phase == "winding"))
+        block = blocks_from_top(len(winding))
+        for name, points in (("all", winding), ("held out", winding[held_out(block, np.array(stroke))])):
             found[name].append(summary(forward_mm[points]) + summary(inverse_turns[points]))
     return {name: np.array(rows) / list(PAPER.values()) - 1.0 for name, rows in found.items()}
 
