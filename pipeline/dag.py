@@ -8,7 +8,8 @@ from typing import Any
 import yaml
 
 from pipeline.errors import BadInput
-from pipeline.runs import MATERIAL_NAME, RECORDINGS, STRING_ACTUATORS, capture_info, find_runs
+from pipeline.run_yaml import MATERIAL_NAME, STRING_ACTUATORS
+from pipeline.runs import RECORDINGS, capture_info, find_runs
 
 SYNTHETIC_MATERIAL = "synthetic"
 SYNTHETIC_DEVICE = "twistbench synthetic rig"  # what the rig's hello calls itself

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.ingest import geometry
-from pipeline.runs import TOLERANCE, Run, capture_info, read_run
+from pipeline.run_yaml import TOLERANCE, Run
+from pipeline.runs import capture_info, read_run
 
 TRAINING_POINTS = 5000  # as in the paper
 MOST_BLOCKS = 80  # into which a stroke's winding, or unwinding, is cut

@@ -18,7 +18,7 @@ from pipeline.errors import BadInput, program
 from pipeline.ingest import check
 from pipeline.kinematics import Array
 from pipeline.recording import read_table, to_samples
-from pipeline.runs import parse_run
+from pipeline.run_yaml import parse_run
 
 
 def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:

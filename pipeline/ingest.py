@@ -10,7 +10,8 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
 from pipeline.recording import read_recording
-from pipeline.runs import Run, read_run, recording_path
+from pipeline.run_yaml import Run
+from pipeline.runs import read_run, recording_path
 from pipeline.schemas import CHANNELS
 from pipeline.strokes import segment
 

@@ -10,7 +10,8 @@ import yaml
 
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
-from pipeline.runs import RECORDINGS, STRING_ACTUATORS, parse_run
+from pipeline.run_yaml import STRING_ACTUATORS, parse_run
+from pipeline.runs import RECORDINGS
 
 
 def make_run(content: dict[str, Any], recording: Path | None, out: Path) -> Path:

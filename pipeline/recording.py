@@ -12,7 +12,8 @@ import pyarrow.parquet as pq
 
 from pipeline import wire
 from pipeline.errors import BadInput
-from pipeline.runs import Channel, Run, TextFile, capture_info, recording_path
+from pipeline.run_yaml import Channel, Run, TextFile
+from pipeline.runs import capture_info, recording_path
 from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS
 from pipeline.units import conversion
 

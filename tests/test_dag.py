@@ -80,7 +80,7 @@ def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
 def test_mappings_are_runs_without_a_name():
     from pathlib import Path
 
-    from pipeline.runs import parse_run
+    from pipeline.run_yaml import parse_run
 
     for path in sorted((Path(__file__).parent.parent / "pipeline" / "mappings").glob("*.yaml")):
         mapping = yaml.safe_load(path.read_text())

@@ -6,7 +6,7 @@ from made_recording import BASE, content, recording
 
 from pipeline import schemas
 from pipeline.dataset import Recorded, blocks_from_top, held_out, in_order, make_dataset, tare_mm
-from pipeline.runs import parse_run
+from pipeline.run_yaml import parse_run
 from pipeline.strokes import segment
 
 

@@ -4,7 +4,8 @@ import pytest
 from made_recording import content
 
 from pipeline.errors import BadInput
-from pipeline.runs import find_runs, parse_run, read_run, recording_path
+from pipeline.run_yaml import parse_run
+from pipeline.runs import find_runs, read_run, recording_path
 
 PLACE = Path("raw/a-01/run.yaml")
 

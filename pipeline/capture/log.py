@@ -6,7 +6,8 @@ import time
 from pathlib import Path
 
 from pipeline.errors import BadInput
-from pipeline.runs import RECORDINGS, RUN_NAME
+from pipeline.run_yaml import RUN_NAME
+from pipeline.runs import RECORDINGS
 
 NAME = "recording.frames"
 SYNC_S = 1.0

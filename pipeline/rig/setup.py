@@ -11,7 +11,7 @@ from pipeline.kinematics import Geometry
 from pipeline.rig import effects
 from pipeline.rig.motion import Motion
 from pipeline.rig.sensors import Sensor
-from pipeline.runs import Run, parse_run
+from pipeline.run_yaml import Run, parse_run
 
 SHIPPED = Path(__file__).parent / "setups"
 CHANNELS = ("motor_turns", "displacement_mm", "load_n")

@@ -1,0 +1,143 @@
+"""The house's nevers: who may import whom, who may write, and what a rule may do."""
+
+import ast
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+MODULES = {
+    ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): path
+    for path in sorted((ROOT / "pipeline").rglob("*.py"))
+}
+
+
+def imports(module):
+    """Modules of ours that a module imports."""
+    names = set()
+    for node in ast.walk(ast.parse(MODULES[module].read_text())):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names.update(f"{node.module}.{alias.name}" for alias in node.names)
+            names.add(node.module)
+    return {name for name in names if name in MODULES} - {"pipeline", module}
+
+
+def reach(module):
+    """Modules of ours that a module imports, directly or not."""
+    found, waiting = set(), [module]
+    while waiting:
+        for name in imports(waiting.pop()) - found:
+            found.add(name)
+            waiting.append(name)
+    return found
+
+
+def part(module):
+    return module.split(".")[1] if "." in module else ""
+
+
+GROUND = {"errors", "files", "kinematics", "schemas", "run_yaml", "runs", "units", "wire"}
+
+
+def test_the_ground_stands_on_nothing_but_the_ground():
+    for module in MODULES:
+        if part(module) in GROUND:
+            assert {part(name) for name in imports(module)} <= GROUND, module
+    for bottom in ("errors", "files", "kinematics"):
+        assert not imports(f"pipeline.{bottom}")
+    assert {part(name) for module in MODULES if part(module) == "wire" for name in imports(module)} <= {"wire"}
+
+
+@pytest.mark.parametrize(
+    ("one", "others"),
+    [
+        ("rig", {"models", "diagnosis", "report", "train"}),
+        ("models", {"rig", "diagnosis", "report", "capture"}),
+        ("report", {"models", "rig", "diagnosis", "train"}),
+        ("capture", {"rig", "models", "report"}),
+        ("diagnosis", {"rig", "models", "report", "proof"}),
+    ],
+)
+def test_neighbours_do_not_reach_into_each_other(one, others):
+    for module in MODULES:
+        if part(module) == one:
+            assert not {part(name) for name in reach(module)} & others, module
+
+
+def test_nobody_outside_the_rig_knows_its_effects():
+    for module in MODULES:
+        if part(module) not in ("rig", "proof"):
+            assert not [name for name in imports(module) if name.startswith("pipeline.rig")], module
+
+
+def test_imports_have_no_loops():
+    for module in MODULES:
+        assert module not in reach(module), module
+
+
+def test_what_needs_no_torch_does_not_import_it():
+    stages = ("ingest", "strokes", "dataset", "evaluate", "import_run", "new_run", "dag", "capture", "train")
+    report = [module for module in MODULES if part(module) == "report"]
+    wanted = [f"pipeline.{stage}" for stage in stages] + report + ["pipeline.models.traditional"]
+    program = f"import sys, {', '.join(wanted)}; sys.exit('torch' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", program], cwd=ROOT).returncode == 0
+
+
+def test_wire_does_no_io_and_has_no_clock():
+    for module, path in MODULES.items():
+        if part(module) == "wire":
+            names = {node.id for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Name)}
+            assert not names & {"open", "os", "time", "serial", "Path", "print"}, module
+
+
+def test_no_stage_writes_to_its_final_path():
+    """Only `files` writes; run folders are made beside their place and renamed, recordings are appended to."""
+    writers = {"write_bytes", "write_text", "to_parquet", "to_csv", "write_table", "savefig", "save", "copyfile"}
+    for module, path in MODULES.items():
+        tree = ast.parse(path.read_text())
+        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+            name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+            if name == "open" and isinstance(call.func, ast.Name):
+                mode = call.args[1].value if len(call.args) > 1 else "r"
+                assert not set(mode) & set("wax+") or part(module) in ("files", "capture"), module
+            if isinstance(call.func, ast.Attribute) and name in writers:
+                target = ast.unparse(call.func.value) + ast.unparse(ast.Tuple(call.args, ast.Load()))
+                harmless = (
+                    "temporary" in target or (name == "to_csv" and not call.args) or ".save" in ast.unparse(call.func)
+                )
+                harmless |= name == "write_text" and "files." in ast.unparse(call.func)
+                assert harmless or part(module) in ("files", "capture"), (module, ast.unparse(call))
+
+
+def test_modules_are_short():
+    for module, path in MODULES.items():
+        assert len(path.read_text().splitlines()) <= 200, module
+
+
+def test_every_public_function_and_class_says_what_it_is():
+    for module, path in MODULES.items():
+        tree = ast.parse(path.read_text())
+        assert ast.get_docstring(tree) or not path.read_text(), module
+        for node in tree.body:
+            if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+                assert ast.get_docstring(node), f"{module}.{node.name}"
+
+
+def test_rules_hold_no_logic_and_only_record_makes_raw():
+    rules = {path.stem: path.read_text() for path in (ROOT / "pipeline" / "rules").glob("*.smk")}
+    for name, text in rules.items():
+        assert not re.search(r"^    (run|script):|^checkpoint|lambda", text, re.M), name
+        for output in re.findall(r"output:\n((?: {8,}.*\n)+)", text):
+            assert "raw/" not in output or name == "record", name
+    assert "exec python -m pipeline.rig.record" in rules["record"]
+    for name, text in rules.items():
+        assert text.count("\nrule ") + text.startswith("rule ") == text.count("code=") == text.count("    log:\n"), name
+
+
+def test_the_snakefile_is_thin():
+    assert len((ROOT / "Snakefile").read_text().splitlines()) <= 80
