@@ -17,11 +17,13 @@ class BadInput(Exception):
         self.file, self.field, self.problem, self.mend = str(file), field, problem, mend
 
 
-def die_with_parent() -> None:
+def die_with(parent: int) -> None:
     """Ask Linux to end this process when its parent dies: a killed Snakemake must leave no job that writes on."""
     if sys.platform == "linux":
         set_parent_death_signal = 1  # PR_SET_PDEATHSIG
         ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
+        if os.getppid() != parent:  # it died while this process was starting
+            os.kill(os.getpid(), signal.SIGKILL)
 
 
 def program(main: Callable[[], int | None]) -> Callable[[], None]:
@@ -29,8 +31,9 @@ def program(main: Callable[[], int | None]) -> Callable[[], None]:
 
     @functools.wraps(main)
     def command() -> None:
-        if os.environ.get("TWISTBENCH_JOB"):  # set by the Snakefile
-            die_with_parent()
+        parent = os.environ.get("TWISTBENCH_PARENT")  # set by whoever starts programs that must not outlive it
+        if parent:
+            die_with(int(parent))
         try:
             status = main()
         except BadInput as error:

@@ -9,7 +9,7 @@ from pipeline import schemas
 from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.report import paper
-from pipeline.report.tables import titles_of
+from pipeline.report.titles import titles_of
 
 NOTES = """\
 Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of

@@ -11,6 +11,7 @@ from pipeline import schemas
 from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.report import paper
+from pipeline.report.titles import titles_of
 
 Row = tuple[str, str, list[str]]  # model's title, stroke, cells
 
@@ -82,11 +83,6 @@ def to_latex(number: int, table: list[Row]) -> str:
         name = rf"\multirow{{{len(paper.STROKES)}}}{{*}}{{{title.replace('_', chr(92) + '_')}}}" if first else ""
         lines.append(" & ".join([name, f"${stroke}$", *cells]) + r" \\")
     return "\n".join([*lines, r"\hline", r"\end{tabular}", r"\end{table}", ""])
-
-
-def titles_of(pairs: list[str]) -> dict[str, str]:
-    """Models and their titles, in order, from arguments of the form `inn=INN model`."""
-    return dict(pair.split("=", 1) for pair in pairs)
 
 
 @program

@@ -29,7 +29,7 @@ def describe(setup: SetUp, folder: Path) -> None:
 
 def record(which: str, folder: Path, seed: int) -> int:
     """Run the rig and the capture program against each other; the exit status of the one that failed, or 0."""
-    environment = dict(os.environ)
+    environment = {**os.environ, "TWISTBENCH_PARENT": str(os.getpid())}
     roots = [str(Path(__file__).parents[2]), environment.get("PYTHONPATH", "")]
     environment["PYTHONPATH"] = os.pathsep.join(filter(None, roots))
     with tempfile.TemporaryDirectory(prefix="rig-") as place:

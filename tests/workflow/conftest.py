@@ -1,0 +1,68 @@
+"""A copy of the project to run the whole workflow in, on the small rig, and to change its code."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent.parent
+
+
+SMALL = ("--configfile", "pipeline/config/ci.yaml")
+
+
+class Project:
+    """A project folder of its own that shares this environment."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def command(self, *words: str) -> list[str]:
+        return [sys.executable, str(self.folder / "env" / "run.py"), "snakemake", "--cores", "2", *words, *SMALL]
+
+    def snakemake(self, *words: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(self.command(*words), cwd=self.folder, capture_output=True, text=True, timeout=900)
+
+    def rules_to_run(self, *words: str) -> dict[str, int]:
+        """How many jobs of each rule a dry run would start."""
+        done = self.snakemake("--dry-run", *words)
+        assert done.returncode == 0, done.stdout + done.stderr
+        text = done.stdout + done.stderr
+        if "Nothing to be done" in text:
+            return {}
+        table = text.split("job ", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
+        counts = {line.split()[0]: int(line.split()[1]) for line in table if len(line.split()) == 2}
+        return {name: count for name, count in counts.items() if name not in ("total", "all", "tables")}
+
+    def read(self, name: str) -> str:
+        return (self.folder / name).read_text(encoding="utf-8")
+
+
+def copy_project(folder: Path) -> Project:
+    """Code, rules and small configuration; the environment is linked, not made again."""
+    ignored = shutil.ignore_patterns("__pycache__", ".venv*")
+    for name in ("pipeline", "env"):
+        shutil.copytree(ROOT / name, folder / name, ignore=ignored)
+    shutil.copy(ROOT / "Snakefile", folder)
+    if (ROOT / "env" / ".venv").exists():
+        (folder / "env" / ".venv").symlink_to(ROOT / "env" / ".venv")
+    return Project(folder)
+
+
+@pytest.fixture(scope="session")
+def finished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, str]:
+    """A project whose main job has run, and what it printed. Tests leave it finished."""
+    project = copy_project(tmp_path_factory.mktemp("finished"))
+    done = project.snakemake()
+    assert done.returncode == 0, done.stdout + done.stderr
+    return project, done.stdout
+
+
+@pytest.fixture
+def project(finished: tuple[Project, str], tmp_path: Path) -> Project:
+    """A copy of the finished project, times and all, to change at will."""
+    folder = tmp_path / "project"
+    shutil.copytree(finished[0].folder, folder, symlinks=True)
+    return Project(folder)

@@ -1,0 +1,174 @@
+"""The whole workflow on the small rig: what it makes, and what it makes again."""
+
+import csv
+import hashlib
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from made_recording import recording
+
+
+def add_run(project, name, material, samples=None, text=None):
+    folder = project.folder / "raw" / name
+    folder.mkdir(parents=True)
+    string = f"{{material: {material}, radius_mm: 0.4, length_mm: 400, stiffness_n_per_mm: 15}}"
+    good = f"run: {name}\nstring: {string}\nrig: {{torsion_zone_mm: 150, separator_mm: 8}}\n"
+    (folder / "run.yaml").write_text(good if text is None else text)
+    (recording(4) if samples is None else samples).to_parquet(folder / "recording.parquet", index=False)
+    return folder
+
+
+def digest(folder):
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def test_the_main_job_makes_everything_and_prints_the_tables(finished):
+    project, printed = finished
+    reports = project.folder / "reports"
+    names = [f"table_{n}.{suffix}" for n in (1, 2) for suffix in ("csv", "md", "tex")]
+    names += [f"figure_{n}.{suffix}" for n in (4, 5) for suffix in ("png", "pdf")] + ["comparison.md"]
+    assert all((reports / "synthetic" / name).stat().st_size > 0 for name in names)
+    assert "TABLE I: FORWARD" in printed and "TABLE II: INVERSE" in printed and "figure_4.png" in printed
+    with open(reports / "synthetic" / "table_1.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))[1:]
+    assert [row[0] for row in rows[::3]] == ["INN model", "MLP model", "Calibrated model", "Traditional model"]
+    assert all(row[2] for row in rows if row[1] in ("n=1", "n=5")) and not any(
+        row[2] for row in rows if row[1] == "n=9"
+    )
+    header = (reports / "metrics.csv").read_text().splitlines()[0]
+    assert header == "material,model,split,map,stroke,phase,angle_band,seed,metric,unit,value"
+    assert (reports / "index.html").read_text().count("<table>") == 2
+
+
+def test_a_second_run_has_nothing_to_do(finished):
+    done = finished[0].snakemake()
+    assert done.returncode == 0 and "Nothing to be done" in done.stdout + done.stderr
+
+
+def test_the_tables_alone(tmp_path, finished):
+    project = finished[0]
+    assert project.rules_to_run("tables") == {}
+    shutil.rmtree(tmp_path / "project", ignore_errors=True)
+    shutil.copytree(project.folder, tmp_path / "project", symlinks=True)
+    other = type(project)(tmp_path / "project")
+    shutil.rmtree(other.folder / "reports")
+    assert other.rules_to_run("tables") == {"table": 1}
+    assert other.snakemake("tables").returncode == 0
+    assert other.read("reports/synthetic/table_2.tex") == project.read("reports/synthetic/table_2.tex")
+    assert not (other.folder / "reports" / "index.html").exists()
+
+
+@pytest.mark.parametrize(
+    ("module", "rules"),
+    [
+        ("pipeline/report/tables.py", {"table": 1, "index": 1}),
+        ("pipeline/models/mlp.py", {"train": 2, "evaluate": 1, "table": 1, "comparison": 1, "metrics": 1, "index": 1}),
+        ("pipeline/import_run.py", {}),
+    ],
+)
+def test_a_change_of_code_makes_again_what_it_made(project, module, rules):
+    path = project.folder / module
+    path.write_text(path.read_text() + "\nCHANGED = True\n")
+    assert project.rules_to_run() == rules
+
+
+def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project):
+    add_run(project, "nylon-01", "nylon")
+    before = digest(project.folder / "raw")
+    fits = {"train": 9, "dataset": 1, "evaluate": 1, "table": 1, "comparison": 1, "figures": 1}
+    assert project.rules_to_run() == {"ingest": 1, "strokes": 1, **fits, "metrics": 1, "index": 1}
+    done = project.snakemake()
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert digest(project.folder / "raw") == before
+    assert "== nylon" in done.stdout and "n=1" in project.read("reports/nylon/table_1.md")
+    materials = {line.split(",")[0] for line in project.read("reports/metrics.csv").splitlines()[1:]}
+    assert materials == {"synthetic", "nylon"}
+    # A second run of the same material: its dataset and what stands on it, and nothing of the others.
+    add_run(project, "nylon-02", "nylon")
+    again = project.rules_to_run()
+    assert again == {"ingest": 1, "strokes": 1, **fits, "metrics": 1, "index": 1}
+
+
+BAD = recording(4)
+
+
+@pytest.mark.parametrize(
+    ("text", "samples", "says"),
+    [
+        ("run: bad-01\nstring: {material: x, raduis_mm: 1}\n", None, "string.raduis_mm: is not a known key"),
+        (None, BAD.drop(columns="displacement_mm"), "displacement_mm: there is no column"),
+        (None, BAD.assign(time_s=BAD["time_s"].to_numpy()[::-1]), "time_s: runs backwards"),
+    ],
+    ids=["unknown key", "missing channel", "time backwards"],
+)
+def test_a_bad_run_is_named_and_stops_nobody_else(project, text, samples, says):
+    add_run(project, "bad-01", "bad", samples, text)
+    add_run(project, "good-01", "good")
+    done = project.snakemake("--keep-going")
+    assert done.returncode != 0
+    assert says in done.stdout + done.stderr and "raw/bad-01" in done.stdout + done.stderr
+    assert (project.folder / "reports/good/table_1.csv").is_file()
+    assert not (project.folder / "processed/bad-01").exists() and not (project.folder / "reports/bad").exists()
+
+
+def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(project, finished):
+    shutil.rmtree(project.folder / "processed" / "synthetic")
+    shutil.rmtree(project.folder / "reports")
+    kills = 0
+    for wait_for in ("dataset-synthetic", "train-synthetic-inn", "evaluate-synthetic"):
+        log = project.folder / "processed" / "logs" / wait_for
+        for old in log.parent.glob(f"{wait_for}*"):
+            old.unlink()
+        run = subprocess.Popen(
+            project.command(), cwd=project.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        deadline_s = time.monotonic() + 300
+        while run.poll() is None and not list(log.parent.glob(f"{wait_for}*")) and time.monotonic() < deadline_s:
+            time.sleep(0.02)
+        kills += run.poll() is None
+        os.kill(run.pid, signal.SIGKILL)
+        run.wait()
+    assert kills == 3
+    done = project.snakemake()
+    assert done.returncode == 0, done.stdout + done.stderr
+    for name in ("table_1.csv", "table_2.csv", "comparison.md"):
+        assert project.read(f"reports/synthetic/{name}") == finished[0].read(f"reports/synthetic/{name}")
+
+
+def test_a_killed_snakemake_leaves_no_job_behind(project):
+    shutil.rmtree(project.folder / "processed" / "synthetic" / "inn")
+    slow = project.folder / "pipeline/config/ci.yaml"
+    slow.write_text(slow.read_text().replace("epochs: 3}", "epochs: 3000}", 1))
+    run = subprocess.Popen(project.command(), cwd=project.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        deadline_s = time.monotonic() + 120
+        while not jobs_in(project.folder) and time.monotonic() < deadline_s:
+            time.sleep(0.1)
+        assert jobs_in(project.folder)
+    finally:
+        run.kill()
+        run.wait()
+    deadline_s = time.monotonic() + 30  # a job that was still importing ends when it has done so
+    while jobs_in(project.folder) and time.monotonic() < deadline_s:
+        time.sleep(0.1)
+    assert not jobs_in(project.folder)
+
+
+def jobs_in(folder):
+    """Training programs at work in a folder."""
+    done = subprocess.run(["pgrep", "-f", "pipeline.train"], capture_output=True, text=True)
+    places = []
+    for pid in done.stdout.split():
+        try:
+            places.append(os.readlink(f"/proc/{pid}/cwd"))
+        except OSError:
+            continue
+    return [place for place in places if place == str(folder)]
