@@ -26,6 +26,8 @@ STYLE: dict[Any, Any] = {
     "font.size": 9, "axes.titlesize": 9, "legend.fontsize": 7.5, "axes.spines.top": False, "axes.spines.right": False,
     "axes.grid": True, "grid.alpha": 0.25, "savefig.dpi": 200, "pdf.fonttype": 42, "legend.frameon": False,
 }  # fmt: skip
+PAUSE_STEPS = 5  # times the usual step: more is a pause
+SHOWN = ["motor_turns", "displacement_mm", "forward_mm", "inverse_turns"]
 TURNS, MILLIMETRES = "motor twist θ/2π (turns)", "displacement x (mm)"
 
 
@@ -44,10 +46,17 @@ def with_median(dataset: pd.DataFrame, predictions: list[Path]) -> pd.DataFrame:
 
 
 def winding(points: pd.DataFrame, stroke: int) -> pd.DataFrame:
-    """Points of one stroke's winding, one string, in order of time."""
+    """Points of one stroke's winding, one string, in order of time, with an empty row wherever the winding pauses.
+
+    A line through them then breaks where the motor held or turned back, instead of jumping.
+    """
     chosen = points[(points["stroke"] == stroke) & (points["phase"] == "winding")]
-    first = chosen["string"].iloc[:1]
-    return chosen[chosen["string"].isin(first)].sort_values("time_s")
+    chosen = chosen[chosen["string"].isin(chosen["string"].iloc[:1])].sort_values("time_s", ignore_index=True)
+    step_s = chosen["time_s"].diff()
+    pauses = np.flatnonzero(step_s > PAUSE_STEPS * step_s.median())
+    chosen.index = chosen.index.astype(float)
+    breaks = pd.DataFrame(np.nan, index=pauses - 0.5, columns=SHOWN)
+    return pd.concat([chosen[SHOWN], breaks]).sort_index() if len(pauses) else chosen[SHOWN]
 
 
 def _empty(axes: Axes, text: str) -> None:
@@ -77,8 +86,11 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
         inverse.plot(x, turns, color=colour, lw=1.2, label=label)
         inverse_error.plot(x, one["inverse_turns"] - turns, color=colour, lw=0.8, label=label)
     if shown:
-        longest = max((winding(points, stroke) for stroke in shown), key=lambda one: np.ptp(one["motor_turns"]))
-        by_turns, by_x = longest.sort_values("motor_turns"), longest.sort_values("displacement_mm")
+        longest = max(
+            (winding(points, stroke) for stroke in shown),
+            key=lambda one: one["motor_turns"].max() - one["motor_turns"].min(),
+        )
+        by_turns, by_x = (longest.dropna().sort_values(column) for column in SHOWN[:2])
         style: dict[str, Any] = {"color": "k", "ls": "--", "lw": 1.1, "label": "traditional model"}
         forward.plot(by_turns["motor_turns"], by_turns["forward_mm"], **style)
         inverse.plot(by_x["displacement_mm"], by_x["inverse_turns"], **style)
@@ -110,17 +122,17 @@ def figure_5(inn: pd.DataFrame, recorded: pd.DataFrame, material: str) -> Figure
             _empty(forward, f"no stroke {stroke} recorded")
             _empty(inverse, f"no stroke {stroke} recorded")
             continue
-        by_x = measured.sort_values("displacement_mm")
+        by_turns, by_x = (measured.dropna().sort_values(column) for column in SHOWN[:2])
         forward.plot(measured["motor_turns"], measured["displacement_mm"], color="0.55", lw=2.6, label="measured")
         forward.plot(
-            measured["motor_turns"], measured["forward_mm"], color=TRADITIONAL, ls="--", label="traditional model"
+            by_turns["motor_turns"], by_turns["forward_mm"], color=TRADITIONAL, ls="--", label="traditional model"
         )
         forward.plot(learned["motor_turns"], learned["forward_mm"], ".", color=INN, ms=2.5, label="INN, held out")
         inverse.plot(measured["displacement_mm"], measured["motor_turns"], color="0.55", lw=2.6, label="measured")
         inverse.plot(by_x["displacement_mm"], by_x["inverse_turns"], color=TRADITIONAL, ls="--")
         inverse.plot(learned["displacement_mm"], learned["inverse_turns"], ".", color=INN, ms=2.5)
         if not figure.legends:
-            figure.legend(loc="outside lower center", ncols=3)
+            figure.legend(handles=forward.get_lines(), loc="outside lower center", ncols=3)
     figure.suptitle(f"{material}: winding; the INN's points are the median over the seeds")
     return figure
 
