@@ -1,0 +1,48 @@
+"""The check of the published metrics passes on them and fails on a regression."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+from golden.check_metrics import PUBLISHED, complaints
+
+
+@pytest.fixture
+def reports(tmp_path: Path) -> Path:
+    shutil.copytree(PUBLISHED, tmp_path / "synthetic")
+    return tmp_path
+
+
+def worsen(reports: Path, table: int, start: str, factor: float) -> None:
+    path = reports / "synthetic" / f"table_{table}.csv"
+    lines = path.read_text(encoding="utf-8").splitlines()
+    row = next(number for number, line in enumerate(lines) if line.startswith(start))
+    *names, average, maximum, rmse = lines[row].split(",")
+    lines[row] = ",".join([*names, f"{float(average) * factor:.3f}", maximum, rmse])
+    path.write_text("\n".join(lines), encoding="utf-8")
+
+
+def test_the_published_tables_pass(reports):
+    assert complaints(reports) == []
+
+
+@pytest.mark.parametrize(
+    ("table", "row", "factor", "says"),
+    [
+        (1, "INN model,n=5", 1.3, "INN model, n=5, average"),
+        (2, "MLP model,n=9", 0.7, "MLP model, n=9, average"),
+        (1, "Traditional model,n=1", 1.01, "Traditional model, n=1, average"),
+        (2, "Calibrated model,n=1", 0.99, "Calibrated model, n=1, average"),
+        (2, "INN model,n=1", 3.0, "is not below the paper's 0.584"),
+        (2, "Traditional model,n=9", 1.2, "from the paper's 18 numbers"),
+    ],
+)
+def test_a_regression_is_named(reports, table, row, factor, says):
+    worsen(reports, table, row, factor)
+    assert says in "\n".join(complaints(reports))
+
+
+def test_a_missing_row_is_named(reports):
+    path = reports / "synthetic" / "table_1.csv"
+    path.write_text("\n".join(path.read_text(encoding="utf-8").splitlines()[:-1]), encoding="utf-8")
+    assert "its rows are not the published ones" in "\n".join(complaints(reports))
