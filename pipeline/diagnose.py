@@ -1,4 +1,4 @@
-"""Diagnose runs: where simulation and recording part, which physics is missing, how much better the fit gets with it."""
+"""Diagnose runs: where simulation and recording part, which physics is missing, and what it improves."""
 
 import argparse
 import json
@@ -13,8 +13,6 @@ from pipeline.diagnosis import engine, figures, heldout, verdict
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
-
-LEAST_SECONDS = 5.0
 
 
 def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
@@ -34,13 +32,16 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
     problem = engine.make_problem(runs, tables, folders)
     found = engine.study(problem, say)
     say("held out")
-    held, _ = heldout.held_out(problem)
+    fine = engine.at_own_rate(runs, tables)
+    held, _ = heldout.held_out(problem, fine)
     say("writing")
-    fine = engine.fine_floor(runs, tables, found)
-    content = verdict.diagnosis(found, held, [run.run for run in runs] if together else runs[0].run, fine)
+    experiment = verdict.next_experiment(found, runs[0])
+    content = verdict.diagnosis(
+        found, held, [run.run for run in runs] if together else runs[0].run, engine.fine_floor(fine, found), experiment
+    )
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     figures.page(found, content, out / "diagnosis.png")
-    return verdict.sentences(content, problem.system.channel.rpartition("_")[2])
+    return verdict.sentences(content, problem.system.channel.rpartition("_")[2], verdict.left_tolerance(found))
 
 
 def _one(folder: Path, out: Path) -> tuple[str, bool]:

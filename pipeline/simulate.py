@@ -1,15 +1,16 @@
-"""The improved simulator alone: a run's inputs and a diagnosis → predicted displacement; no measurement but for the tare."""
+"""The improved simulator alone: inputs and a diagnosis → predicted displacement; no measurement but for the tare."""
 
 import argparse
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from pipeline import schemas
 from pipeline.diagnosis.adopt import acts_from
-from pipeline.diagnosis.engine import fine_problem
+from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.errors import BadInput, program
 from pipeline.ingest import read_samples
@@ -18,7 +19,7 @@ from pipeline.kinematics import Array
 TARE_S = 1.0
 
 
-def state_of(content: dict, problem: Problem, path: Path) -> State:
+def state_of(content: dict[str, Any], problem: Problem, path: Path) -> State:
     """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
     given = content.get("parameters", {})
     values = [float(given.get(one.name, {}).get("value", one.nominal)) for one in problem.parameters]
@@ -45,7 +46,7 @@ def main() -> None:
         content = json.loads(arguments.simulation.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise BadInput(arguments.simulation, "file", f"cannot be read ({error})", "give a diagnosis.json") from None
-    problem = fine_problem(run, samples)
+    problem = at_own_rate([run], [samples])
     predicted = problem.simulate(state_of(content, problem, arguments.simulation))
     unit = problem.system.channel.rpartition("_")[2]
     zero = content.get("parameters", {}).get(f"zero_{unit}", {}).get("value")

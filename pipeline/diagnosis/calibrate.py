@@ -10,6 +10,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Key, Linear
 from pipeline.diagnosis.noise import Noise, white
 from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.diagnosis.record import lonely
 
 ITERATIONS = 4
 OUTLIER = 6.0  # robust spreads of the residual from its neighbours
@@ -17,7 +18,7 @@ REFINEMENTS = 3
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
-    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, their shapes kept."""
+    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, shapes kept."""
     state = state or problem.nominal()
     catalogue = {act.id: list(act.shapes) for act in acts}
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
@@ -79,8 +80,8 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
                     tries.append((linear.fit(linear.columns_of(keys)), keys))
                 best, keys = min(tries, key=lambda item: item[0].misfit)
                 state = linear.state_of(best, keys)
-        own = tuple(act for act in state.acts if act not in problem.included)
-        state = calibrate(problem, noise, state, own)
+        acting = tuple(act for act in state.acts if act not in problem.included)
+        state = calibrate(problem, noise, state, acting)
     return state
 
 
@@ -89,7 +90,7 @@ def without_outliers(problem: Problem, state: State) -> tuple[Problem, int]:
     residual = problem.measured - problem.simulate(state)
     gap = residual - median_filter(residual, 7, mode="nearest")
     spread = 1.4826 * float(np.median(np.abs(gap)))
-    wild = np.abs(gap) > OUTLIER * spread
+    wild = lonely(residual, OUTLIER * spread)
     if not 0 < wild.sum() <= 0.02 * len(wild):
         return problem, 0
     return replace(problem, measured=np.where(wild, problem.measured - gap, problem.measured)), int(wild.sum())

@@ -1,4 +1,4 @@
-"""Compare by Cox's idea: an explanation beats another if the gap between them is about as large as its truth implies."""
+"""Compare by Cox's idea: an explanation beats another if the gap between them is as large as its truth implies."""
 
 from pipeline.diagnosis.search import Explanation, Search
 
@@ -7,9 +7,14 @@ LEAST_GAP = 10.0
 SHARE = 0.4  # of the expected gap that must be seen
 
 
+def price(search: Search, one: Explanation) -> float:
+    """Misfit, and two numbers (when, how much) for every sudden event after the first of its kind."""
+    return one.fit.misfit + 2.0 * search.penalty * (len(one.keys) - len(one.ids))
+
+
 def beats(search: Search, one: Explanation, other: Explanation) -> bool:
     """Whether the recording tells `one` from `other`."""
-    seen = other.fit.misfit - one.fit.misfit
+    seen = price(search, other) - price(search, one)
     if seen <= LEAST_GAP:
         return False
     expected = search.linear.gap(one.fit, other.fit.columns)
@@ -17,13 +22,12 @@ def beats(search: Search, one: Explanation, other: Explanation) -> bool:
 
 
 def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
-    """Every explanation as small as the chosen one that the recording cannot rule out, the chosen one first."""
+    """Every explanation as small as the chosen one that no other beats, the best first."""
     if not chosen.ids:
         return []
-    whole = search.nothing.fit.misfit - chosen.fit.misfit
-    contenders = [
-        rival
-        for rival in search.all_of(len(chosen.ids))
-        if rival.ids != chosen.ids and search.nothing.fit.misfit - rival.fit.misfit >= CONTENDER * whole
-    ]
-    return [chosen, *(rival for rival in contenders if not beats(search, chosen, rival))]
+    nothing = search.nothing.fit.misfit
+    rivals = search.all_of(len(chosen.ids))
+    whole = nothing - min(rival.fit.misfit for rival in rivals)
+    close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
+    left = [rival for rival in close if not any(beats(search, other, rival) for other in close if other is not rival)]
+    return sorted(left or [chosen], key=lambda one: one.cost)

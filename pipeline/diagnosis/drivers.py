@@ -1,4 +1,4 @@
-"""What a mechanism may listen to: the drivers of a recording, made from its inputs alone, never from the measurement."""
+"""What a mechanism may listen to: drivers made from a recording's inputs, never from the measurement."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism and no system."""
+"""The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism by name."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,6 +16,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
+from pipeline.diagnosis.recursions import whiten
 from pipeline.diagnosis.search import LEAST_EFFECT, Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.runs import Run
@@ -70,19 +71,18 @@ def adopted(run: Run, drivers: Drivers) -> tuple[Act, ...]:
     return acts_from(run.simulation, drivers)
 
 
-def fine_problem(run: Run, table: pd.DataFrame) -> Problem:
-    """The problem of a run at its own rate."""
-    return make_problem([run], [table], most=len(table))
+def at_own_rate(runs: list[Run], tables: list[pd.DataFrame]) -> Problem:
+    """The problem at the recording's own rate, for simulation only."""
+    return make_problem(runs, tables, most=sum(map(len, tables)))
 
 
-def fine_floor(runs: list[Run], tables: list[pd.DataFrame], found: Study) -> float:
+def fine_floor(fine: Problem, found: Study) -> float:
     """Noise floor at the recording's own rate: the working floor and what averaging took off it."""
-    problem = make_problem(runs, tables, most=sum(map(len, tables)))
-    if len(problem.record) == len(found.problem.record):
+    if len(fine.record) == len(found.problem.record):
         return found.noise.floor
-    fine = robust(problem.measured - problem.simulate(found.best), 0.0)
-    coarse = robust(found.problem.measured - found.problem.simulate(found.best), 0.0)
-    return float(np.sqrt(max(np.mean(fine**2) - np.mean(coarse**2), 0.0) + found.noise.floor**2))
+    own = robust(fine.measured - fine.simulate(found.best))
+    averaged = robust(found.problem.measured - found.problem.simulate(found.best))
+    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.noise.floor**2))
 
 
 def catalogue(problem: Problem) -> dict[str, list[Shape]]:
@@ -119,22 +119,41 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     shapes = catalogue(problem)
     say("searching explanations")
     search = Search(Linear(problem, base, noise, shapes))
-    chosen = search.select(noise.floor)
-    best = search.linear.state_of(chosen.fit, chosen.keys)
+    chosen, best = search.select(noise.floor, largest=1), base
     if chosen.ids:
-        say("refining " + " + ".join(chosen.ids))
-        best = calibrate.refine(problem, noise, best)
-        noise = noise_of(problem, best, smooth)
-        near = {id_: list(options) for id_, options in shapes.items()}
-        for act in best.acts:
-            if act not in problem.included:
-                near[act.id] += [shape for shape in act.shapes if shape not in near[act.id]]
-        search = Search(Linear(problem, best, noise, near))
-        chosen = search.select(noise.floor)
-        best = calibrate.refine(problem, noise, search.linear.state_of(chosen.fit, chosen.keys))
+        for step in ("one mechanism", "several mechanisms"):
+            say(f"refining {step}")
+            leaders = search.leaders(chosen)
+            refined = [calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys)) for one in leaders]
+            best = min(refined, key=lambda state: misfit(problem, noise, state))
+            noise = noise_of(problem, best, smooth)
+            shapes = with_refined(problem, shapes, refined)
+            search = Search(Linear(problem, best, noise, shapes))
+            before, chosen = chosen, search.select(noise.floor)
+            if len(chosen.ids) == len(before.ids):
+                break
     say("comparing")
     sets = compare.unbeaten(search, chosen, noise.floor)
+    if sets:
+        best = search.linear.state_of(sets[0].fit, sets[0].keys)
+        best = calibrate.refine(problem, noise, best)
     return decide(problem, nominal, base, noise, best, sets, search)
+
+
+def misfit(problem: Problem, noise: Noise, state: State) -> float:
+    """Whitened squared residual of a state."""
+    residual = (problem.measured - problem.simulate(state))[None, : problem.rows]
+    return float(np.sum(np.square(whiten(residual, noise.ar, problem.drivers.first[: problem.rows]))))
+
+
+def with_refined(problem: Problem, shapes: dict[str, list[Shape]], states: list[State]) -> dict[str, list[Shape]]:
+    """The catalogue with the refined shapes of what acts in some states."""
+    near = {id_: list(options) for id_, options in shapes.items()}
+    for state in states:
+        for act in state.acts:
+            if act not in problem.included:
+                near[act.id] += [shape for shape in act.shapes if shape not in near[act.id]]
+    return near
 
 
 def decide(

@@ -1,4 +1,4 @@
-"""One page of figures: recording over simulation, mismatch map before and after, explanations, held-out error, drivers."""
+"""One page of figures: recording over simulation, mismatch maps, explanations, held-out error."""
 
 from pathlib import Path
 from typing import Any

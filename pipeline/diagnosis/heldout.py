@@ -3,9 +3,12 @@
 from typing import Any
 
 import numpy as np
+from scipy.ndimage import median_filter
 
+from pipeline.diagnosis.calibrate import OUTLIER
 from pipeline.diagnosis.engine import Study, rms, study
-from pipeline.diagnosis.problem import Problem
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.record import lonely
 
 LAST = 0.3
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
@@ -13,7 +16,7 @@ LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 
 def first_held_out(problem: Problem) -> int | None:
     """First sample of the last 30 % of strokes (at least one), or None when too little is left to learn from."""
-    strokes = np.unique(problem.record.stroke[problem.record.stroke > problem.record.stroke.min() - 1])
+    strokes = np.unique(problem.record.stroke)
     strokes = strokes[strokes > 0]
     count = max(1, round(LAST * len(strokes)))
     if len(strokes) - count < 1:
@@ -22,16 +25,22 @@ def first_held_out(problem: Problem) -> int | None:
     return row if row >= LEAST_TRAINING * len(problem.record) else None
 
 
-def held_out(problem: Problem) -> tuple[dict[str, Any] | None, Study | None]:
-    """Errors (rms) on strokes that no fit has seen: nominal, calibrated, explained; and the study they came from."""
+def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, Study | None]:
+    """Errors (rms) on strokes that no fit has seen: nominal, calibrated, explained; and the study they came from.
+
+    `fine` is the same recording at its own rate, on which the errors are measured, lonely wild readings left out.
+    """
     row = first_held_out(problem)
     if row is None:
         return None, None
     found = study(problem.until(row))
-    unseen = slice(row, None)
+    unseen = fine.record.time_s >= problem.record.time_s[row]
 
-    def error(state: Any) -> float:
-        return rms((problem.measured - problem.simulate(state))[unseen])
+    def error(state: State) -> float:
+        residual = fine.measured - fine.simulate(state)
+        gap = residual - median_filter(residual, 7, mode="nearest")
+        wild = lonely(residual, OUTLIER * 1.4826 * float(np.median(np.abs(gap))))
+        return rms(residual[unseen & ~wild])
 
     return {
         "split": "last 30 % of strokes",

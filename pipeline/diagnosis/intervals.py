@@ -1,4 +1,4 @@
-"""90 % intervals that stay honest when a formula is only nearly right: the fit with a smooth random effect inside it."""
+"""90 % intervals, honest when a formula is only nearly right: the fit has a smooth random effect inside it."""
 
 from dataclasses import dataclass
 
@@ -25,7 +25,7 @@ class Interval:
 
 
 def _form_scale(gram: Array, moment: Array, samples: int) -> float:
-    """Size of the random effect that makes the recording likeliest, from products with everything else projected out."""
+    """Size of the random effect that makes the recording likeliest; everything else is projected out."""
     values, vectors = np.linalg.eigh(gram)
     values, along = np.maximum(values, 0.0), vectors.T @ moment
 
@@ -52,7 +52,7 @@ def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, I
     coefficients = np.concatenate([np.array(linear.at)[:known], *(np.array(act.coefficients) for act in acts)])
     at = known
     for act in acts:
-        part = slice(at, at + len(act.coefficients))
+        part = np.arange(at, at + len(act.coefficients))
         sizes = np.sqrt(np.diag(linear.raw_gram)[own[part]] / linear.rows)
         effect = float(np.sqrt(np.mean(np.square(linear.table[own[part]].T @ coefficients[part])))) or noise.floor
         ridge[part] = np.square(np.maximum(sizes, 1e-12) / effect)
@@ -71,7 +71,7 @@ def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, I
     shift = (whole @ gradient)[: len(own)]
 
     def interval(value: float, weights: Array) -> Interval:
-        spread = Z90 * float(np.sqrt(max(weights @ covariance @ weights, 0.0)))
+        spread = Z90 * float(np.sqrt(max(float(weights @ covariance @ weights), 0.0)))
         middle = value + 0.5 * float(weights @ shift)
         return Interval(value, min(middle - spread, value), max(middle + spread, value))
 
@@ -80,7 +80,8 @@ def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, I
         weights = np.zeros(len(own))
         weights[problem.runs + place] = 1.0
         parameters[problem.parameters[index].name] = interval(float(state.values[index]), weights)
-    sizes_, at = {}, known
+    sizes_: dict[str, Interval] = {}
+    at = known
     for act in acts:
         part = np.arange(at, at + len(act.coefficients))
         at += len(act.coefficients)

@@ -42,7 +42,7 @@ def from_covariance(covariance: Array) -> Noise:
     return Noise(float(np.sqrt(covariance[0])), ar, float(np.sqrt(max(variance, 1e-6 * covariance[0]))))
 
 
-def robust(residual: Array, step_s: float) -> Array:
+def robust(residual: Array) -> Array:
     """A residual with outliers pulled to 5 robust spreads."""
     spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
     return np.clip(residual, -5.0 * spread, 5.0 * spread) if spread > 0 else residual
@@ -71,7 +71,7 @@ def estimate(target: Array, columns: Array, first: np.ndarray, step_s: float, se
             solution = cho_solve(factor, whitened @ whiten(signals, ar, first).T)
             return np.asarray(signals - solution.T @ columns)
 
-        own = robust(rest(target[None])[0], step_s)
+        own = robust(rest(target[None])[0])
         seen = autocovariance(own, order)
         if not covariance.any():
             covariance = seen

@@ -40,7 +40,7 @@ class Problem:
     measured: Array
     rows: int
     included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
-    _terms: dict[tuple[str, tuple[float, ...]], list[Term]] = field(default_factory=dict)
+    _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
     def until(self, rows: int) -> "Problem":
         """The same problem of which a fit sees only the first rows."""
@@ -67,7 +67,7 @@ class Problem:
 
     def terms(self, mechanism: Mechanism, shape: Shape) -> list[Term]:
         """Terms of a mechanism's shape, remembered."""
-        key = (mechanism.id, tuple(shape.values()))
+        key = (mechanism.id, tuple(shape.items()))
         if key not in self._terms:
             self._terms[key] = mechanism.terms(self.drivers, shape)
         return self._terms[key]

@@ -1,4 +1,4 @@
-"""What a diagnosis works on: the samples of one or more runs, joined, cleared of spikes and averaged to a working rate."""
+"""What a diagnosis works on: the samples of its runs, joined, cleared of spikes, averaged to a working rate."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ from pipeline.runs import Run
 WORKING_SAMPLES = 8_000
 BETWEEN_RUNS_S = 60.0
 PHASES = ("winding", "hold", "unwinding", "rest")
-SPIKE = 12.0  # spreads of a median filter's residual that make a sample of a driver a spike
+SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 
 
 @dataclass(frozen=True)
@@ -35,12 +35,21 @@ class Record:
         return len(self.time_s)
 
 
-def despiked(signal: Array) -> Array:
-    """A driver with single-sample spikes replaced by the median of their neighbours."""
-    middle = median_filter(signal, 5, mode="nearest")
+def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
+    """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion."""
+    padded = np.pad(signal, 2, mode="reflect")
+    around = np.vstack([padded[k : k + len(signal)] for k in (0, 1, 3, 4)])
+    middle = np.median(around, axis=0)
     gap = np.abs(signal - middle)
-    spread = 1.4826 * float(np.median(gap)) + 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
-    return np.where(gap > SPIKE * spread, middle, signal) if spread > 0 else signal
+    return np.asarray((gap > least) & (np.ptp(around, axis=0) < 0.35 * gap))
+
+
+def despiked(signal: Array) -> Array:
+    """A channel with single-sample spikes replaced by the median of their neighbours."""
+    middle = median_filter(signal, 5, mode="nearest")
+    spread = 1.4826 * float(np.median(np.abs(signal - middle)))
+    spread += 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
+    return np.where(lonely(signal, SPIKE * spread), middle, signal)
 
 
 def _bins(time_s: Array, width: int) -> NDArray[np.intp]:
@@ -59,7 +68,7 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
     stroke, phase = strokes.label(time_s, motion)
     phase_index = np.array([PHASES.index(name) for name in phase])
     torque = samples["torque_nm"] if "torque_nm" in samples else pd.Series(np.zeros(len(samples)))
-    load = despiked((samples["load_n"] if "load_n" in samples else torque).to_numpy())
+    load = despiked(samples.get("load_n", torque).to_numpy())
     bins = _bins(time_s, width) if width > 1 else np.arange(len(time_s))
     count = np.bincount(bins)
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from pipeline.kinematics import Array
 
@@ -65,7 +66,7 @@ def sticking(motion: Array, reach: float, back: float) -> Array:
 
 
 @njit(cache=True)
-def whiten(columns: Array, ar: Array, first: Array) -> Array:
+def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
     """Innovations of each column (shape (columns, samples)) under an AR model; rows before its order are scaled.
 
     `first[i]` is the number of samples since the last break (start of a run), so that no filter reaches across it.
@@ -146,7 +147,9 @@ def boxed(gram: Array, moment: Array, low: Array, high: Array, start: Array) -> 
 
 
 @njit(cache=True)
-def fitted(gram: Array, moment: Array, columns: Array, low: Array, high: Array, start: Array) -> tuple[Array, float]:
+def fitted(
+    gram: Array, moment: Array, columns: NDArray[np.intp], low: Array, high: Array, start: Array
+) -> tuple[Array, float]:
     """Bounded solution on some columns of a large problem, and its misfit less the target's square."""
     k = columns.size
     part, side = np.empty((k, k)), np.empty(k)

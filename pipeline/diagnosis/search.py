@@ -33,7 +33,9 @@ class Search:
         self.linear = linear
         self.penalty = float(np.log(linear.rows))
         self.free = {
-            id_: sum(len({shape.get(name) for shape in shapes}) > 1 for name in (shapes[0] if shapes else {}))
+            id_: max(sum(len({other.get(name) for other in shapes}) > 1 for name in shape) for shape in shapes)
+            if shapes
+            else 0
             for id_, shapes in linear.catalogue.items()
         }
         self.known: dict[tuple[str, ...], Explanation] = {}
@@ -89,8 +91,9 @@ class Search:
         return self.known[ids]
 
     def all_of(self, size: int) -> list[Explanation]:
-        """Explanations of a size worth looking at, cheapest first: all singles; pairs with a good partner; and so on."""
+        """Explanations of a size, cheapest first: all singles, pairs with a good partner, and so on."""
         ids = [id_ for id_, shapes in self.linear.catalogue.items() if shapes]
+        sets: list[tuple[str, ...]]
         if size == 1:
             sets = [(id_,) for id_ in ids]
         elif size == 2:
@@ -101,15 +104,21 @@ class Search:
             sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
         return sorted((self.explain(found) for found in sets), key=lambda explanation: explanation.cost)
 
+    def leaders(self, chosen: Explanation) -> list[Explanation]:
+        """The chosen explanation, and up to two others of its size that are close to it."""
+        half = 0.5 * (self.nothing.cost + chosen.cost)
+        others = [other for other in self.all_of(len(chosen.ids))[:3] if other.ids != chosen.ids and other.cost < half]
+        return [chosen, *others[:2]]
+
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""
         mismatch = max(self.nothing.energy - floor**2, 0.0)
         return max((LEAST_EFFECT * floor) ** 2, LEAST_SHARE**2 * mismatch)
 
-    def select(self, floor: float) -> Explanation:
+    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""
         chosen = self.nothing
-        for size in range(1, LARGEST + 1):
+        for size in range(1, largest + 1):
             larger = self.all_of(size)
             if not larger:
                 break

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import generic, locate
+from pipeline.diagnosis import generic, locate, nextrun
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import Study
@@ -14,8 +14,10 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import State
 from pipeline.kinematics import Array
+from pipeline.runs import Run
 
 DIGITS = 6
+LEAVES = 2.5
 
 
 def tidy(value: Any) -> Any:
@@ -96,23 +98,34 @@ def _unit(name: str) -> str:
     return next((unit for ending, unit in endings.items() if name.endswith(ending)), "1")
 
 
+def left_tolerance(found: Study) -> dict[str, float]:
+    """Dimensions that calibration moved by more than `LEAVES` sigma, and by how many."""
+    shifts = {
+        found.problem.parameters[i].name: abs(found.state.values[i] - found.problem.parameters[i].nominal)
+        / found.problem.parameters[i].sigma
+        for i in found.problem.movable
+    }
+    return {name: float(shift) for name, shift in shifts.items() if shift > LEAVES}
+
+
 def confidence(found: Study) -> float:
     """How far the data carry the name: the explained share, divided among what ties."""
     return float(np.clip(found.share, 0.0, 1.0) / max(len(found.sets), 1))
 
 
-def next_experiment(found: Study) -> str | None:
+def next_experiment(found: Study, run: Run) -> str | None:
     """What to record next, in words."""
     if found.verdict == "unknown":
         return "repeat one stroke at half the speed and at another load: it shows whether the mismatch follows them"
     if found.verdict != "ambiguous":
         return None
-    texts = dict.fromkeys(mechanisms()[id_].told_apart_by for chosen in found.sets for id_ in chosen.ids)
-    return "; ".join(list(texts)[:2])
+    return nextrun.best(found.problem, run, found.noise, found.search, found.sets)
 
 
-def diagnosis(found: Study, heldout: dict[str, Any] | None, run: str | list[str], fine_floor: float) -> dict[str, Any]:
-    """The content of `diagnosis.json`."""
+def diagnosis(
+    found: Study, heldout: dict[str, Any] | None, run: str | list[str], floor: float, experiment: str | None
+) -> dict[str, Any]:
+    """The content of `diagnosis.json`; `floor` is the noise floor at the recording's own rate."""
     problem = found.problem
     unit = problem.system.channel.rpartition("_")[2]
     parameters, sizes = intervals(problem, found.state, found.noise)
@@ -125,7 +138,7 @@ def diagnosis(found: Study, heldout: dict[str, Any] | None, run: str | list[str]
             driver = "the dimensions themselves"
         mismatch = {f"rms_{unit}": found.mismatch, "location": locate.box(signal, problem.drivers), "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
-    fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor}
+    fit: dict[str, Any] = {f"noise_floor_{unit}": floor}
     fit[f"detectable_{unit}"] = detectable(found.search, found.noise.floor)
     fit["heldout"] = (
         {
@@ -145,7 +158,7 @@ def diagnosis(found: Study, heldout: dict[str, Any] | None, run: str | list[str]
         "mismatch": mismatch,
         "mechanisms": _mechanisms(found, sizes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
-        "next_experiment": next_experiment(found),
+        "next_experiment": experiment,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **_interval(interval)} for name, interval in parameters.items()
         }
@@ -160,8 +173,8 @@ def diagnosis(found: Study, heldout: dict[str, Any] | None, run: str | list[str]
     return tidied
 
 
-def sentences(content: dict[str, Any], unit: str) -> str:
-    """A verdict in plain words, a few lines."""
+def sentences(content: dict[str, Any], unit: str, moved: dict[str, float]) -> str:
+    """A verdict in plain words, a few lines; `moved` names the dimensions that left their tolerance, in sigma."""
     run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
     floor = content["fit"][f"noise_floor_{unit}"]
     said = {
@@ -175,15 +188,13 @@ def sentences(content: dict[str, Any], unit: str) -> str:
     if content["mismatch"]:
         place = content["mismatch"]["location"]
         lines.append(
-            f"  mismatch {content['mismatch'][f'rms_{unit}']:.3g} {unit} rms (noise {floor:.3g}), {place['share']:.0%} of it at "
+            f"  mismatch {content['mismatch'][f'rms_{unit}']:.3g} {unit} rms (noise {floor:.3g}), {place['share']:.0%} at "
             f"{place['motor_turns'][0]:.1f}-{place['motor_turns'][1]:.1f} turns, strokes {place['strokes'][0]}-"
             f"{place['strokes'][1]}, {place['phase']}; it follows {content['mismatch']['driver']}"
         )
     lines += [f"  {entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
     lines += ["  cannot be ruled out: " + " + ".join(other) for other in content["alternatives"]]
-    for name, value in content["parameters"].items():
-        if "nominal" in value and value.get("out_of_tolerance"):
-            lines.append(f"  re-measure {name}")
+    lines += [f"  re-measure {name}: it had to move by {value:.1f} sigma" for name, value in moved.items()]
     if content["next_experiment"]:
         lines.append(f"  next: {content['next_experiment']}")
     held = content["fit"]["heldout"]

@@ -12,8 +12,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import yaml
+from scipy.optimize import lsq_linear
 
 OVER = 4
+BOUND = np.array([np.inf, 3.0, 3.0, 3.0])  # sigma that calibration may move a dimension
 
 
 @dataclass
@@ -250,7 +252,7 @@ START = {"backlash": 0.05, "slack": 0.3, "jam": 0.5, "sensor_lag": 0.03, "radius
 def beyond(effect: np.ndarray, m: Motion, floor: float) -> np.ndarray:
     """Part of an effect that calibration (dimensions with their tolerances, and the zero) cannot absorb."""
     g = m.geometry
-    columns = [np.ones_like(effect) * 1e6]
+    columns = [np.ones_like(effect)]
     for name, sd in (("radius", 0.03 * g["radius"]), ("separator", 0.5), ("zone", 1.0)):
         moved = {**g, name: g[name] + 0.01 * sd}
         columns.append((geometric(m, m.turns, 1.0, moved) - geometric(m, m.turns, 1.0)) / 0.01)
@@ -258,7 +260,8 @@ def beyond(effect: np.ndarray, m: Motion, floor: float) -> np.ndarray:
     e = effect[::OVER]
     lam = floor**2 * np.eye(j.shape[1])
     lam[0, 0] = 0
-    return e - j @ np.linalg.solve(j.T @ j + lam, j.T @ e)
+    solution = lsq_linear(np.vstack([j, np.sqrt(lam)]), np.concatenate([e, np.zeros(4)]), (-BOUND, BOUND)).x
+    return e - j @ solution
 
 
 def recording(
@@ -278,7 +281,7 @@ def recording(
     sized = []
     for kind, kappa in effects:
         a = START.get(kind, 0.2)
-        for _ in range(12):
+        for _ in range(25):
             size = np.sqrt(np.mean(beyond(compound(m, [(kind, a)], seed) - plain, m, floor) ** 2)) / floor
             if size > 0 and abs(size / kappa - 1) < 0.03:
                 break

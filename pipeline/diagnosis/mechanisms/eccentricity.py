@@ -5,11 +5,13 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
+LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
     """On the motor's turn (0), or on a sensor wheel by its circumference in mm."""
     reach = float(np.ptp(drivers.contraction))
-    wheels = np.geomspace(0.15, 0.6, 10) * reach
+    wheels = np.geomspace(LEAST_WHEEL_MM, 0.8 * reach, 10) if 0.8 * reach > LEAST_WHEEL_MM else np.zeros(0)
     return [{"wheel_mm": 0.0}, *({"wheel_mm": float(f"{mm:.6g}")} for mm in wheels)]
 
 
