@@ -7,13 +7,14 @@ about a tenth of a millisecond.
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg.blas import dsyrk
 
 from pipeline.diagnosis.interface import Shape, Term
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.recursions import boxed, fitted, whiten
+from pipeline.diagnosis.recursions import boxed, fitted, scan, whiten
 from pipeline.kinematics import Array
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
@@ -90,6 +91,9 @@ class Linear:
             for term, coefficient in problem.act_terms(act):
                 signal = term.signal(clean) if callable(term.signal) else slopes[term.port] * term.signal
                 target = target + coefficient * signal[:rows]
+        self.begin = np.zeros(len(low))  # calibration starts where it stands, the rest at nothing
+        known = self.calibration
+        self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])
         self.rows = rows
         table = np.ascontiguousarray(np.vstack([*columns, target]))
         norms = np.sqrt(np.einsum("ij,ij->i", table, table))
@@ -116,16 +120,19 @@ class Linear:
     def fit_quickly(self, columns: np.ndarray) -> Fit:
         """Whitened joint fit without its plain energy."""
         low, high = self.low[columns], self.high[columns]
-        solution, misfit = fitted(self.gram, self.moment, columns, low, high, self.start(columns))
+        solution, misfit = fitted(self.gram, self.moment, columns, low, high, self.begin[columns])
         active = int(np.sum((np.abs(solution) * self.scale[columns])[len(self.calibration) :] > 1.0))
         return Fit(columns, solution, self.square + misfit, np.nan, active)
 
-    def start(self, columns: np.ndarray) -> Array:
-        """Where a fit of some columns starts: calibration where it stands, nothing else."""
-        start = np.zeros(len(columns))
-        known = self.calibration
-        start[: len(known)] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])
-        return start
+    def scan(self, keys: tuple[Key, ...], id_: str) -> tuple[Array, NDArray[np.intp]]:
+        """Whitened misfits, and numbers of active columns, of some shapes with each shape of one mechanism in turn."""
+        blocks = [self.index[id_, number] for number in range(len(self.catalogue[id_]))]
+        starts, counts = np.array([block[0] for block in blocks]), np.array([len(block) for block in blocks])
+        columns, known = self.columns_of(keys), len(self.calibration)
+        misfit, active = scan(
+            self.gram, self.moment, columns, starts, counts, self.low, self.high, self.begin, known
+        )  # fmt: skip
+        return self.square + misfit, active
 
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:
         """Squared residual per sample of a solution, not whitened."""

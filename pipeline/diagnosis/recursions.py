@@ -164,3 +164,27 @@ def fitted(
         for q in range(k):
             misfit += solution[p] * part[p, q] * solution[q]
     return solution, misfit
+
+
+@njit(cache=True)
+def scan(
+    gram: Array,
+    moment: Array,
+    given: NDArray[np.intp],
+    starts: NDArray[np.intp],
+    counts: NDArray[np.intp],
+    low: Array,
+    high: Array,
+    start: Array,
+    known: int,
+) -> tuple[Array, NDArray[np.intp]]:
+    """Misfit (less the target's square) and active columns of fits on given columns and each of several blocks."""
+    misfit, active = np.empty(starts.size), np.empty(starts.size, np.intp)
+    for block in range(starts.size):
+        columns = np.concatenate((given, starts[block] + np.arange(counts[block])))
+        solution, misfit[block] = fitted(gram, moment, columns, low[columns], high[columns], start[columns])
+        active[block] = 0
+        for p in range(known, columns.size):
+            if np.abs(solution[p]) * np.sqrt(gram[columns[p], columns[p]]) > 1.0:
+                active[block] += 1
+    return misfit, active

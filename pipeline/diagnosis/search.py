@@ -54,17 +54,16 @@ class Search:
         chosen: tuple[Key, ...] = ()
         cost = np.inf
         for _ in range(mechanisms()[id_].steps):
-            best_key, best_cost = None, cost - (LEAST_GAIN if chosen else 0.0)
-            for number in range(len(self.linear.catalogue[id_])):
-                if (id_, number) in chosen:
-                    continue
-                keys = (*given, *chosen, (id_, number))
-                value = self._cost(keys, self.linear.fit_quickly(self.linear.columns_of(keys)))
-                if value < best_cost:
-                    best_key, best_cost = (id_, number), value
-            if best_key is None:
+            keys = (*given, *chosen)
+            misfits, active = self.linear.scan(keys, id_)
+            free = sum(self.free[other] for other, _ in keys) + self.free[id_]
+            costs = misfits + self.penalty * (active + free)
+            for _, number in chosen:
+                costs[number] = np.inf
+            number = int(np.argmin(costs))
+            if costs[number] >= cost - (LEAST_GAIN if chosen else 0.0):
                 break
-            chosen, cost = (*chosen, best_key), best_cost
+            chosen, cost = (*chosen, (id_, number)), float(costs[number])
         return chosen
 
     def explain(self, ids: tuple[str, ...]) -> Explanation:

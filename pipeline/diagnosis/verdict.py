@@ -186,11 +186,12 @@ def sentences(content: dict[str, Any], unit: str, moved: dict[str, float]) -> st
     }[content["verdict"]]
     lines = [f"{run}: {content['verdict']}: {said}"]
     if content["mismatch"]:
-        place = content["mismatch"]["location"]
+        place, driver = content["mismatch"]["location"], content["mismatch"]["driver"]
         lines.append(
-            f"  mismatch {content['mismatch'][f'rms_{unit}']:.3g} {unit} rms (noise {floor:.3g}), {place['share']:.0%} at "
+            f"  mismatch {content['mismatch'][f'rms_{unit}']:.3g} {unit} rms (noise {floor:.3g}), "
+            f"{place['share']:.0%} at "
             f"{place['motor_turns'][0]:.1f}-{place['motor_turns'][1]:.1f} turns, strokes {place['strokes'][0]}-"
-            f"{place['strokes'][1]}, {place['phase']}; it follows {content['mismatch']['driver']}"
+            f"{place['strokes'][1]}, {place['phase']}; it follows {driver}"
         )
     lines += [f"  {entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
     lines += ["  cannot be ruled out: " + " + ".join(other) for other in content["alternatives"]]

@@ -1,3 +1,4 @@
+# ruff: noqa: E501, SIM905
 """Throw-away recordings for tests and benchmarks: effects written with other formulas than the library's, on purpose.
 
 Time runs at four times the recorded rate; effects are integrated by plain Euler steps, plays are distributed, growth
@@ -5,7 +6,6 @@ laws are powers, lags are two poles with a dead time. Sizes are set by what cali
 noise floors).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -337,6 +337,3 @@ def recording(
     }
     return {"effects": [kind for kind, _ in effects], "floor": floor, "geometry": g, "rms_mm": rms, "kappa": float(np.sqrt(np.mean(post**2)) / floor),
             "mismatch": post, "turns": turns[::OVER], "stroke": stroke[::OVER], "nuisance": nuisance}  # fmt: skip
-
-
-Maker = Callable[..., dict]

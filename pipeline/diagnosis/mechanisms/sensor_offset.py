@@ -21,7 +21,7 @@ MECHANISM = Mechanism(
     driver="nothing: a constant",
     equation="y_m = y + c",
     source="contracts: cable_drive and moving_mass",
-    confused_with="end_stop",
+    confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",
     sentence="The reading carries a constant offset, {size}.",
     shapes=shapes,
