@@ -36,9 +36,8 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
     held, _ = heldout.held_out(problem, fine)
     say("writing")
     experiment = verdict.next_experiment(found, runs[0])
-    content = verdict.diagnosis(
-        found, held, [run.run for run in runs] if together else runs[0].run, engine.fine_floor(fine, found), experiment
-    )
+    names = [run.run for run in runs] if together else runs[0].run
+    content = verdict.diagnosis(found, fine, held, names, experiment)
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     figures.page(found, content, out / "diagnosis.png")
     return verdict.sentences(content, problem.system.channel.rpartition("_")[2], verdict.left_tolerance(found))

@@ -11,7 +11,7 @@ from pipeline import schemas, strokes
 from pipeline.kinematics import Array
 from pipeline.runs import Run
 
-WORKING_SAMPLES = 8_000
+WORKING_SAMPLES = 15_000
 BETWEEN_RUNS_S = 60.0
 PHASES = ("winding", "hold", "unwinding", "rest")
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike

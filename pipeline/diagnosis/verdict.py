@@ -7,12 +7,12 @@ import numpy as np
 from pipeline.diagnosis import generic, locate, nextrun
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
-from pipeline.diagnosis.engine import Study
+from pipeline.diagnosis.engine import Study, fine_floor, rms
 from pipeline.diagnosis.intervals import Interval, intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.problem import State
+from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.kinematics import Array
 from pipeline.runs import Run
 
@@ -58,15 +58,21 @@ def _interval(found: Interval) -> dict[str, float]:
     return {"value": found.value, "low": found.low, "high": found.high}
 
 
-def _mechanisms(found: Study, sizes: dict[str, Interval], unit: str) -> list[dict[str, Any]]:
+def _effect(problem: Problem, state: State, act: Act) -> Array:
+    """The prediction with an act less the prediction without it, all else held."""
+    rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
+    return problem.simulate(state) - problem.simulate(rest)
+
+
+def _mechanisms(found: Study, fine: Problem, sizes: dict[str, Interval], unit: str) -> list[dict[str, Any]]:
     problem, listed = found.problem, []
     for act in found.best.acts:
         if act in problem.included:
             continue
         mechanism = mechanisms()[act.id]
-        rest = State(found.best.values, found.best.zeros, tuple(other for other in found.best.acts if other is not act))
-        effect = problem.simulate(found.best) - problem.simulate(rest)
-        size = sizes[act.id]
+        effect = _effect(problem, found.best, act)
+        own_rate = rms(_effect(fine, found.best, act)) / (rms(effect) or 1.0)
+        size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
         parameters: dict[str, dict[str, Any]] = {}
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
         for number, entry in enumerate(entries((act,), problem.drivers)):
@@ -123,9 +129,9 @@ def next_experiment(found: Study, run: Run) -> str | None:
 
 
 def diagnosis(
-    found: Study, heldout: dict[str, Any] | None, run: str | list[str], floor: float, experiment: str | None
+    found: Study, fine: Problem, heldout: dict[str, Any] | None, run: str | list[str], experiment: str | None
 ) -> dict[str, Any]:
-    """The content of `diagnosis.json`; `floor` is the noise floor at the recording's own rate."""
+    """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = found.problem
     unit = problem.system.channel.rpartition("_")[2]
     parameters, sizes = intervals(problem, found.state, found.noise)
@@ -138,7 +144,7 @@ def diagnosis(
             driver = "the dimensions themselves"
         mismatch = {f"rms_{unit}": found.mismatch, "location": locate.box(signal, problem.drivers), "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
-    fit: dict[str, Any] = {f"noise_floor_{unit}": floor}
+    fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, found)}
     fit[f"detectable_{unit}"] = detectable(found.search, found.noise.floor)
     fit["heldout"] = (
         {
@@ -156,7 +162,7 @@ def diagnosis(
         "run": run,
         "verdict": found.verdict,
         "mismatch": mismatch,
-        "mechanisms": _mechanisms(found, sizes, unit) if named else [],
+        "mechanisms": _mechanisms(found, fine, sizes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
         "next_experiment": experiment,
         "parameters": {

@@ -10,12 +10,18 @@ from pipeline.diagnosis.recursions import sticking
 def shapes(drivers: Drivers) -> list[Shape]:
     """How far the contraction is ahead, in mm, before it slips."""
     reach_mm = float(np.ptp(drivers.contraction))
-    return [{"reach_mm": float(f"{value:.6g}")} for value in np.geomspace(1e-3, 0.1, 40) * reach_mm]
+    return [
+        {"reach_mm": float(f"{value:.6g}"), "back_share": back}
+        for value in np.geomspace(1e-3, 0.1, 32) * reach_mm
+        for back in (0.0, 0.15, 0.4)
+    ]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """The gap to what sticks: at every speed, and at low speed only."""
-    gap = drivers.contraction - sticking(drivers.contraction, shape["reach_mm"], 0.0)
+    gap = drivers.contraction - sticking(
+        drivers.contraction, shape["reach_mm"], shape["back_share"] * shape["reach_mm"]
+    )
     rate = np.abs(drivers.rate)
     usual = float(np.median(rate[rate > 0.1 * rate.max()])) if rate.max() > 0 else 1.0
     return [Term("always", "length", gap, "1"), Term("slow", "length", gap * np.exp(-((rate / usual) ** 2)), "1")]
