@@ -15,6 +15,7 @@ from pipeline.diagnosis.record import lonely
 ITERATIONS = 4
 OUTLIER = 6.0  # robust spreads of the residual from its neighbours
 REFINEMENTS = 3
+EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sample
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
@@ -53,14 +54,14 @@ def _between(candidates: list[Shape], shape: Shape, width: float) -> list[Shape]
 
 def refine(problem: Problem, noise: Noise, state: State) -> State:
     """Search between the grid's candidates for the shapes of what acts, one mechanism after the other."""
-    for level in range(REFINEMENTS):
+    for level in range(EVENT_REFINEMENTS):
         for place, act in enumerate(state.acts):
-            if act in problem.included:
+            if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
                 continue
             candidates = mechanisms()[act.id].shapes(problem.drivers)
             for number in range(len(act.shapes)):
                 act = state.acts[place]
-                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.5**level)]
+                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level)]
                 if len(near) == 1:
                     continue
                 own = [other for other in state.acts if other not in problem.included]
@@ -80,6 +81,8 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
                     tries.append((linear.fit(linear.columns_of(keys)), keys))
                 best, keys = min(tries, key=lambda item: item[0].misfit)
                 state = linear.state_of(best, keys)
+        if level >= REFINEMENTS and all(mechanisms()[act.id].steps == 1 for act in state.acts):
+            break
         acting = tuple(act for act in state.acts if act not in problem.included)
         state = calibrate(problem, noise, state, acting)
     return state
