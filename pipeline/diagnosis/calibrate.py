@@ -3,17 +3,15 @@
 from dataclasses import replace
 
 import numpy as np
-from scipy.ndimage import median_filter
 
 from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Key, Linear
 from pipeline.diagnosis.noise import Noise, white
 from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.record import lonely
+from pipeline.diagnosis.record import wild
 
 ITERATIONS = 4
-OUTLIER = 6.0  # robust spreads of the residual from its neighbours
 REFINEMENTS = 3
 EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sample
 
@@ -90,13 +88,10 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
 
 def without_outliers(problem: Problem, state: State) -> tuple[Problem, int]:
     """The problem with lonely wild readings moved to their neighbours' residual, and how many those were."""
-    residual = problem.measured - problem.simulate(state)
-    gap = residual - median_filter(residual, 7, mode="nearest")
-    spread = 1.4826 * float(np.median(np.abs(gap)))
-    wild = lonely(residual, OUTLIER * spread)
-    if not 0 < wild.sum() <= 0.02 * len(wild):
+    far, gap = wild(problem.measured - problem.simulate(state))
+    if not 0 < far.sum() <= 0.03 * len(far):
         return problem, 0
-    return replace(problem, measured=np.where(wild, problem.measured - gap, problem.measured)), int(wild.sum())
+    return replace(problem, measured=np.where(far, problem.measured - gap, problem.measured)), int(far.sum())
 
 
 def base(problem: Problem) -> State:

@@ -16,12 +16,12 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
-from pipeline.diagnosis.recursions import whiten
 from pipeline.diagnosis.search import LEAST_EFFECT, Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.runs import Run
 
 EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
+SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
 LEAST_SAMPLES = 200
 Progress = Callable[[str], None]
@@ -91,13 +91,13 @@ def catalogue(problem: Problem) -> dict[str, list[Shape]]:
     return {id_: shapes for id_, shapes in found.items() if shapes}
 
 
-def noise_of(problem: Problem, state: State, smooth: np.ndarray) -> Noise:
+def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0.0) -> Noise:
     """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do."""
     acts = tuple(act for act in state.acts if act not in problem.included)
     linear = Linear(problem, state, white(1.0), {act.id: list(act.shapes) for act in acts}, smooth)
     columns = linear.table[:-1]
     target = (problem.measured - problem.simulate(state))[: problem.rows]
-    noise, _ = estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s)
+    noise, _ = estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
     return noise
 
 
@@ -115,7 +115,7 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     base = calibrate.base(problem)
     smooth = generic.dictionary(problem.drivers)
     say("noise floor and colour")
-    noise = noise_of(problem, base, smooth)
+    noise = noise_of(problem, base, smooth, SURPRISES)
     shapes = catalogue(problem)
     say("searching explanations")
     search = Search(Linear(problem, base, noise, shapes))
@@ -125,8 +125,9 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             say(f"refining {step}")
             leaders = search.leaders(chosen)
             refined = [calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys)) for one in leaders]
-            best = min(refined, key=lambda state: misfit(problem, noise, state))
-            noise = noise_of(problem, best, smooth)
+            own = [noise_of(problem, state, smooth) for state in refined]
+            place = min(range(len(own)), key=lambda i: unlikely(problem, own[i], refined[i]))
+            best, noise = refined[place], own[place]
             shapes = with_refined(problem, shapes, refined)
             search = Search(Linear(problem, best, noise, shapes))
             before, chosen = chosen, search.select(noise.floor)
@@ -140,10 +141,10 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     return decide(problem, nominal, base, noise, best, sets, search)
 
 
-def misfit(problem: Problem, noise: Noise, state: State) -> float:
-    """Whitened squared residual of a state."""
-    residual = (problem.measured - problem.simulate(state))[None, : problem.rows]
-    return float(np.sum(np.square(whiten(residual, noise.ar, problem.drivers.first[: problem.rows]))))
+def unlikely(problem: Problem, noise: Noise, state: State) -> float:
+    """Minus twice the log-likelihood of a state under its own noise, and ln n for each number that acts."""
+    active = sum(value != 0.0 for act in state.acts for value in act.coefficients)
+    return 2.0 * problem.rows * float(np.log(noise.innovation)) + active * float(np.log(problem.rows))
 
 
 def with_refined(problem: Problem, shapes: dict[str, list[Shape]], states: list[State]) -> dict[str, list[Shape]]:

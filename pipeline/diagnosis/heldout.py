@@ -3,12 +3,10 @@
 from typing import Any
 
 import numpy as np
-from scipy.ndimage import median_filter
 
-from pipeline.diagnosis.calibrate import OUTLIER
 from pipeline.diagnosis.engine import Study, rms, study
 from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.record import lonely
+from pipeline.diagnosis.record import wild
 
 LAST = 0.3
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
@@ -38,9 +36,7 @@ def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, St
 
     def error(state: State) -> float:
         residual = fine.measured - fine.simulate(state)
-        gap = residual - median_filter(residual, 7, mode="nearest")
-        wild = lonely(residual, OUTLIER * 1.4826 * float(np.median(np.abs(gap))))
-        return rms(residual[unseen & ~wild])
+        return rms(residual[unseen & ~wild(residual)[0]])
 
     return {
         "split": "last 30 % of strokes",

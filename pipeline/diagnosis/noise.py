@@ -10,7 +10,7 @@ from pipeline.diagnosis.recursions import whiten
 from pipeline.kinematics import Array
 
 MEMORY_S, FEWEST, MOST = 1.2, 6, 30
-DRAWS, ROUNDS = 6, 3
+DRAWS, ROUNDS, BLOCKS = 6, 3, 40
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,15 @@ def autocovariance(signal: Array, lags: int) -> Array:
     return np.array([signal[: n - k] @ signal[k:] for k in range(lags + 1)]) / n
 
 
+def trimmed(signal: Array, lags: int, trim: float) -> Array:
+    """Mean autocovariance of the quieter blocks: a share `trim` of the loudest is left out, for they hold surprises."""
+    if trim == 0.0:
+        return autocovariance(signal, lags)
+    blocks = np.array([autocovariance(block, lags) for block in np.array_split(signal, BLOCKS)])
+    order = np.argsort(blocks[:, 0], kind="stable")
+    return np.asarray(blocks[order[: round(BLOCKS * (1.0 - trim))]].mean(axis=0))
+
+
 def from_covariance(covariance: Array) -> Noise:
     """Yule-Walker."""
     order = len(covariance) - 1
@@ -48,7 +57,9 @@ def robust(residual: Array) -> Array:
     return np.clip(residual, -5.0 * spread, 5.0 * spread) if spread > 0 else residual
 
 
-def estimate(target: Array, columns: Array, first: np.ndarray, step_s: float, seed: int = 0) -> tuple[Noise, float]:
+def estimate(
+    target: Array, columns: Array, first: np.ndarray, step_s: float, trim: float = 0.0, seed: int = 0
+) -> tuple[Noise, float]:
     """Noise of a target that columns (shape (columns, samples)) explain but for noise; and the share they swallow.
 
     The columns swallow part of coloured noise; how much is found by feeding noise of the estimated colour through the
@@ -72,7 +83,7 @@ def estimate(target: Array, columns: Array, first: np.ndarray, step_s: float, se
             return np.asarray(signals - solution.T @ columns)
 
         own = robust(rest(target[None])[0])
-        seen = autocovariance(own, order)
+        seen = trimmed(own, order, trim)
         if not covariance.any():
             covariance = seen
         for _inner in range(2):
@@ -80,7 +91,7 @@ def estimate(target: Array, columns: Array, first: np.ndarray, step_s: float, se
             signals = lfilter([guess.innovation], np.concatenate([[1.0], -guess.ar]), draws, axis=1)[:, 300:]
             left = rest(signals)
             gap = np.mean(
-                [autocovariance(a, order) - autocovariance(b, order) for a, b in zip(signals, left, strict=True)], 0
+                [autocovariance(a, order) - trimmed(b, order, trim) for a, b in zip(signals, left, strict=True)], 0
             )
             swallowed = float(gap[0] / max(guess.floor**2, 1e-300))
             covariance = seen + gap

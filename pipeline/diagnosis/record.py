@@ -13,6 +13,7 @@ from pipeline.runs import Run
 
 WORKING_SAMPLES = 15_000
 BETWEEN_RUNS_S = 60.0
+OUTLIER = 6.0  # robust spreads of a residual from its neighbours
 PHASES = ("winding", "hold", "unwinding", "rest")
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 
@@ -42,6 +43,14 @@ def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
     middle = np.median(around, axis=0)
     gap = np.abs(signal - middle)
     return np.asarray((gap > least) & (np.ptp(around, axis=0) < 0.35 * gap))
+
+
+def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
+    """Samples of a residual that lie far from neighbours which agree among themselves, and how far each lies."""
+    gap = residual - median_filter(residual, 7, mode="nearest")
+    spread = 1.4826 * float(np.median(np.abs(gap)))
+    usual = median_filter(np.abs(gap), 9, mode="nearest")
+    return (np.abs(gap) > OUTLIER * spread) & (usual < 2.5 * spread), gap
 
 
 def despiked(signal: Array) -> Array:

@@ -104,10 +104,12 @@ class Search:
         return sorted((self.explain(found) for found in sets), key=lambda explanation: explanation.cost)
 
     def leaders(self, chosen: Explanation) -> list[Explanation]:
-        """The chosen explanation, and up to two others of its size that are close to it."""
-        half = 0.5 * (self.nothing.cost + chosen.cost)
-        others = [other for other in self.all_of(len(chosen.ids))[:3] if other.ids != chosen.ids and other.cost < half]
-        return [chosen, *others[:2]]
+        """The chosen explanation, and the others of its size that come close to it."""
+        alike = self.all_of(len(chosen.ids))
+        near = [*alike[:3], *sorted(alike, key=lambda one: one.energy)[:3]]
+        half = 0.5 * (self.nothing.energy + chosen.energy)
+        others = {one.ids: one for one in near if one.ids != chosen.ids and one.energy < half}
+        return [chosen, *others.values()]
 
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""
