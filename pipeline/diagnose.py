@@ -33,6 +33,7 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
     found = engine.study(problem, say)
     say("held out")
     fine = engine.at_own_rate(runs, tables)
+    found = engine.polished(found, fine)
     held, _ = heldout.held_out(problem, fine)
     say("writing")
     experiment = verdict.next_experiment(found, runs[0])

@@ -1,7 +1,7 @@
 """The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism by name."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -139,6 +139,17 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
         best = search.linear.state_of(sets[0].fit, sets[0].keys)
         best = calibrate.refine(problem, noise, best)
     return decide(problem, nominal, base, noise, best, sets, search)
+
+
+def polished(found: Study, fine: Problem) -> Study:
+    """The study with its explanation refitted at the recording's own rate: averaging flattens ripples."""
+    acts = tuple(act for act in found.best.acts if act not in fine.included)
+    if not acts or len(fine.record) == len(found.problem.record):
+        return found
+    fine, _ = calibrate.without_outliers(fine, found.best)
+    noise = noise_of(fine, found.best, generic.dictionary(fine.drivers))
+    best = calibrate.calibrate(fine, noise, found.best, acts)
+    return replace(found, best=best, state=best if found.state is found.best else found.state)
 
 
 def unlikely(problem: Problem, noise: Noise, state: State) -> float:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis.engine import Study, rms, study
+from pipeline.diagnosis.engine import Study, polished, rms, study
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
 
@@ -31,8 +31,8 @@ def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, St
     row = first_held_out(problem)
     if row is None:
         return None, None
-    found = study(problem.until(row))
     unseen = fine.record.time_s >= problem.record.time_s[row]
+    found = polished(study(problem.until(row)), fine.until(int(np.argmax(unseen))))
 
     def error(state: State) -> float:
         residual = fine.measured - fine.simulate(state)

@@ -24,7 +24,10 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Stretch by a memory of direction, growing with load, with twist, with both or not at all; or lost twist."""
+    """Stretch by a memory of direction, growing with load, with load and twist, or not at all; or lost twist.
+
+    A loop that grows with the twist alone is a play of constant width, and not friction's.
+    """
     if "play_turns" in shape:
         width = shape["play_turns"] * np.maximum(drivers.load / shape["usual_load"], 0.0)
         lost = play(drivers.turns, width) - drivers.turns
@@ -37,7 +40,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         signals = {"mm": side, "load_twist_mm_per_10_n": side * drivers.load * slope}
         signals["load_steep_mm_per_10_n"] = side * drivers.load * slope**3
         if drivers.loaded:
-            signals |= {"load_mm_per_10_n": side * drivers.load, "twist_mm": side * slope}
+            signals["load_mm_per_10_n"] = side * drivers.load
         found += [Term(f"{name}_{key}", "length", signal, "mm") for key, signal in signals.items()]
     return found
 
