@@ -29,6 +29,11 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
     for run, folder in zip(runs, folders, strict=True):
         if run.actuator != runs[0].actuator:
             raise BadInput(folder, "actuator", f"is {run.actuator}, not {runs[0].actuator}", "diagnose them apart")
+        alike = [{k: v for k, v in one.rig.items() if k != "load_n"} for one in (run, runs[0])]
+        if alike[0] != alike[1]:
+            raise BadInput(
+                folder, "rig", "has other dimensions than the first run's", "diagnose the runs of each rig apart"
+            )
     problem = engine.make_problem(runs, tables, folders)
     found = engine.study(problem, say)
     say("held out")
