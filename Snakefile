@@ -51,6 +51,11 @@ rule tables:
         expand("reports/{material}/{file}", material=MATERIALS, file=TABLES),
 
 
+rule diagnosis:
+    input:
+        expand("reports/diagnosis/{run}/diagnosis.json", run=[run for runs in PLAN.materials.values() for run in runs]),
+
+
 include: "pipeline/rules/record.smk"
 include: "pipeline/rules/ingest.smk"
 include: "pipeline/rules/strokes.smk"
@@ -58,6 +63,7 @@ include: "pipeline/rules/dataset.smk"
 include: "pipeline/rules/train.smk"
 include: "pipeline/rules/evaluate.smk"
 include: "pipeline/rules/report.smk"
+include: "pipeline/rules/diagnose.smk"
 
 
 onstart:

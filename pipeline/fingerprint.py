@@ -5,6 +5,7 @@ import hashlib
 from functools import cache
 from pathlib import Path
 
+SOURCES = (".py", ".yaml")
 ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -30,8 +31,16 @@ def _imports(path: Path) -> frozenset[str]:
 
 
 def reachable(*modules: str) -> list[Path]:
-    """Source files, sorted, of modules and of all of ours that they import, directly or not."""
-    waiting, found = list(modules), set()
+    """Source files, sorted, of modules and of all of ours that they import, directly or not.
+
+    `package.*` stands for every file of a package, data too: what it finds by name at run time, imports do not show.
+    """
+    whole = [ROOT.joinpath(*module.split(".")[:-1]) for module in modules if module.endswith(".*")]
+    files = [path for folder in whole for path in folder.rglob("*") if path.suffix in SOURCES]
+    found = {path for path in files if path.suffix != ".py"}
+    waiting = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in files if path.suffix == ".py"]
+    waiting = [name.removesuffix(".__init__") for name in waiting]
+    waiting += [module for module in modules if not module.endswith(".*")]
     while waiting:
         module = waiting.pop()
         path = _file(module)
@@ -51,7 +60,7 @@ def fingerprint(*modules: str) -> str:
     Raises ModuleNotFoundError for a module that is not ours: a rule that names it would never run again.
     """
     for module in modules:
-        if _file(module) is None:
+        if _file(module.removesuffix(".*")) is None:
             raise ModuleNotFoundError(f"{module} is not a module of this project")
     digest = hashlib.sha256()
     for path in reachable(*modules):

@@ -9,7 +9,7 @@ rule record:
     params:
         setup=lookup("synthetic/{run}/setup", within=config),
         seed=lookup("synthetic/{run}/seed", within=config),
-        code=fingerprint("pipeline.rig.record", "pipeline.rig", "pipeline.capture"),
+        code=fingerprint("pipeline.rig.*", "pipeline.capture"),
     message:
         "record {wildcards.run} on the synthetic rig"
     shell:

@@ -1,0 +1,87 @@
+"""Diagnose runs: where simulation and recording part, which physics is missing, and what it improves."""
+
+import argparse
+import json
+import os
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from pipeline.diagnosis import engine, figures, heldout, sentences, verdict
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.ingest import read_samples
+
+
+def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
+    """Diagnose one run, or several of one rig together; write `diagnosis.json` and figures; return sentences."""
+    started = time.monotonic()
+    name = "+".join(folder.name for folder in folders)
+
+    def say(step: str) -> None:
+        print(f"{name}: {step} ({time.monotonic() - started:.1f} s)", file=sys.stderr, flush=True)
+
+    say("reading")
+    pairs = [read_samples(folder) for folder in folders]
+    runs, tables = [run for run, _ in pairs], [table for _, table in pairs]
+    for run, folder in zip(runs, folders, strict=True):
+        if run.actuator != runs[0].actuator:
+            raise BadInput(folder, "actuator", f"is {run.actuator}, not {runs[0].actuator}", "diagnose them apart")
+        alike = [{k: v for k, v in one.rig.items() if k != "load_n"} for one in (run, runs[0])]
+        if alike[0] != alike[1]:
+            raise BadInput(
+                folder, "rig", "has other dimensions than the first run's", "diagnose the runs of each rig apart"
+            )
+    problem = engine.make_problem(runs, tables, folders)
+    found = engine.study(problem, say)
+    say("held out")
+    fine = engine.at_own_rate(runs, tables)
+    found = engine.polished(found, fine)
+    held, _ = heldout.held_out(problem, fine)
+    say("writing")
+    experiment = verdict.next_experiment(found, runs[0])
+    names = [run.run for run in runs] if together else runs[0].run
+    content = verdict.diagnosis(found, fine, held, names, experiment)
+    write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
+    figures.page(found, content, out / "diagnosis.png")
+    return sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
+
+
+def _one(folder: Path, out: Path) -> tuple[str, bool]:
+    """Sentences of one run, or its error, and whether it went well."""
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    try:
+        return diagnose([folder], out / folder.resolve().name), True
+    except BadInput as error:
+        return f"error: {error}", False
+
+
+@program
+def main() -> int:
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("run_dir", type=Path, nargs="+")
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--together", action="store_true", help="several runs of one rig in one diagnosis")
+    parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
+    arguments = parser.parse_args()
+    folders: list[Path] = arguments.run_dir
+    if arguments.together:
+        print(diagnose(folders, arguments.out, together=True))
+        return 0
+    outcomes: list[tuple[str, bool]] = []
+    if arguments.jobs > 1 and len(folders) > 1:
+        with ProcessPoolExecutor(arguments.jobs) as pool:
+            waiting: list[Any] = [pool.submit(_one, folder, arguments.out) for folder in folders]
+            outcomes = [future.result() for future in waiting]
+    else:
+        outcomes = [_one(folder, arguments.out) for folder in folders]
+    for text, fine in outcomes:
+        print(text, file=sys.stdout if fine else sys.stderr)
+    return 0 if all(fine for _, fine in outcomes) else 2
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+"""Calibration: the joint bounded fit of dimensions, zero and whatever acts, iterated through the simulator itself."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.linear import Key, Linear
+from pipeline.diagnosis.noise import Noise, white
+from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.diagnosis.record import wild
+
+ITERATIONS = 4
+REFINEMENTS = 3
+EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sample
+
+
+def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
+    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, shapes kept."""
+    state = state or problem.nominal()
+    catalogue = {act.id: list(act.shapes) for act in acts}
+    keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
+    for _ in range(ITERATIONS):
+        linear = Linear(problem, state, noise, catalogue)
+        found = linear.state_of(linear.fit(linear.columns_of(keys)), keys)
+        moved = max(
+            abs(found.values[i] - state.values[i]) / problem.parameters[i].sigma for i in problem.movable
+        ) if problem.movable else 0.0  # fmt: skip
+        state = found
+        if moved < 1e-3:
+            break
+    return state
+
+
+def _between(candidates: list[Shape], shape: Shape, width: float) -> list[Shape]:
+    """Shapes near one, by a share of the distance to its neighbours among the candidates, along each parameter."""
+    found = []
+    for name in shape:
+        others = sorted({other[name] for other in candidates if set(other) == set(shape)})
+        if len(others) < 5:
+            continue
+        place = int(np.searchsorted(others, shape[name]))
+        lower, upper = others[max(place - 1, 0)], others[min(place + 1, len(others) - 1)]
+        reach = max(upper - lower, 1e-9) / 2.0
+        for side in (-1.0, 1.0):
+            value = float(f"{shape[name] + side * width * reach:.8g}")
+            if others[0] <= value <= others[-1]:
+                found.append({**shape, name: value})
+    return found
+
+
+def refine(problem: Problem, noise: Noise, state: State) -> State:
+    """Search between the grid's candidates for the shapes of what acts, one mechanism after the other."""
+    for level in range(EVENT_REFINEMENTS):
+        for place, act in enumerate(state.acts):
+            if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
+                continue
+            candidates = mechanisms()[act.id].shapes(problem.drivers)
+            for number in range(len(act.shapes)):
+                act = state.acts[place]
+                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level)]
+                if len(near) == 1:
+                    continue
+                own = [other for other in state.acts if other not in problem.included]
+                catalogue = {other.id: list(other.shapes) for other in own}
+                fixed = [
+                    (other.id, i)
+                    for other in own
+                    for i in range(len(other.shapes))
+                    if (other.id, i) != (act.id, number)
+                ]
+                catalogue[act.id] = catalogue[act.id] + near[1:]
+                count = len(act.shapes)
+                linear = Linear(problem, state, noise, catalogue)
+                tries = []
+                for option in [number, *range(count, count + len(near) - 1)]:
+                    keys = tuple(sorted([*fixed, (act.id, option)], key=lambda key: list(catalogue).index(key[0])))
+                    tries.append((linear.fit(linear.columns_of(keys)), keys))
+                best, keys = min(tries, key=lambda item: item[0].misfit)
+                state = linear.state_of(best, keys)
+        if level >= REFINEMENTS and all(mechanisms()[act.id].steps == 1 for act in state.acts):
+            break
+        acting = tuple(act for act in state.acts if act not in problem.included)
+        state = calibrate(problem, noise, state, acting)
+    return state
+
+
+def without_outliers(problem: Problem, state: State) -> tuple[Problem, int]:
+    """The problem with lonely wild readings moved to their neighbours' residual, and how many those were."""
+    far, gap = wild(problem.measured - problem.simulate(state))
+    if not 0 < far.sum() <= 0.03 * len(far):
+        return problem, 0
+    return replace(problem, measured=np.where(far, problem.measured - gap, problem.measured)), int(far.sum())
+
+
+def base(problem: Problem) -> State:
+    """The simulator with nothing but its dimensions calibrated, all samples weighed alike."""
+    nominal = problem.nominal()
+    floor = float(np.std((problem.measured - problem.simulate(nominal))[: problem.rows]))
+    first = calibrate(problem, white(max(floor, 1e-9)))
+    residual = (problem.measured - problem.simulate(first))[: problem.rows]
+    return calibrate(problem, white(max(float(np.std(np.diff(residual))) / np.sqrt(2.0), 1e-9)), first)

@@ -1,0 +1,35 @@
+"""The smallest effect of each kind that a recording would have revealed: what `consistent` is worth."""
+
+import numpy as np
+
+from pipeline.diagnosis.search import LEAST_EFFECT, LEAST_GAIN, Search
+
+
+def detectable(search: Search, floor: float) -> dict[str, float]:
+    """Size (rms, in the channel's unit) by mechanism; a mechanism that the recording cannot show is left out."""
+    linear = search.linear
+    known = linear.calibration
+    needed = LEAST_GAIN + 2.0 * search.penalty
+    gram = np.linalg.inv(linear.gram[np.ix_(known, known)])
+    plain = linear.raw_gram[np.ix_(known, known)] + np.diag(linear.raw_prior[known])
+    found = {}
+    for id_, shapes in linear.catalogue.items():
+        sizes = []
+        for number in range(len(shapes)):
+            columns = linear.index[id_, number]
+            norms = np.sqrt(np.diag(linear.raw_gram)[columns])
+            weights = np.where(norms > 0, 1.0 / np.where(norms > 0, norms, 1.0), 0.0)
+            if not weights.any():
+                continue
+            raw = float(weights @ linear.raw_gram[np.ix_(columns, columns)] @ weights)
+            cross = linear.gram[np.ix_(known, columns)] @ weights
+            seen = float(weights @ linear.gram[np.ix_(columns, columns)] @ weights - cross @ gram @ cross)
+            cross = linear.raw_gram[np.ix_(known, columns)] @ weights
+            left = raw - float(cross @ np.linalg.solve(plain, cross))
+            if seen <= 0 or left <= 0:
+                continue
+            amplitude = max(np.sqrt(needed / seen), LEAST_EFFECT * floor / np.sqrt(left / linear.rows))
+            sizes.append(amplitude * np.sqrt(raw / linear.rows))
+        if sizes:
+            found[id_] = float(np.median(sizes))
+    return found

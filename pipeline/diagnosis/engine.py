@@ -1,0 +1,197 @@
+"""The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism by name."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline.diagnosis import calibrate, compare, generic
+from pipeline.diagnosis.adopt import acts_from
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.library import mechanisms, systems
+from pipeline.diagnosis.linear import Linear
+from pipeline.diagnosis.noise import Noise, estimate, robust, white
+from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.diagnosis.record import WORKING_SAMPLES, joined
+from pipeline.diagnosis.search import LEAST_EFFECT, Explanation, Search
+from pipeline.errors import BadInput
+from pipeline.run_yaml import Run
+
+EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
+SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
+PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
+LEAST_SAMPLES = 200
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Study:
+    """Everything that one pass over a recording found."""
+
+    problem: Problem
+    nominal: State
+    base: State
+    noise: Noise
+    verdict: str
+    state: State  # with what was named, or the base
+    best: State  # the best that the library offers, whatever the verdict
+    sets: list[Explanation]
+    search: Search
+    share: float  # of the mismatch's energy that the best explanation takes
+    mismatch: float  # rms after calibration, noise taken off
+
+    @property
+    def best_ids(self) -> tuple[str, ...]:
+        """Ids of what the best explanation names."""
+        return tuple(act.id for act in self.best.acts if act not in self.problem.included)
+
+
+def make_problem(
+    runs: list[Run], tables: list[pd.DataFrame], folders: list[Path] | None = None, most: int = WORKING_SAMPLES
+) -> Problem:
+    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput."""
+    record = joined(runs, tables, most)
+    worked = len(np.unique(record.stroke[record.stroke > 0]))
+    if len(record) < LEAST_SAMPLES or worked < 1:
+        where = (folders or [Path(runs[0].run)])[0]
+        problem = f"{len(record)} samples with {worked} strokes decide nothing"
+        raise BadInput(where, "recording", problem, "record at least three strokes, with a pause, at 10 Hz or more")
+    system = systems()[runs[0].actuator]
+    drivers = system.drivers(record, runs[0])
+    parameters = tuple(system.parameters(runs[0]))
+    return Problem(system, record, drivers, parameters, record.measured, len(record), adopted(runs[0], drivers))
+
+
+def adopted(run: Run, drivers: Drivers) -> tuple[Act, ...]:
+    """What `simulation:` of run.yaml says that the simulator already includes."""
+
+    return acts_from(run.simulation, drivers)
+
+
+def at_own_rate(runs: list[Run], tables: list[pd.DataFrame]) -> Problem:
+    """The problem at the recording's own rate, for simulation only."""
+    return make_problem(runs, tables, most=sum(map(len, tables)))
+
+
+def fine_floor(fine: Problem, found: Study) -> float:
+    """Noise floor at the recording's own rate: the working floor and what averaging took off it."""
+    if len(fine.record) == len(found.problem.record):
+        return found.noise.floor
+    own = robust(fine.measured - fine.simulate(found.best))
+    averaged = robust(found.problem.measured - found.problem.simulate(found.best))
+    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.noise.floor**2))
+
+
+def catalogue(problem: Problem) -> dict[str, list[Shape]]:
+    """All shapes of all mechanisms that the recording could show."""
+    found = {id_: mechanism.shapes(problem.drivers) for id_, mechanism in mechanisms().items()}
+    return {id_: shapes for id_, shapes in found.items() if shapes}
+
+
+def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0.0) -> Noise:
+    """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do."""
+    acts = tuple(act for act in state.acts if act not in problem.included)
+    linear = Linear(problem, state, white(1.0), {act.id: list(act.shapes) for act in acts}, smooth)
+    columns = linear.table[:-1]
+    target = (problem.measured - problem.simulate(state))[: problem.rows]
+    noise, _ = estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
+    return noise
+
+
+def rms(values: np.ndarray) -> float:
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def study(problem: Problem, say: Progress = lambda _: None) -> Study:
+    """The whole procedure on the rows that the problem lets it see."""
+    say("calibrating")
+    nominal = problem.nominal()
+    base = calibrate.base(problem)
+    problem, _ = calibrate.without_outliers(problem, base)
+    base = calibrate.base(problem)
+    smooth = generic.dictionary(problem.drivers)
+    say("noise floor and colour")
+    noise = noise_of(problem, base, smooth, SURPRISES)
+    shapes = catalogue(problem)
+    say("searching explanations")
+    search = Search(Linear(problem, base, noise, shapes))
+    chosen, best = search.select(noise.floor, largest=1), base
+    if chosen.ids:
+        for step in ("one mechanism", "several mechanisms"):
+            say(f"refining {step}")
+            leaders = search.leaders(chosen)
+            refined = [calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys)) for one in leaders]
+            own = [noise_of(problem, state, smooth) for state in refined]
+            place = min(range(len(own)), key=lambda i: unlikely(problem, own[i], refined[i]))
+            best, noise = refined[place], own[place]
+            shapes = with_refined(problem, shapes, refined)
+            search = Search(Linear(problem, best, noise, shapes))
+            before, chosen = chosen, search.select(noise.floor)
+            if len(chosen.ids) == len(before.ids):
+                break
+    say("comparing")
+    sets = compare.unbeaten(search, chosen, noise.floor)
+    if sets:
+        best = search.linear.state_of(sets[0].fit, sets[0].keys)
+        best = calibrate.refine(problem, noise, best)
+    return decide(problem, nominal, base, noise, best, sets, search)
+
+
+def polished(found: Study, fine: Problem) -> Study:
+    """The study with its explanation refitted at the recording's own rate: averaging flattens ripples."""
+    acts = tuple(act for act in found.best.acts if act not in fine.included)
+    if not acts or len(fine.record) == len(found.problem.record):
+        return found
+    fine, _ = calibrate.without_outliers(fine, found.best)
+    noise = noise_of(fine, found.best, generic.dictionary(fine.drivers))
+    best = calibrate.calibrate(fine, noise, found.best, acts)
+    return replace(found, best=best, state=best if found.state is found.best else found.state)
+
+
+def unlikely(problem: Problem, noise: Noise, state: State) -> float:
+    """Minus twice the log-likelihood of a state under its own noise, and ln n for each number that acts."""
+    active = sum(value != 0.0 for act in state.acts for value in act.coefficients)
+    return 2.0 * problem.rows * float(np.log(noise.innovation)) + active * float(np.log(problem.rows))
+
+
+def with_refined(problem: Problem, shapes: dict[str, list[Shape]], states: list[State]) -> dict[str, list[Shape]]:
+    """The catalogue with the refined shapes of what acts in some states."""
+    near = {id_: list(options) for id_, options in shapes.items()}
+    for state in states:
+        for act in state.acts:
+            if act not in problem.included:
+                near[act.id] += [shape for shape in act.shapes if shape not in near[act.id]]
+    return near
+
+
+def decide(
+    problem: Problem, nominal: State, base: State, noise: Noise, best: State, sets: list[Explanation], search: Search
+) -> Study:
+    """The verdict, from what is left after calibration and after the best explanation."""
+    seen = slice(0, problem.rows)
+    left = {
+        name: rms((problem.measured - problem.simulate(state))[seen])
+        for name, state in (("nominal", nominal), ("base", base), ("best", best))
+    }
+    floor = noise.floor
+    mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
+    share = 1.0 - max(left["best"] ** 2 - floor**2, 0.0) / max(mismatch**2, 1e-300)
+    if not sets:
+        verdict = "unknown" if mismatch > unknown_from(search, floor) else "consistent"
+        if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
+            verdict = "parameters"
+    elif share < EXPLAINED and np.sqrt(max(left["best"] ** 2 - floor**2, 0.0)) > LEAST_EFFECT * floor:
+        verdict = "unknown"
+    else:
+        verdict = "explained" if len(sets) == 1 else "ambiguous"
+    state = best if verdict in ("explained", "ambiguous") else base
+    return Study(problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch)
+
+
+def unknown_from(search: Search, floor: float) -> float:
+    """Mismatch that no noise makes: what the generic dictionary must see before it counts without a name."""
+    return 0.35 * floor

@@ -1,0 +1,46 @@
+"""A dictionary without physics: smooth functions of every driver, which bound from below what any model could leave."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.kinematics import Array
+
+
+def hats(signal: Array, count: int) -> Array:
+    """Piecewise linear bumps over a signal's range, shape (count, samples)."""
+    low, high = np.percentile(signal, [0.2, 99.8])
+    if high <= low:
+        return np.zeros((0, len(signal)))
+    place = np.clip((signal - low) / (high - low), 0.0, 1.0) * (count - 1)
+    return np.maximum(1.0 - np.abs(place - np.arange(count)[:, None]), 0.0)
+
+
+def groups(drivers: Drivers) -> dict[str, Array]:
+    """Columns by the driver that they follow, each of shape (columns, samples)."""
+    side = drivers.directed(0.02 * drivers.span)
+    rate, sine = drivers.rate, drivers.sine
+    turn = 2.0 * np.pi * drivers.turns
+    found = {
+        "twist": hats(drivers.turns, 14)[1:],
+        "direction": np.vstack([side * hats(drivers.turns, 8), drivers.directed(0.1 * drivers.span)]),
+        "time": np.vstack([hats(drivers.elapsed_s, 14)[1:], sine * hats(drivers.elapsed_s, 8)[1:]]),
+        "speed": np.vstack([rate, np.abs(rate), rate * sine, np.abs(rate) * sine]),
+        "angle within the turn": np.vstack([wave(k * turn) for k in (1, 2, 3, 4) for wave in (np.sin, np.cos)]),
+        "acceleration": np.vstack([drivers.slope(rate), drivers.slope(rate) * sine]),
+    }
+    if drivers.loaded:
+        load = drivers.load - np.mean(drivers.load)
+        found["load"] = np.vstack(
+            [hats(drivers.load, 4)[1:], load * hats(drivers.turns, 7), load * side, load * side * sine]
+        )
+    if drivers.temperature_c is not None:
+        kelvin = drivers.smooth(drivers.temperature_c)
+        found["temperature"] = np.vstack([kelvin - kelvin.mean(), (kelvin - kelvin.mean()) * sine])
+    if drivers.current_a is not None:
+        found["current"] = drivers.smooth(drivers.current_a)[None]
+    return found
+
+
+def dictionary(drivers: Drivers) -> Array:
+    """All columns, shape (columns, samples)."""
+    return np.vstack(list(groups(drivers).values()))

@@ -1,0 +1,46 @@
+"""Held out: the whole procedure without the last 30 % of strokes, then simulated through them."""
+
+from typing import Any
+
+import numpy as np
+
+from pipeline.diagnosis.engine import Study, polished, rms, study
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.record import wild
+
+LAST = 0.3
+LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
+
+
+def first_held_out(problem: Problem) -> int | None:
+    """First sample of the last 30 % of strokes (at least one), or None when too little is left to learn from."""
+    strokes = np.unique(problem.record.stroke)
+    strokes = strokes[strokes > 0]
+    count = max(1, round(LAST * len(strokes)))
+    if len(strokes) - count < 1:
+        return None
+    row = int(np.argmax(problem.record.stroke >= strokes[-count]))
+    return row if row >= LEAST_TRAINING * len(problem.record) else None
+
+
+def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, Study | None]:
+    """Errors (rms) on strokes that no fit has seen: nominal, calibrated, explained; and the study they came from.
+
+    `fine` is the same recording at its own rate, on which the errors are measured, lonely wild readings left out.
+    """
+    row = first_held_out(problem)
+    if row is None:
+        return None, None
+    unseen = fine.record.time_s >= problem.record.time_s[row]
+    found = polished(study(problem.until(row)), fine.until(int(np.argmax(unseen))))
+
+    def error(state: State) -> float:
+        residual = fine.measured - fine.simulate(state)
+        return rms(residual[unseen & ~wild(residual)[0]])
+
+    return {
+        "split": "last 30 % of strokes",
+        "nominal": error(found.nominal),
+        "calibrated": error(found.base),
+        "explained": error(found.state),
+    }, found

@@ -1,0 +1,116 @@
+"""90 % intervals, honest when a formula is only nearly right: the fit has a smooth random effect inside it."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pipeline.diagnosis import generic
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.linear import Key, Linear
+from pipeline.diagnosis.noise import Noise
+from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.kinematics import Array
+
+Z90 = 1.6448536269514722
+FORM_SCALES = np.geomspace(0.01, 3.0, 24)  # noise floors: candidates of the random effect's size per column
+LEAST_FORM = 0.02
+FORM_SHARE = 0.012  # of an effect: what no formula of the library gets right
+CONTINUOUS, STEP = 5, 1e-3  # values among the candidates that make a shape parameter continuous; relative step
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A value with its 90 % interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+def _form_scale(gram: Array, moment: Array) -> float:
+    """Size of the random effect that makes the recording likeliest; everything else is projected out."""
+    values, vectors = np.linalg.eigh(gram)
+    values, along = np.maximum(values, 0.0), vectors.T @ moment
+
+    def likelihood(scale: float) -> float:
+        variance = scale**2
+        return float(
+            0.5 * np.sum(variance * along**2 / (1.0 + variance * values)) - 0.5 * np.sum(np.log1p(variance * values))
+        )
+
+    return float(max(FORM_SCALES, key=likelihood))
+
+
+def bends(problem: Problem, state: State, act: Act) -> Array:
+    """How the prediction moves with each continuous shape parameter of an act, per half of its value."""
+    candidates = mechanisms()[act.id].shapes(problem.drivers)
+    before, found = problem.simulate(state), []
+    for number, shape in enumerate(act.shapes):
+        for name, value in shape.items():
+            if len({other[name] for other in candidates if set(other) == set(shape)}) < CONTINUOUS:
+                continue
+            moved = tuple(
+                {**old, name: value * (1.0 + STEP)} if i == number else old for i, old in enumerate(act.shapes)
+            )
+            acts = tuple(replace(act, shapes=moved) if other is act else other for other in state.acts)
+            found.append((problem.simulate(replace(state, acts=acts)) - before) * (0.5 / STEP))
+    return np.array(found).reshape(len(found), len(before))
+
+
+def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, Interval], dict[str, Interval]]:
+    """Intervals of every movable parameter and of the size (rms) of every act, by name and by id."""
+    acts = tuple(act for act in state.acts if act not in problem.included)
+    smooth = generic.dictionary(problem.drivers)
+    scale = np.sqrt(np.mean(np.square(smooth[:, : problem.rows]), axis=1))
+    smooth = smooth[scale > 0] / scale[scale > 0][:, None] * noise.floor
+    shaped = [bends(problem, state, act) for act in acts]
+    extra = np.ascontiguousarray(np.vstack([*shaped, smooth]))
+    linear = Linear(problem, state, noise, {act.id: list(act.shapes) for act in acts}, extra)
+    keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
+    known, form = len(linear.calibration), linear.extra[sum(map(len, shaped)) :]
+    own = np.concatenate([linear.columns_of(keys), linear.extra[: sum(map(len, shaped))]])
+    coefficients = np.concatenate([np.array(linear.at)[:known], *(np.array(act.coefficients) for act in acts)])
+    coefficients = np.concatenate([coefficients, np.zeros(len(own) - len(coefficients))])
+    prior = np.ones(len(own))
+    prior[:known] = 0.0  # calibration has its own in the products; a bend of half a value is one sigma
+    effects, at = [], known
+    for act in acts:
+        part = np.arange(at, at + len(act.coefficients))
+        at += len(act.coefficients)
+        effects.append((part, linear.table[own[part]].T @ coefficients[part]))
+        sizes = np.sqrt(np.diag(linear.raw_gram)[own[part]] / linear.rows)
+        effect = float(np.sqrt(np.mean(np.square(effects[-1][1])))) or noise.floor
+        prior[part] = np.square(np.maximum(sizes, 1e-12) / effect)
+    plain = linear.gram[np.ix_(own, own)]
+    gram = plain + np.diag(prior + 1e-12 * np.diag(plain))
+    cross, inner = linear.gram[np.ix_(form, own)], linear.gram[np.ix_(form, form)]
+    own_moment = linear.moment[own] - plain @ coefficients
+    form_moment = linear.moment[form] - cross @ coefficients
+    solved = np.linalg.solve(gram, cross.T)
+    size = max(_form_scale(inner - cross @ solved, form_moment - solved.T @ own_moment), LEAST_FORM)
+    whole = np.linalg.inv(np.block([[gram, cross.T], [cross, inner + np.eye(len(form)) / size**2]]))
+    covariance = whole[: len(own), : len(own)]
+    shift = (whole @ np.concatenate([own_moment, form_moment]))[: len(own)]
+
+    def interval(value: float, weights: Array, share: float = 0.0) -> Interval:
+        spread = Z90 * float(np.sqrt(max(float(weights @ covariance @ weights), 0.0) + (share * value) ** 2))
+        middle = value + 0.5 * float(np.clip(weights @ shift, -spread, spread))
+        return Interval(value, min(middle - spread, value), max(middle + spread, value))
+
+    parameters = {}
+    for place, index in enumerate(problem.movable):
+        weights = np.zeros(len(own))
+        weights[problem.runs + place] = 1.0
+        parameters[problem.parameters[index].name] = interval(float(state.values[index]), weights)
+    sizes_: dict[str, Interval] = {}
+    for act, bent, (part, effect) in zip(acts, shaped, effects, strict=True):
+        rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
+        rms = float(np.sqrt(np.mean(np.square((problem.simulate(state) - problem.simulate(rest))[: problem.rows]))))
+        norm = linear.rows * (float(np.sqrt(np.mean(np.square(effect)))) or 1.0)
+        weights = np.zeros(len(own))
+        weights[part] = linear.table[own[part]] @ effect / norm
+        weights[at : at + len(bent)] = bent[:, : problem.rows] @ effect / norm
+        at += len(bent)
+        found = interval(rms, weights, FORM_SHARE)
+        sizes_[act.id] = Interval(found.value, max(found.low, 0.0), found.high)
+    return parameters, sizes_

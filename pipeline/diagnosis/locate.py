@@ -1,0 +1,70 @@
+"""Where the mismatch is: the smallest box of twist, strokes and phase that holds 80 % of its energy."""
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.record import PHASES
+from pipeline.kinematics import Array
+
+SHARE = 0.8
+TURN_BINS, STROKE_BINS = 48, 60
+
+
+@njit(cache=True)
+def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int, int, int, int]:
+    """Rectangle of an (strokes, turns) table with at least `needed` energy in the fewest samples."""
+    best, place = 1e300, (0, energy.shape[0] - 1, 0, energy.shape[1] - 1)
+    for a in range(energy.shape[0]):
+        held, size = np.zeros(energy.shape[1]), np.zeros(energy.shape[1])
+        for b in range(a, energy.shape[0]):
+            held += energy[b]
+            size += samples[b]
+            if held.sum() < needed:
+                continue
+            c, inside, count = 0, 0.0, 0.0
+            for d in range(energy.shape[1]):
+                inside += held[d]
+                count += size[d]
+                while inside - held[c] >= needed and c < d:
+                    inside -= held[c]
+                    count -= size[c]
+                    c += 1
+                if inside >= needed and count < best:
+                    best, place = count, (a, b, c, d)
+    return best, place[0], place[1], place[2], place[3]
+
+
+def box(mismatch: Array, drivers: Drivers) -> dict[str, Any]:
+    """Location of a mismatch without its noise: turns, strokes, phase, and the share of its energy that they hold."""
+    low, high = float(drivers.turns.min()), float(drivers.turns.max())
+    width = max(high - low, 1e-9) / TURN_BINS
+    column = np.minimum(((drivers.turns - low) / width).astype(int), TURN_BINS - 1)
+    strokes = np.unique(drivers.stroke)
+    per_bin = -(-len(strokes) // STROKE_BINS)
+    row = np.searchsorted(strokes, drivers.stroke) // per_bin
+    squared = np.square(mismatch)
+    whole = float(squared.sum()) or 1.0
+    shape = (int(row.max()) + 1, TURN_BINS)
+    best: tuple[float, dict[str, Any]] | None = None
+    for phase in ("all", *PHASES):
+        inside = np.ones(len(row), bool) if phase == "all" else drivers.phase == PHASES.index(phase)
+        energy, samples = np.zeros(shape), np.zeros(shape)
+        np.add.at(energy, (row[inside], column[inside]), squared[inside])
+        np.add.at(samples, (row[inside], column[inside]), 1.0)
+        if energy.sum() < SHARE * whole:
+            continue
+        count, a, b, c, d = _smallest(energy, samples, SHARE * whole)
+        if best is None or count < best[0]:
+            last = min((b + 1) * per_bin, len(strokes)) - 1
+            found = {
+                "motor_turns": [low + c * width, low + (d + 1) * width],
+                "strokes": [int(max(strokes[a * per_bin], 1)), int(max(strokes[last], 1))],
+                "phase": phase,
+                "share": float(energy[a : b + 1, c : d + 1].sum() / whole),
+            }
+            best = (count, found)
+    assert best is not None  # the whole recording always qualifies
+    return best[1]

@@ -1,0 +1,36 @@
+"""The string, or what holds it, stretches with the load [A5, A7, A10, F10]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+TOE_LOADS = (0.15, 0.5)  # of 10 N
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """`from_load` (10 N) is the load of the tare; none under a constant load, which shows nothing."""
+    return [{"from_load": float(f"{drivers.load0:.6g}")}] if drivers.loaded else []
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Stretch with the load, straight and with a toe."""
+    load, load0 = drivers.load, shape["from_load"]
+    found = [Term("straight_mm_per_10_n", "length", load - load0, "mm/10N")]
+    for toe in TOE_LOADS:
+        signal = np.exp(-load0 / toe) - np.exp(-load / toe)
+        found.append(Term(f"toe_{toe * 10:g}_n_mm", "length", signal))
+    return found
+
+
+MECHANISM = Mechanism(
+    id="axial_elasticity",
+    driver="load",
+    equation="dx = -(F - F_tare)/K - toe(F)",
+    source="physics.md A5, A7, A10, F10",
+    confused_with="frame compliance (the same name), creep of short time constant, shaft_windup",
+    told_apart_by="load steps at two twists: a stretch is the same at both",
+    sentence="The string stretches with its load, by {size}.",
+    shapes=shapes,
+    terms=terms,
+)

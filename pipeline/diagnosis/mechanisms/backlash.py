@@ -1,0 +1,32 @@
+"""Play of constant width on the twist, whatever the load [C1, D1]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.recursions import play
+from pipeline.diagnosis.shapes import grid
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Half-widths of the play, in turns."""
+    return grid("half_width_turns", 5e-4 * drivers.span, 0.15 * drivers.span, 26)
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """The string's twist follows the motor's with a dead band."""
+    followed = play(drivers.turns, np.full(len(drivers.turns), shape["half_width_turns"]))
+    return [Term("share", "twist", followed - drivers.turns, "1", high=1.25)]
+
+
+MECHANISM = Mechanism(
+    id="backlash",
+    driver="direction",
+    equation="theta_s = play(theta, w)",
+    source="physics.md C1, D1",
+    confused_with="friction_hysteresis, sensor_lag, viscous_loss",
+    told_apart_by="a second load: the play keeps its width",
+    sentence="After each reversal the motor turns through a play before the string follows, {size}.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,35 @@
+"""Twist lost suddenly between encoder and string: missed steps, a slipping screw or knot [D3, D5]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import times
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """When it slips, in s since the start; −1: a little at every stroke."""
+    return [*times(drivers, 160), {"at_s": -1.0}]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """A step of the string's twist against the encoder's."""
+    if shape["at_s"] < 0:
+        return [
+            Term("turns_per_stroke", "twist", -(drivers.stroke - drivers.stroke[0]).astype(float), "turns", -np.inf)
+        ]
+    return [Term("turns", "twist", -(drivers.elapsed_s >= shape["at_s"]).astype(float), "turns", -np.inf)]
+
+
+MECHANISM = Mechanism(
+    id="count_slip",
+    driver="sudden events on the twist",
+    equation="theta_s = theta - sum k_i [t >= t_i]",
+    source="physics.md D3, D5",
+    confused_with="clamp_slip (which is the same at every twist), wear",
+    told_apart_by="an index mark on the string's end; unwinding to slack",
+    sentence="Twist was lost suddenly between encoder and string, {size}.",
+    shapes=shapes,
+    terms=terms,
+    steps=5,
+)

@@ -1,0 +1,37 @@
+"""Lengthening under load over time, recovering at least partly [A3, A4]."""
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.recursions import lowpass
+from pipeline.diagnosis.shapes import time_constants
+
+TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Freshly loaded at the first sample, or loaded for long before it."""
+    return [{"fresh": 1.0}, {"fresh": 0.0}]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
+    found = []
+    for name, tension in (("load", drivers.load), ("twist", drivers.load * drivers.tangent**2)):
+        start = 0.0 if shape["fresh"] else drivers.load0 if name == "load" else float(tension[0])
+        for tau_s in time_constants(drivers, TIMES_S):
+            strain = lowpass(tension, drivers.time_s, tau_s, start) - start
+            found.append(Term(f"{name}_{tau_s:g}_s_mm_per_10_n", "length", strain, "mm/10N"))
+    return found
+
+
+MECHANISM = Mechanism(
+    id="creep",
+    driver="time under load",
+    equation="dx = -sum z_i, dz_i/dt = (a_i F - z_i)/tau_i",
+    source="physics.md A3, A4",
+    confused_with="plastic_elongation, thermal, sensor_drift",
+    told_apart_by="a hold under load, then a rest without it: creep goes on in the hold and comes back in the rest",
+    sentence="Under load the string lengthens with time, by {size}, and takes it back when the load falls.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,38 @@
+"""A ripple once per turn: the motor's axis, or the sensor wheel's, is off centre [F9]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """On the motor's turn (0), or on a sensor wheel by its circumference in mm."""
+    reach = float(np.ptp(drivers.contraction))
+    wheels = np.geomspace(LEAST_WHEEL_MM, 0.8 * reach, 10) if 0.8 * reach > LEAST_WHEEL_MM else np.zeros(0)
+    return [{"wheel_mm": 0.0}, *({"wheel_mm": float(f"{mm:.6g}")} for mm in wheels)]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Sine and cosine of the turn: on the reading, and on the twist."""
+    angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.turns
+    waves = {"sine": np.sin(2.0 * np.pi * angle), "cosine": np.cos(2.0 * np.pi * angle)}
+    found = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
+    if not shape["wheel_mm"]:
+        found += [Term(f"{name}_turns", "twist", wave, "turns", -np.inf) for name, wave in waves.items()]
+    return found
+
+
+MECHANISM = Mechanism(
+    id="eccentricity",
+    driver="angle within the turn",
+    equation="x_m = x + A sin(theta + p)",
+    source="physics.md F9",
+    confused_with="stick_slip, load_swing",
+    told_apart_by="one slow stroke: the ripple follows the turn, not the time",
+    sentence="The displacement ripples once per turn, {size}.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,39 @@
+"""Displacement falls behind past a critical twist: the coils touch [E4]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import hinge
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Critical twist in turns, and how softly it begins (of the range)."""
+    top = float(np.percentile(drivers.turns, 99.9))
+    return [
+        {"critical_turns": float(f"{share * top:.6g}"), "softness_turns": float(f"{soft * top:.6g}")}
+        for share in np.linspace(0.5, 0.98, 17)
+        for soft in (0.01, 0.05)
+    ]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Twist that contracts nothing any more, in proportion beyond the critical twist and faster."""
+    beyond = hinge(drivers.turns, shape["critical_turns"], shape["softness_turns"])
+    return [
+        Term("share", "twist", -beyond, "1", high=1.2),
+        Term("faster_per_turn", "twist", -(beyond**2), "1/turn", high=0.5),
+    ]
+
+
+MECHANISM = Mechanism(
+    id="jam",
+    driver="high twist",
+    equation="theta_s = theta - s max(theta - theta_c, 0)",
+    source="physics.md E4",
+    confused_with="end_stop (which is flat), radius_compaction (which has no corner)",
+    told_apart_by="strokes that end above and below the corner; the torque, which rises in a jam",
+    sentence="Past a critical twist the coils touch and the contraction falls behind, {size}.",
+    shapes=shapes,
+    terms=terms,
+)

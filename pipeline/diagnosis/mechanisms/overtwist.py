@@ -1,0 +1,47 @@
+"""Displacement runs ahead past a critical twist, with a loop of its own: the string coils [E5]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.recursions import play
+from pipeline.diagnosis.shapes import hinge
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Critical twist in turns, how softly it begins, and the half-width of the coil's own loop."""
+    top = float(np.percentile(drivers.turns, 99.9))
+    return [
+        {
+            "critical_turns": float(f"{share * top:.6g}"),
+            "softness_turns": float(f"{soft * top:.6g}"),
+            "loop_turns": float(f"{loop * top:.6g}"),
+        }
+        for share in np.linspace(0.5, 0.98, 13)
+        for soft in (0.01, 0.05)
+        for loop in (0.02, 0.08)
+    ]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Extra contraction beyond the critical twist, at once and with the memory of coils that melt late."""
+    late = play(drivers.turns, np.full(len(drivers.turns), shape["loop_turns"])) + shape["loop_turns"]
+    found = []
+    for name, turns in (("at_once", drivers.turns), ("late", late)):
+        beyond = hinge(turns, shape["critical_turns"], shape["softness_turns"])
+        found.append(Term(f"{name}_mm_per_turn", "length", -beyond, "mm/turn"))
+        found.append(Term(f"{name}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
+    return found
+
+
+MECHANISM = Mechanism(
+    id="overtwist",
+    driver="high twist",
+    equation="dx = +k max(theta' - theta_c, 0), theta' the twist or its play",
+    source="physics.md E5",
+    confused_with="a wrong radius, jam (opposite sign)",
+    told_apart_by="strokes that end above and below the critical twist",
+    sentence="Past a critical twist the string coils and the contraction runs ahead, {size}.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,37 @@
+"""Permanent lengthening that grows with worked strokes and with new highest tensions [A1, A2]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import saturations
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Work weighs with the load to the power 0 or 1; `work` is the recording's whole work, for scale."""
+    powers = (0.0, 1.0) if drivers.loaded else (1.0,)
+    return [{"load_power": power, "work": float(f"{drivers.worked(power)[-1]:.6g}") or 1.0} for power in powers]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Saturating and straight growth with work, and growth with every new maximum of tension."""
+    grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
+    found = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
+    if drivers.loaded:
+        highest = np.maximum.accumulate(drivers.load)
+        found.append(Term("new_highest_load_mm", "length", highest - highest[0]))
+    tension = np.maximum.accumulate(drivers.load * drivers.tangent**2)
+    return [*found, Term("new_highest_twist_mm", "length", tension - tension[0])]
+
+
+MECHANISM = Mechanism(
+    id="plastic_elongation",
+    driver="worked strokes",
+    equation="dx = -P, P = P_L (F/F_ref)^m ln(1 + c), or k max T: any sum of saturating growths with work",
+    source="physics.md A1, A1b, A1c, A2",
+    confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
+    told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
+    sentence="Every worked stroke leaves the string longer, {size} in all, and no rest takes it back.",
+    shapes=shapes,
+    terms=terms,
+)

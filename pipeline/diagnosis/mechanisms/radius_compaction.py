@@ -1,0 +1,35 @@
+"""The radius falls with twist or tension as the bundle is pressed together [B2, B3]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """One shape: the laws of twist and tension add up."""
+    return [{}]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Relative loss of radius: powers of the helix angle's tangent, with and without load, and the load's logarithm."""
+    slope = np.maximum(drivers.tangent, 0.0)
+    found = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
+    if drivers.loaded:
+        load = np.maximum(drivers.load, 0.05)
+        found += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]
+        found.append(Term("log_load", "radius", -np.log(load), "1", high=0.5))
+    return found
+
+
+MECHANISM = Mechanism(
+    id="radius_compaction",
+    driver="twist and tension",
+    equation="r_e = r (1 - k(tan a, F)), or r (F/F_ref)^-s",
+    source="physics.md B2, B3",
+    confused_with="a wrong radius, shaft_windup, jam",
+    told_apart_by="more than 20 turns at two loads; an image of the bundle",
+    sentence="The twist presses the bundle thinner: its radius falls, which costs {size} of contraction.",
+    shapes=shapes,
+    terms=terms,
+)

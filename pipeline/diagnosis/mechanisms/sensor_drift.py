@@ -1,0 +1,31 @@
+"""The zero of the displacement sensor drifts with time, whatever the rig does [F3]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """`whole_s` is the recording's length, for scale."""
+    return [{"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Straight, bent and settling drift, of either sign."""
+    share = drivers.elapsed_s / shape["whole_s"]
+    signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / 0.1)}
+    return [Term(name, "sensor", signal, "mm", -np.inf) for name, signal in signals.items()]
+
+
+MECHANISM = Mechanism(
+    id="sensor_drift",
+    driver="absolute time",
+    equation="x_m = x + c(t)",
+    source="physics.md F3",
+    confused_with="creep, thermal, plastic_elongation",
+    told_apart_by="a long rest: a drifting zero goes on in it as before",
+    sentence="The sensor's zero drifts with time, {size}, at work and at rest alike.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,51 @@
+"""The displacement arrives late: it follows the displacement rate [F7, F8]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.recursions import lowpass
+from pipeline.kinematics import Array
+
+TIMES_S = (0.03, 0.1, 0.3, 1.0)
+DELAYS_S = (0.05, 0.2)
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """One shape: filters and delays add up."""
+    return [{}]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """First-order filters, dead times, and a clock that runs away."""
+    time_s = drivers.time_s
+
+    def filtered(tau_s: float) -> Term:
+        def operator(reading: Array) -> Array:
+            return np.asarray(lowpass(reading, time_s, tau_s, float(reading[0])) - reading)
+
+        return Term(f"filter_{tau_s:g}_s", "sensor", operator, "1", high=1.5)
+
+    def delayed(delay_s: float) -> Term:
+        return Term(
+            f"delay_{delay_s:g}_s", "sensor", lambda reading: np.interp(time_s - delay_s, time_s, reading) - reading,
+            "1", high=1.5,
+        )  # fmt: skip
+
+    def skewed(reading: Array) -> Array:
+        return np.asarray(-drivers.elapsed_s * drivers.slope(reading))
+
+    return [*map(filtered, TIMES_S), *map(delayed, DELAYS_S), Term("clock_skew", "sensor", skewed, "1", -0.02, 0.02)]
+
+
+MECHANISM = Mechanism(
+    id="sensor_lag",
+    driver="displacement rate",
+    equation="tau dx_m/dt = x - x_m, or x_m(t) = x(t - delay)",
+    source="physics.md F7, F8",
+    confused_with="viscous_loss, backlash, friction_hysteresis",
+    told_apart_by="two speeds; a rigid bar in place of the string",
+    sentence="The displacement reading is late, which is worth {size} at these speeds.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,29 @@
+"""A constant force or angle on the reading, which has no arbitrary zero [EMPS; cable drive]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """None where the zero is calibration (a string's displacement): there an offset cannot show."""
+    return []
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """A constant on the reading."""
+    return [Term("constant", "sensor", np.ones_like(drivers.turns), "1", -np.inf)]
+
+
+MECHANISM = Mechanism(
+    id="sensor_offset",
+    driver="nothing: a constant",
+    equation="y_m = y + c",
+    source="contracts: cable_drive and moving_mass",
+    confused_with="end_stop (which holds at one end only)",
+    told_apart_by="a reading at rest without load",
+    sentence="The reading carries a constant offset, {size}.",
+    shapes=shapes,
+    terms=terms,
+)

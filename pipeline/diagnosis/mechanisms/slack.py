@@ -1,0 +1,51 @@
+"""The first twist moves nothing: slack is taken up before the string pulls [E1-E3]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import hinge
+
+SHARES = (0.015, 0.03, 0.05, 0.075, 0.1, 0.14, 0.18, 0.24, 0.3, 0.38, 0.46)
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Twist that is taken up, in turns: lost for good (a toe), or as a length that a stop holds."""
+    found: list[Shape] = []
+    for share in SHARES:
+        turns = float(f"{share * float(np.percentile(drivers.turns, 99.9)):.6g}")
+        found += [{"take_up_turns": turns, "stop": 0.0, "softness": soft} for soft in (0.05, 0.3)]
+        order = np.argsort(drivers.turns, kind="stable")
+        height = np.interp([0.0, turns], drivers.turns[order], drivers.contraction[order])
+        if height[1] > height[0]:
+            found.append({"take_up_mm": float(f"{height[1] - height[0]:.6g}"), "stop": 1.0, "softness": 0.05})
+    return found
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Twist that does not reach the string, or contraction that the slack swallows."""
+    if shape["stop"]:
+        height = drivers.contraction - float(np.interp(0.0, *_sorted(drivers)))
+        slack = shape["take_up_mm"]
+        return [Term("share", "length", height - hinge(height, slack, shape["softness"] * slack), "1", high=1.3)]
+    onset = shape["take_up_turns"]
+    followed = hinge(drivers.turns, onset, shape["softness"] * onset)
+    return [Term("share", "twist", followed - drivers.turns, "1", high=1.3)]
+
+
+def _sorted(drivers: Drivers) -> tuple[np.ndarray, np.ndarray]:
+    order = np.argsort(drivers.turns, kind="stable")
+    return drivers.turns[order], drivers.contraction[order]
+
+
+MECHANISM = Mechanism(
+    id="slack",
+    driver="low twist",
+    equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s)",
+    source="physics.md E1-E3",
+    confused_with="a wrong separator, backlash",
+    told_apart_by="small strokes at low twist",
+    sentence="The first twist moves nothing: slack swallows {size}.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,36 @@
+"""Stretch that follows the twisting rate, also at low twist [C6]."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """One shape."""
+    return [{}]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Stretch with the rate, straight, with its root, and with the load."""
+    rate = drivers.rate
+    found = [
+        Term("straight_mm_per_turn_s", "length", rate, "mm s/turn"),
+        Term("root_mm", "length", np.sign(rate) * np.sqrt(np.abs(rate)), "mm"),
+    ]
+    if drivers.loaded:
+        found.append(Term("loaded_mm_per_turn_s_10_n", "length", rate * drivers.load, "mm s/turn/10N"))
+    return found
+
+
+MECHANISM = Mechanism(
+    id="viscous_loss",
+    driver="twisting rate",
+    equation="dx = -c dtheta/dt",
+    source="physics.md C6",
+    confused_with="sensor_lag (which shows nothing at low twist), friction_hysteresis (which ignores the speed)",
+    told_apart_by="three speeds and small strokes at low twist",
+    sentence="The string yields with the twisting rate, by {size}, and stands right as soon as the motor stands.",
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,99 @@
+"""Noise floor and colour: what a saturated model leaves, mended for what that model swallows of the noise itself."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
+from scipy.signal import lfilter
+
+from pipeline.diagnosis.recursions import whiten
+from pipeline.kinematics import Array
+
+MEMORY_S, FEWEST, MOST = 1.2, 6, 30
+DRAWS, ROUNDS, BLOCKS = 6, 3, 40
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Floor (standard deviation), autoregressive coefficients and standard deviation of the innovations."""
+
+    floor: float
+    ar: Array
+    innovation: float
+
+
+def white(floor: float) -> Noise:
+    """Noise without colour."""
+    return Noise(floor, np.zeros(0), floor)
+
+
+def autocovariance(signal: Array, lags: int) -> Array:
+    """Autocovariance at lags 0…lags about zero."""
+    n = len(signal)
+    return np.array([signal[: n - k] @ signal[k:] for k in range(lags + 1)]) / n
+
+
+def trimmed(signal: Array, lags: int, trim: float) -> Array:
+    """Mean autocovariance of the quieter blocks: a share `trim` of the loudest is left out, for they hold surprises."""
+    if trim == 0.0:
+        return autocovariance(signal, lags)
+    blocks = np.array([autocovariance(block, lags) for block in np.array_split(signal, BLOCKS)])
+    order = np.argsort(blocks[:, 0], kind="stable")
+    return np.asarray(blocks[order[: round(BLOCKS * (1.0 - trim))]].mean(axis=0))
+
+
+def from_covariance(covariance: Array) -> Noise:
+    """Yule-Walker."""
+    order = len(covariance) - 1
+    covariance = covariance * np.concatenate([[1.0 + 1e-6], np.ones(order)])
+    ar = solve_toeplitz(covariance[:-1], covariance[1:])
+    variance = float(covariance[0] - ar @ covariance[1:])
+    return Noise(float(np.sqrt(covariance[0])), ar, float(np.sqrt(max(variance, 1e-6 * covariance[0]))))
+
+
+def robust(residual: Array) -> Array:
+    """A residual with outliers pulled to 5 robust spreads."""
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    return np.clip(residual, -5.0 * spread, 5.0 * spread) if spread > 0 else residual
+
+
+def estimate(
+    target: Array, columns: Array, first: np.ndarray, step_s: float, trim: float = 0.0, seed: int = 0
+) -> tuple[Noise, float]:
+    """Noise of a target that columns (shape (columns, samples)) explain but for noise; and the share they swallow.
+
+    The columns swallow part of coloured noise; how much is found by feeding noise of the estimated colour through the
+    same fit, and added back.
+    """
+    samples = len(target)
+    order = int(np.clip(np.ceil(MEMORY_S / step_s), FEWEST, MOST))
+    order = min(order, samples // 20)
+    scale = np.sqrt(np.einsum("ij,ij->i", columns, columns))
+    columns = columns[scale > 0] / scale[scale > 0][:, None]
+    generator = np.random.default_rng(seed)
+    draws = generator.standard_normal((DRAWS, samples + 300))
+    noise, swallowed = white(float(np.std(target))), 0.0
+    covariance = np.zeros(order + 1)
+    for _ in range(ROUNDS):
+        whitened = whiten(columns, noise.ar, first)
+        factor = cho_factor(whitened @ whitened.T + 1e-8 * np.eye(len(columns)))
+
+        def rest(signals: Array, whitened: Array = whitened, factor: object = factor, ar: Array = noise.ar) -> Array:
+            solution = cho_solve(factor, whitened @ whiten(signals, ar, first).T)
+            return np.asarray(signals - solution.T @ columns)
+
+        own = robust(rest(target[None])[0])
+        seen = trimmed(own, order, trim)
+        if not covariance.any():
+            covariance = seen
+        for _inner in range(2):
+            guess = from_covariance(covariance)
+            signals = lfilter([guess.innovation], np.concatenate([[1.0], -guess.ar]), draws, axis=1)[:, 300:]
+            left = rest(signals)
+            gap = np.mean(
+                [autocovariance(a, order) - trimmed(b, order, trim) for a, b in zip(signals, left, strict=True)], 0
+            )
+            swallowed = float(gap[0] / max(guess.floor**2, 1e-300))
+            covariance = seen + gap
+        noise = from_covariance(covariance)
+    return noise, swallowed

@@ -1,0 +1,129 @@
+"""One recording with its simulator: predict with any set of mechanisms inside, and how the prediction moves."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Parameter, Shape, System, Term
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.record import Record
+from pipeline.kinematics import Array
+
+
+@dataclass(frozen=True)
+class Act:
+    """A mechanism at work: its shapes (several for sudden events) and the coefficients of their terms, in order."""
+
+    id: str
+    shapes: tuple[Shape, ...]
+    coefficients: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class State:
+    """A simulator: values of the parameters, the zero of each run in the channel's unit, and what acts in it."""
+
+    values: Array
+    zeros: Array
+    acts: tuple[Act, ...] = ()
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Everything that a fit needs; `rows` samples from the start are seen by it, the drivers cover all."""
+
+    system: System
+    record: Record
+    drivers: Drivers
+    parameters: tuple[Parameter, ...]
+    measured: Array
+    rows: int
+    included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
+    _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
+
+    def until(self, rows: int) -> "Problem":
+        """The same problem of which a fit sees only the first rows."""
+        return replace(self, rows=rows)
+
+    @property
+    def runs(self) -> int:
+        """How many runs are joined in it."""
+        return int(self.record.run_index.max()) + 1
+
+    @property
+    def movable(self) -> list[int]:
+        """Indices of the parameters that calibration may move."""
+        return [i for i, parameter in enumerate(self.parameters) if parameter.sigma > 0]
+
+    def nominal(self) -> State:
+        """The simulator as written in run.yaml, with its zero on the median of the seen samples."""
+        values = np.array([parameter.nominal for parameter in self.parameters])
+        state = State(values, np.zeros(self.runs), self.included)
+        gap = (self.measured - self.simulate(state))[: self.rows]
+        index = self.record.run_index[: self.rows]
+        zeros = np.array([np.median(gap[index == run]) if (index == run).any() else 0.0 for run in range(self.runs)])
+        return replace(state, zeros=zeros)
+
+    def terms(self, mechanism: Mechanism, shape: Shape) -> list[Term]:
+        """Terms of a mechanism's shape, remembered."""
+        key = (mechanism.id, tuple(shape.items()))
+        if key not in self._terms:
+            self._terms[key] = mechanism.terms(self.drivers, shape)
+        return self._terms[key]
+
+    def act_terms(self, act: Act) -> list[tuple[Term, float]]:
+        """All terms of an act with their coefficients."""
+        mechanism = mechanisms()[act.id]
+        terms = [term for shape in act.shapes for term in self.terms(mechanism, shape)]
+        return list(zip(terms, act.coefficients, strict=True))
+
+    def ports(self, acts: tuple[Act, ...]) -> tuple[dict[str, Array], list[tuple[Term, float]]]:
+        """What the acts add at each port, and the operators on the reading with their coefficients."""
+        added: dict[str, Array] = {}
+        operators = []
+        for act in acts:
+            for term, coefficient in self.act_terms(act):
+                if coefficient == 0.0:
+                    continue
+                if callable(term.signal):
+                    operators.append((term, coefficient))
+                else:
+                    before = added.get(term.port)
+                    step = coefficient * term.signal
+                    added[term.port] = step if before is None else before + step
+        return added, operators
+
+    def reading(self, values: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
+        """Reading without zero: the simulated channel, then what operators and the sensor port add to it."""
+        reading = self.system.simulate(values, self.drivers, added)
+        changes = [coefficient * term.signal(reading) for term, coefficient in operators if callable(term.signal)]
+        for change in changes:
+            reading = reading + change
+        return reading + added["sensor"] if "sensor" in added else reading
+
+    def simulate(self, state: State) -> Array:
+        """Predicted channel of every sample."""
+        added, operators = self.ports(state.acts)
+        return self.reading(state.values, added, operators) + state.zeros[self.record.run_index]
+
+    def sensitivity(self, state: State) -> dict[str, Array]:
+        """How the reading moves per unit at each port, and for each movable parameter by its name."""
+        added, operators = self.ports(state.acts)
+        before = self.reading(state.values, added, operators)
+        nothing = np.zeros_like(before)
+        found = {"sensor": np.ones_like(before)}
+        for port, step in (("twist", 1e-4), ("radius", 1e-5), ("length", 1e-3)):
+            moved = {**added, port: added.get(port, nothing) + step}
+            found[port] = (self.reading(state.values, moved, operators) - before) / step
+        for index in self.movable:
+            values = state.values.copy()
+            step = 1e-3 * self.parameters[index].sigma
+            values[index] += step
+            found[self.parameters[index].name] = (self.reading(values, added, operators) - before) / step
+        return found
+
+    def clean_reading(self, state: State) -> Array:
+        """Reading before any operator: what operators act on."""
+        added, _ = self.ports(state.acts)
+        return self.system.simulate(state.values, self.drivers, added)

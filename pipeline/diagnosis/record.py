@@ -1,0 +1,120 @@
+"""What a diagnosis works on: the samples of its runs, joined, cleared of spikes, averaged to a working rate."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+from scipy.ndimage import median_filter
+
+from pipeline import schemas, strokes
+from pipeline.kinematics import Array
+from pipeline.run_yaml import Run
+
+WORKING_SAMPLES = 15_000
+BETWEEN_RUNS_S = 60.0
+OUTLIER = 6.0  # robust spreads of a residual from its neighbours
+PHASES = ("winding", "hold", "unwinding", "rest")
+SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
+
+
+@dataclass(frozen=True)
+class Record:
+    """Inputs and the measured channel, one value a working sample; `samples` maps them to the recording's rows."""
+
+    time_s: Array
+    motion: Array  # the driver: turns, degrees or metres
+    measured: Array
+    load: Array  # load in N, or the torque of a cable drive in Nm; zeros where there is none
+    temperature_c: Array | None
+    current_a: Array | None
+    stroke: NDArray[np.intp]
+    phase: NDArray[np.intp]  # index into PHASES
+    run_index: NDArray[np.intp]
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+
+def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
+    """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion."""
+    padded = np.pad(signal, 2, mode="reflect")
+    around = np.vstack([padded[k : k + len(signal)] for k in (0, 1, 3, 4)])
+    middle = np.median(around, axis=0)
+    gap = np.abs(signal - middle)
+    return np.asarray((gap > least) & (np.ptp(around, axis=0) < 0.35 * gap))
+
+
+def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
+    """Samples of a residual that lie far from neighbours which agree among themselves, and how far each lies."""
+    gap = residual - median_filter(residual, 7, mode="nearest")
+    spread = 1.4826 * float(np.median(np.abs(gap)))
+    usual = median_filter(np.abs(gap), 9, mode="nearest")
+    return (np.abs(gap) > OUTLIER * spread) & (usual < 2.5 * spread), gap
+
+
+def despiked(signal: Array) -> Array:
+    """A channel with single-sample spikes replaced by the median of their neighbours."""
+    middle = median_filter(signal, 5, mode="nearest")
+    spread = 1.4826 * float(np.median(np.abs(signal - middle)))
+    spread += 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
+    return np.where(lonely(signal, SPIKE * spread), middle, signal)
+
+
+def _bins(time_s: Array, width: int) -> NDArray[np.intp]:
+    """Bin of each sample: `width` median steps of time; bins without samples do not exist."""
+    step_s = float(np.median(np.diff(time_s)))
+    return np.unique(
+        np.floor((time_s - time_s[0]) / (width * step_s) + 0.5 / width).astype(np.intp), return_inverse=True
+    )[1]
+
+
+def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -> Record:
+    """The record of one run, averaged over `width` samples; strokes are numbered on from `stroke0`."""
+    driver, channel = schemas.CHANNELS[run.actuator]
+    time_s = samples["time_s"].to_numpy()
+    motion = despiked(samples[driver].to_numpy())
+    stroke, phase = strokes.label(time_s, motion)
+    phase_index = np.array([PHASES.index(name) for name in phase])
+    torque = samples["torque_nm"] if "torque_nm" in samples else pd.Series(np.zeros(len(samples)))
+    load = despiked(samples.get("load_n", torque).to_numpy())
+    bins = _bins(time_s, width) if width > 1 else np.arange(len(time_s))
+    count = np.bincount(bins)
+
+    def mean(values: Array) -> Array:
+        return np.bincount(bins, weights=values) / count
+
+    last = np.concatenate([np.flatnonzero(np.diff(bins)), [len(bins) - 1]])
+    middle = last - (count - 1) // 2
+    measured = samples[channel].to_numpy()
+    if width > 1:
+        measured = despiked(measured)
+
+    def optional(name: str) -> Array | None:
+        return mean(despiked(samples[name].to_numpy())) if name in samples else None
+
+    return Record(
+        mean(time_s), mean(motion), mean(measured), mean(load), optional("temperature_c"), optional("motor_current_a"),
+        stroke[middle] + stroke0, phase_index[middle], np.full(len(count), index, np.intp),
+    )  # fmt: skip
+
+
+def joined(runs: list[Run], samples: list[pd.DataFrame], most: int = WORKING_SAMPLES) -> Record:
+    """One record of all runs, in the given order, a minute apart; strokes are numbered on from `strokes_before`."""
+    width = max(1, -(-sum(map(len, samples)) // most))
+    parts: list[Record] = []
+    clock_s, stroke0 = 0.0, 0
+    for index, (run, table) in enumerate(zip(runs, samples, strict=True)):
+        before = run.string.strokes_before if run.string else 0
+        part = one(run, table, width, index, max(stroke0, before))
+        time_s = part.time_s - part.time_s[0] + clock_s
+        clock_s, stroke0 = float(time_s[-1]) + BETWEEN_RUNS_S, int(part.stroke.max())
+        parts.append(Record(**{**part.__dict__, "time_s": time_s}))
+    if len(parts) == 1:
+        return parts[0]
+
+    def stacked(name: str) -> Array | None:
+        columns = [getattr(part, name) for part in parts]
+        return None if any(column is None for column in columns) else np.concatenate(columns)
+
+    return Record(**{name: stacked(name) for name in Record.__dataclass_fields__})  # type: ignore[arg-type]

@@ -1,0 +1,134 @@
+"""Search for explanations: joint refits of one mechanism, of every pair, of triples; forward, then backward."""
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.linear import Fit, Key, Linear
+
+LEAST_GAIN = 10.0
+LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
+LEAST_SHARE = 0.2  # of the whole mismatch's rms: a smaller further effect is the first one's formula, not physics
+LARGEST = 3
+PARTNERS = 8
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A set of mechanisms with their shapes, its fit, its cost (misfit and ln n a number) and plain energy."""
+
+    ids: tuple[str, ...]
+    keys: tuple[Key, ...]
+    fit: Fit
+    cost: float
+    energy: float
+
+
+class Search:
+    """Explanations on one linearisation, remembered."""
+
+    def __init__(self, linear: Linear) -> None:
+        self.linear = linear
+        self.penalty = float(np.log(linear.rows))
+        self.free = {
+            id_: max(sum(len({other.get(name) for other in shapes}) > 1 for name in shape) for shape in shapes)
+            if shapes
+            else 0
+            for id_, shapes in linear.catalogue.items()
+        }
+        self.known: dict[tuple[str, ...], Explanation] = {}
+        self.nothing = self._explanation((), ())
+
+    def _cost(self, keys: tuple[Key, ...], fit: Fit) -> float:
+        return fit.misfit + self.penalty * (fit.active + sum(self.free[id_] for id_, _ in keys))
+
+    def _explanation(self, ids: tuple[str, ...], keys: tuple[Key, ...]) -> Explanation:
+        columns = self.linear.columns_of(keys)
+        fit = self.linear.fit(columns)
+        return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(columns).energy)
+
+    def _best(self, id_: str, given: tuple[Key, ...]) -> tuple[Key, ...]:
+        """The best shapes of a mechanism beside given ones; sudden events are added one by one."""
+        chosen: tuple[Key, ...] = ()
+        cost = np.inf
+        for _ in range(mechanisms()[id_].steps):
+            keys = (*given, *chosen)
+            misfits, active = self.linear.scan(keys, id_)
+            free = sum(self.free[other] for other, _ in keys) + self.free[id_]
+            costs = misfits + self.penalty * (active + free)
+            for _, number in chosen:
+                costs[number] = np.inf
+            number = int(np.argmin(costs))
+            if costs[number] >= cost - (LEAST_GAIN if chosen else 0.0):
+                break
+            chosen, cost = (*chosen, (id_, number)), float(costs[number])
+        return chosen
+
+    def explain(self, ids: tuple[str, ...]) -> Explanation:
+        """The best explanation by exactly these mechanisms."""
+        ids = tuple(sorted(ids))
+        if ids in self.known:
+            return self.known[ids]
+        chosen: dict[str, tuple[Key, ...]] = {}
+        if len(ids) > 1:
+            subsets = [self.explain(tuple(other for other in ids if other != id_)) for id_ in ids]
+            best = min(subsets, key=lambda explanation: explanation.cost)
+            for key in best.keys:
+                chosen[key[0]] = (*chosen.get(key[0], ()), key)
+            missing = next(id_ for id_ in ids if id_ not in best.ids)
+            order = [missing, *best.ids, missing]
+        else:
+            order = list(ids)
+        for id_ in order:
+            given = tuple(key for other, keys in chosen.items() if other != id_ for key in keys)
+            if len(self.linear.catalogue[id_]) > 1 or id_ not in chosen:
+                chosen[id_] = self._best(id_, given)
+        keys = tuple(key for id_ in ids for key in chosen[id_])
+        self.known[ids] = self._explanation(ids, keys)
+        return self.known[ids]
+
+    def all_of(self, size: int) -> list[Explanation]:
+        """Explanations of a size, cheapest first: all singles, pairs with a good partner, and so on."""
+        ids = [id_ for id_, shapes in self.linear.catalogue.items() if shapes]
+        sets: list[tuple[str, ...]]
+        if size == 1:
+            sets = [(id_,) for id_ in ids]
+        elif size == 2:
+            good = [explanation.ids[0] for explanation in self.all_of(1)[:PARTNERS]]
+            sets = [pair for pair in combinations(ids, 2) if set(pair) & set(good)]
+        else:
+            good_sets = [explanation.ids for explanation in self.all_of(size - 1)[:2]]
+            sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
+        return sorted((self.explain(found) for found in sets), key=lambda explanation: explanation.cost)
+
+    def leaders(self, chosen: Explanation) -> list[Explanation]:
+        """The chosen explanation, and the others of its size that come close to it."""
+        alike = self.all_of(len(chosen.ids))
+        near = [*alike[:3], *sorted(alike, key=lambda one: one.energy)[:3]]
+        half = 0.5 * (self.nothing.energy + chosen.energy)
+        others = {one.ids: one for one in near if one.ids != chosen.ids and one.energy < half}
+        return [chosen, *others.values()]
+
+    def least_energy(self, floor: float) -> float:
+        """Energy that a further mechanism must take away to count."""
+        mismatch = max(self.nothing.energy - floor**2, 0.0)
+        return max((LEAST_EFFECT * floor) ** 2, LEAST_SHARE**2 * mismatch)
+
+    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
+        """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""
+        chosen = self.nothing
+        for size in range(1, largest + 1):
+            larger = self.all_of(size)
+            if not larger:
+                break
+            best = larger[0]
+            if best.cost > chosen.cost - LEAST_GAIN or chosen.energy - best.energy < self.least_energy(floor):
+                break
+            chosen = best
+        for id_ in chosen.ids if len(chosen.ids) > 1 else ():
+            smaller = self.explain(tuple(other for other in chosen.ids if other != id_))
+            if smaller.energy - chosen.energy < self.least_energy(floor):
+                return smaller
+        return chosen

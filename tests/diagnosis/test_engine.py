@@ -1,0 +1,33 @@
+"""The diagnosis of recordings made by another hand: names, abstention, no false alarm."""
+
+import pytest
+
+from pipeline.diagnosis.engine import make_problem, study
+from pipeline.ingest import read_samples
+
+
+def verdict(folder) -> tuple[str, tuple[str, ...]]:
+    run, samples = read_samples(folder)
+    found = study(make_problem([run], [samples]))
+    return found.verdict, found.best_ids
+
+
+@pytest.mark.parametrize("kind", ["creep", "axial_elasticity", "backlash", "sensor_lag", "jam"])
+def test_one_effect_is_named(kind: str, conceal) -> None:
+    assert verdict(conceal(kind)[0]) == ("explained", (kind,))
+
+
+def test_two_effects_are_both_named(conceal) -> None:
+    assert verdict(conceal("axial_elasticity", "backlash", seed=11)[0]) == (
+        "explained",
+        ("axial_elasticity", "backlash"),
+    )
+
+
+@pytest.mark.parametrize("nuisance", ["plain", "colour", "outliers", "jitter"])
+def test_no_false_alarm(nuisance: str, conceal) -> None:
+    assert verdict(conceal(nuisance=nuisance, seed=21)[0])[0] in ("consistent", "parameters")
+
+
+def test_what_no_mechanism_makes_is_unknown(conceal) -> None:
+    assert verdict(conceal("u_bump", kappa=3.0, seed=5)[0])[0] == "unknown"

@@ -1,0 +1,59 @@
+"""The interface test: every mechanism in the folder keeps the contract, whoever wrote it."""
+
+import ast
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pipeline.diagnosis
+from pipeline.diagnosis.library import mechanisms, systems
+
+IDS = [
+    *("plastic_elongation", "creep", "stiffening", "axial_elasticity", "thermal", "radius_compaction", "wear"),
+    *("friction_hysteresis", "viscous_loss", "stick_slip", "backlash", "shaft_windup", "count_slip", "slack", "jam"),
+    *("overtwist", "sensor_lag", "sensor_drift", "sensor_offset", "eccentricity", "clamp_slip", "end_stop"),
+    "load_swing",
+]
+HERE = Path(pipeline.diagnosis.__file__).parent
+
+
+def test_all_ids_of_the_contract_are_there_and_no_others() -> None:
+    assert sorted(mechanisms()) == sorted(IDS)
+
+
+def test_a_mechanism_is_in_the_file_of_its_name_and_says_what_it_is() -> None:
+    for id_, mechanism in mechanisms().items():
+        assert (HERE / "mechanisms" / f"{id_}.py").is_file()
+        for text in (mechanism.driver, mechanism.equation, mechanism.source, mechanism.told_apart_by):
+            assert text
+        assert "{size}" in mechanism.sentence
+
+
+@pytest.mark.parametrize("id_", IDS)
+def test_terms_are_finite_named_once_and_as_long_as_the_recording(id_: str, problem) -> None:
+    mechanism = mechanisms()[id_]
+    for shape in mechanism.shapes(problem.drivers)[:40:7]:
+        terms = mechanism.terms(problem.drivers, shape)
+        assert len({term.name for term in terms} | set(shape)) == len(terms) + len(shape)
+        for term in terms:
+            signal = term.signal(problem.measured) if callable(term.signal) else term.signal
+            assert signal.shape == problem.measured.shape and np.isfinite(signal).all()
+            assert term.low <= 0.0 < term.high or term.low < 0.0
+
+
+def test_the_engine_names_no_mechanism_and_no_system_and_mechanisms_know_no_other() -> None:
+    names = set(IDS) | set(systems())
+    for path in HERE.rglob("*.py"):
+        if path.parent.name == "systems":
+            continue
+        words = {node.value for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Constant)}
+        assert not words & (names - {path.stem}), path
+
+
+def test_diagnosis_imports_nothing_of_rig_models_or_torch() -> None:
+    for path in HERE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ImportFrom | ast.Import):
+                names = [node.module or ""] if isinstance(node, ast.ImportFrom) else [a.name for a in node.names]
+                assert not any(name.startswith(("pipeline.rig", "pipeline.models", "torch")) for name in names), path

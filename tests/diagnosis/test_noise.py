@@ -1,0 +1,19 @@
+"""Floor and colour of noise come back, although smooth columns swallow part of it."""
+
+import numpy as np
+from scipy.signal import lfilter
+
+from pipeline.diagnosis.noise import estimate
+
+
+def test_floor_of_coloured_noise_comes_back_from_under_sixty_columns() -> None:
+    generator = np.random.default_rng(3)
+    rho = np.exp(-0.05 / 0.6)
+    noise = 0.04 * np.sqrt(1 - rho**2) * lfilter([1.0], [1.0, -rho], generator.standard_normal(6500))[500:]
+    noise = noise + 0.02 * generator.standard_normal(6000)
+    phase = np.linspace(0, 1, 6000)
+    columns = np.array([np.cos(np.pi * k * phase) for k in range(60)])
+    target = noise + 0.5 * columns[3] + 0.2 * columns[20]
+    found, swallowed = estimate(target, columns, np.arange(6000), 0.05)
+    assert abs(found.floor / np.hypot(0.04, 0.02) - 1.0) < 0.06
+    assert 0.05 < swallowed < 0.4
