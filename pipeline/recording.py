@@ -59,7 +59,7 @@ def read_table(path: Path, layout: TextFile) -> pd.DataFrame:
     if path.suffix != ".parquet":
         return read_text(path, layout)
     try:
-        return pq.read_table(path).to_pandas()
+        return pq.read_table(path).to_pandas(ignore_metadata=True)  # an index is a column like any other
     except (pa.ArrowException, OSError):
         mend = "copy it again; a Parquet file whose writer was killed cannot be read"
         raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
@@ -82,7 +82,8 @@ def _raw(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bo
     numbers = pd.to_numeric(column, errors="coerce")
     if column.dtype == bool or (numbers.isna() & column.notna()).any():
         row = int(np.argmax((numbers.isna() & column.notna()).to_numpy()))
-        raise BadInput(path, name, f"row {row + 1} holds {column.iloc[row]!r}, not a number", "remove that row")
+        mend = "write numbers with a decimal point" if "," in str(column.iloc[row]) else "remove that row"
+        raise BadInput(path, name, f"row {row + 1} holds {column.iloc[row]!r}, not a number", mend)
     return numbers.astype(float)
 
 

@@ -90,6 +90,12 @@ def test_every_form_of_recording_gives_the_same_samples(make_run, suffix):
     assert read.to_numpy() == pytest.approx(GOOD.to_numpy(), abs=0, rel=0)
 
 
+def test_an_index_of_a_data_frame_is_a_channel(make_run):
+    folder = make_run("a-01")
+    GOOD.set_index("time_s").to_parquet(folder / "recording.parquet")
+    assert read_samples(folder)[1].to_numpy() == pytest.approx(GOOD.to_numpy())
+
+
 def test_channels_units_and_the_load_of_the_rig(make_run):
     samples = GOOD.rename(columns={"motor_turns": "theta", "displacement_mm": "x"}).drop(columns="load_n")
     samples["theta"] = samples["theta"] * 2 * np.pi
@@ -128,6 +134,7 @@ def test_samples_carry_units(make_run, tmp_path):
         ("time_s,motor_turns,displacement_mm\n", "file", "holds no samples"),
         ("time_s,motor_turns,displacement_mm\n1,2,x\n", "displacement_mm", "row 1 holds 'x', not a number"),
         ("time_s;motor_turns;displacement_mm\n1;2;3\n", "time_s", "no column 'time_s'"),
+        ('time_s,motor_turns,displacement_mm\n1,2,"3,5"\n', "displacement_mm", "with a decimal point"),
         ('time_s,motor_turns\n1,2\n1,2,3,4\n"', "file", "is not a table"),
     ],
 )
