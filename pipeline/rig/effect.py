@@ -49,3 +49,13 @@ class Effect(ABC):
         factor on the radius; a length effect the lengthening of the string and a contraction effect what the
         load moves less than the string pulls, in mm; a reading effect what the sensor says too much, in mm.
         """
+
+
+@compiled
+def settle(asked: Array, share: float, state: Array) -> Array:
+    """A state that closes a share of its gap to what is asked in every step; of the shape of `asked`."""
+    out = np.empty(len(asked))
+    for step in range(len(asked)):
+        state[0] += (asked[step] - state[0]) * share
+        out[step] = state[0]
+    return out

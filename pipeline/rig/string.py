@@ -32,8 +32,20 @@ class String:
         turned_rad = np.diff(motor_rad, prepend=motor_rad[0] if self.motor_rad is None else self.motor_rad)
         self.motor_rad = float(motor_rad[-1])
         nothing = np.zeros(len(motor_rad))
-        radius_mm = loaded_radius(geometry.radius_mm, geometry.length_mm, geometry.stiffness_n_per_mm, load_n)
-        lived = Lived(geometry, self.step_s, load_n, turned_rad, motor_rad, radius_mm, *[nothing] * 5, nothing + ROOM_C)
+        lived = Lived(
+            geometry,
+            self.step_s,
+            load_n=load_n,
+            turned_rad=turned_rad,
+            twist_rad=motor_rad,
+            radius_mm=loaded_radius(geometry.radius_mm, geometry.length_mm, geometry.stiffness_n_per_mm, load_n),
+            helix_tangent=nothing,
+            helix_mm=nothing,
+            advance_mm=nothing,
+            contraction_mm=nothing,
+            reading_mm=nothing,
+            temperature_c=nothing + ROOM_C,
+        )
         for effect in self._on("twist"):
             lived.twist_rad = lived.twist_rad - effect.run(lived)
         for effect in self._on("radius"):
