@@ -13,12 +13,14 @@ from pipeline.proof.location import location
 from pipeline.proof.nuisance import Nuisance, draw_nuisance, late_s, record
 from pipeline.proof.perform import perform
 from pipeline.proof.protocol import Kind, Protocol, draw_protocol
+from pipeline.proof.referee import Ruling, rule
 from pipeline.proof.size import OutOfReach, Size, measure, strength_for
 
 Stratum = Literal["none", "parameters", "noise", "single", "pair", "open"]
 STRATA: tuple[Stratum, ...] = ("none", "parameters", "noise", "single", "pair", "open")
 HIDES = {"single": 1, "pair": 2, "open": 1}  # effects in a case, by stratum; the others hide none
 ALWAYS = ("radius_compaction", "axial_elasticity", "eccentricity")  # every real string has a little of these
+ATTEMPTS = 8
 ALWAYS_KAPPA = 0.15  # and together they stay below this
 WITHIN, BEYOND = (0.0, 1.8), (1.0, 3.0)  # sigma of the measuring errors; so far off only in `parameters`
 
@@ -34,6 +36,7 @@ class Case:
     nuisance: Nuisance
     effects: dict[str, Parameters]  # what the answer names
     sizes: dict[str, Size]  # of each alone
+    rulings: dict[str, Ruling]  # of the referee, on each alone
     always: dict[str, Parameters]  # what the answer does not name
     load_cell: bool
     thermocouple: bool
@@ -56,13 +59,25 @@ def draw_case(
     names = [*effects, *[name for name in drawn if name not in effects]][:count]
     wanted = [*kappas, *[kappas[-1]] * count][:count]
     hidden, sizes = {}, {}
+    rulings: dict[str, Ruling] = {}
     for name, kappa in zip(names, wanted, strict=True):
-        of = draw_effect(name, bench, told, effect_rng)
-        strength, sizes[name] = strength_for(name, of, bench, told, nuisance.floor_mm, kappa)
-        hidden[name] = of(strength)
+        hidden[name], sizes[name], rulings[name] = _pure(name, bench, told, nuisance.floor_mm, kappa, effect_rng)
     always = _always(bench, told, nuisance.floor_mm, names, always_rng)
     thermocouple |= "room_k" in hidden.get("thermal", {})
-    return Case(seed, stratum, bench, told, nuisance, hidden, sizes, always, load_cell, thermocouple)
+    return Case(seed, stratum, bench, told, nuisance, hidden, sizes, rulings, always, load_cell, thermocouple)
+
+
+def _pure(
+    name: str, bench: Bench, protocol: Protocol, floor_mm: float, kappa: float, rng: np.random.Generator
+) -> tuple[Parameters, Size, Ruling]:
+    """An effect of that size which the referee lets pass under its name; raises OutOfReach after some attempts."""
+    for _ in range(ATTEMPTS):
+        of = draw_effect(name, bench, protocol, rng)
+        strength, size = strength_for(name, of, bench, protocol, floor_mm, kappa)
+        ruling = rule(name, of(strength), bench, protocol)
+        if ruling.pure:
+            return of(strength), size, ruling
+    raise OutOfReach(f"{name} of {kappa:g} noise floors is never pure on this bench and protocol")
 
 
 def _always(
@@ -86,7 +101,7 @@ def _always(
 def performed(case: Case) -> pd.DataFrame:
     """The case's recording, with all its effects and nuisances."""
     late_rng, record_rng = (np.random.default_rng(child) for child in np.random.SeedSequence([case.seed, 1]).spawn(2))
-    count = len(perform(case.bench, case.protocol, {}).time_s)
+    count = len(case.protocol.phases[0])
     late = late_s(case.nuisance, case.protocol.rate_hz, count, late_rng)
     said = perform(case.bench, case.protocol, case.effects | case.always, late)
     return record(said, case.nuisance, case.protocol.rate_hz, case.load_cell, case.thermocouple, record_rng)
@@ -103,7 +118,7 @@ def answer(case: Case, run: str) -> dict[str, Any]:
         "stratum": case.stratum,
         "protocol": case.protocol.kind,
         "effects": [
-            {"id": name, "parameters": parameters} | case.sizes[name].told()
+            {"id": name, "parameters": parameters, **case.sizes[name].told(), **case.rulings[name].told()}
             for name, parameters in case.effects.items()
         ],
         "together": size.told(),

@@ -144,7 +144,7 @@ def _shape(name: str, bench: Bench, protocol: Protocol, rng: np.random.Generator
         "slack": {"take_up_mm": 0.4, "bed_mm": uniform(0.1, 0.25), "hardness": uniform(1.2, 2.0)},
         "stick_slip": {
             "step_mm": 0.1,
-            "float_mm_per_s": bench.stroke_mm / uniform(3.0, 6.0),
+            "float_mm_per_s": bench.stroke_mm / uniform(4.0, 8.0),
             "age_s": uniform(0.2, 0.6),
         },
         "stiffening": {

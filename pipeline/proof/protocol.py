@@ -69,7 +69,8 @@ def _rich(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
     pairs = [pairs[k] for k in rng.permutation(9)] + [(bench.loads_n[0], speeds[k % 3]) for k in range(count - 9)]
     dwells_s = rng.permutation(np.resize([0.6, 2.0, 6.0, 15.0], count))
     pauses_s = rng.permutation(np.resize([1.0, 3.0, 10.0, 25.0], count))
-    partial = dict(zip(rng.permutation(np.arange(1, count)), ("top", "top", "bottom"), strict=False))
+    first = 1 + int(rng.integers(2))
+    partial = dict(zip(first + rng.permutation(3) * ((count - first) // 3), ("top", "top", "bottom"), strict=True))
     strokes = []
     for number, (load_n, speed) in enumerate(pairs):
         told = {"load_n": load_n, "speed_turns_per_s": speed}

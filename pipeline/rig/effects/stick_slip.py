@@ -7,13 +7,15 @@ import numpy as np
 from pipeline.kinematics import Array
 from pipeline.rig.effect import Effect, Lived, compiled
 
+SPEED_S = 0.02  # over which the speed is taken
+
 
 class Model(Effect):
-    """A slider on a spring that grips harder the longer it stands and floats on its film the faster it is drawn.
+    """A slider on a spring that grips harder the longer it stands and floats on its film when it is drawn fast.
 
     It stands until the spring is stretched by more than step_mm · grip · film, then jumps nearly as far past
-    its balance (`rebound`), within `slip_s`. The grip grows from `fresh` to 1 with the time stood over `age_s`
-    as t/(t + age_s); the film bears as 1/(1 + (v/float_mm_per_s)²) at the speed v of the string's end.
+    its balance (`rebound`). The grip grows from `fresh` to 1 with the time stood over `age_s` as t/(t + age_s);
+    the film bears the slider as 1/(1 + (v/float_mm_per_s)⁶) at the speed v of the string's end.
     """
 
     acts_on = "contraction"
@@ -25,37 +27,30 @@ class Model(Effect):
         age_s: float = 0.3,
         fresh: float = 0.92,
         rebound: float = 0.9,
-        slip_s: float = 0.01,
     ) -> None:
-        self.settings = (step_mm, float_mm_per_s, age_s, fresh, rebound, slip_s)
-        self.state = np.array([np.nan, 0.0, 0.0, 0.0, 0.0, 0.0])  # slider, its goal, age, slipping, string, speed
+        self.settings = (step_mm, float_mm_per_s, age_s, fresh, rebound)
+        self.state = np.array([np.nan, 0.0, 0.0, 0.0])  # slider, time stood, string's end and its speed
 
     def run(self, lived: Lived) -> Array:
         """What the slider is behind the string's end, in mm."""
         if math.isnan(self.state[0]):
-            self.state[0] = self.state[4] = lived.contraction_mm[0]
+            self.state[0] = self.state[2] = lived.contraction_mm[0]
         return _stick(lived.contraction_mm, lived.step_s, self.settings, self.state)
 
 
 @compiled
 def _stick(contraction_mm: Array, step_s: float, settings: tuple[float, ...], state: Array) -> Array:
-    step_mm, float_mm_per_s, age_s, fresh, rebound, slip_s = settings
+    step_mm, float_mm_per_s, age_s, fresh, rebound = settings
     out = np.empty(len(contraction_mm))
     for step in range(len(contraction_mm)):
         string_mm = contraction_mm[step]
-        speed = abs(string_mm - state[4]) / step_s
-        state[4] = string_mm
-        state[5] += (speed - state[5]) * (1.0 - math.exp(-step_s / 0.1))
+        speed = abs(string_mm - state[2]) / step_s
+        state[2] = string_mm
+        state[3] += (speed - state[3]) * (1.0 - math.exp(-step_s / SPEED_S))
+        state[1] += step_s
+        grip = fresh + (1.0 - fresh) * state[1] / (state[1] + age_s)
         gap_mm = string_mm - state[0]
-        if state[3] == 0.0:
-            state[2] += step_s
-            grip = fresh + (1.0 - fresh) * state[2] / (state[2] + age_s)
-            limit_mm = step_mm * grip / (1.0 + (state[5] / float_mm_per_s) ** 2)
-            if abs(gap_mm) > limit_mm:
-                state[1], state[2], state[3] = string_mm + rebound * gap_mm, 0.0, abs(gap_mm)
-        if state[3] > 0.0:
-            state[0] += (state[1] - state[0]) * (1.0 - math.exp(-step_s / slip_s))
-            if abs(state[1] - state[0]) < 0.02 * state[3]:
-                state[3] = 0.0
+        if abs(gap_mm) > step_mm * grip / (1.0 + (state[3] / float_mm_per_s) ** 6):
+            state[0], state[1] = string_mm + rebound * gap_mm, 0.0
         out[step] = string_mm - state[0]
     return out
