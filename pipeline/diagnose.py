@@ -5,14 +5,18 @@ import json
 import os
 import sys
 import time
+import traceback
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pipeline.diagnosis import engine, figures, heldout, sentences, verdict
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
+
+Result = TypeVar("Result")
 
 
 def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
@@ -41,12 +45,22 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
     found = engine.polished(found, fine)
     held, _ = heldout.held_out(problem, fine)
     say("writing")
-    experiment = verdict.next_experiment(found, runs[0])
+    experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
     names = [run.run for run in runs] if together else runs[0].run
     content = verdict.diagnosis(found, fine, held, names, experiment)
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    figures.page(found, content, out / "diagnosis.png")
+    optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
     return sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
+
+
+def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
+    """What a step gives without which the verdict still stands; its failure is shown in full, and gives None."""
+    try:
+        return work()
+    except Exception:
+        print(f"warning: {name}: {step} failed; the verdict stands without it:", file=sys.stderr)
+        traceback.print_exc()
+        return None
 
 
 def _one(folder: Path, out: Path) -> tuple[str, bool]:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, compare, generic
+from pipeline.diagnosis import calibrate, compare, form, generic
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Shape
@@ -129,7 +129,8 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             place = min(range(len(own)), key=lambda i: unlikely(problem, own[i], refined[i]))
             best, noise = refined[place], own[place]
             shapes = with_refined(problem, shapes, refined)
-            search = Search(Linear(problem, best, noise, shapes))
+            ordered = [best, *(state for state in refined if state is not best)]
+            search = Search(Linear(problem, best, noise, shapes, form=form.columns(problem, ordered)))
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) == len(before.ids):
                 break

@@ -1,4 +1,4 @@
-"""One page of figures: recording over simulation, mismatch maps, explanations, held-out error."""
+"""One page of figures: recording over simulation, mismatch maps, explanations, held-out error, residual by driver."""
 
 from pathlib import Path
 from typing import Any
@@ -9,74 +9,66 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from pipeline.diagnosis import panels
 from pipeline.diagnosis.engine import Study
+from pipeline.diagnosis.panels import AFTER, BEFORE
 from pipeline.files import whole
-from pipeline.kinematics import Array
+
+SIZE_INCHES, DOTS = (9.6, 13.2), 110
 
 
-def _map(axes: Any, found: Study, residual: Array, title: str, limit: float, unit: str) -> None:
-    drivers = found.problem.drivers
-    edges = np.linspace(drivers.turns.min(), drivers.turns.max() + 1e-9, 25)
-    strokes = np.unique(drivers.stroke)
-    column = np.clip(np.digitize(drivers.turns, edges) - 1, 0, 23)
-    row = np.searchsorted(strokes, drivers.stroke)
-    total, count = np.zeros((len(strokes), 48)), np.zeros((len(strokes), 48))
-    side = np.where(drivers.rate >= 0, 0, 24)
-    np.add.at(total, (row, column + side), residual)
-    np.add.at(count, (row, column + side), 1.0)
-    mean = np.where(count > 0, total / np.maximum(count, 1.0), np.nan)
-    image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
-                        extent=(0, 48, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip
-    axes.axvline(24, color="k", lw=0.8)
-    axes.set_xticks(
-        [0, 12, 24, 36, 48],
-        [f"{edges[0]:.0f}", "winding", f"{edges[-1]:.0f}|{edges[0]:.0f}", "unwinding", f"{edges[-1]:.0f}"],
-    )
-    axes.set(title=title, xlabel="twist (turns)", ylabel="stroke")
-    axes.figure.colorbar(image, ax=axes, label=unit)
+def title(content: dict[str, Any]) -> str:
+    """The verdict in a line or two."""
+    run = content["run"] if isinstance(content["run"], str) else " + ".join(content["run"])
+    named = " + ".join(entry["id"] for entry in content["mechanisms"])
+    others = " or ".join(" + ".join(ids) for ids in content["alternatives"])
+    said = f"{run}: {content['verdict']}" + (f": {named}" if named else "") + (f", or {others}" if others else "")
+    return said if len(said) < 110 else said[:107] + "…"
 
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it, whole or not at all."""
-    problem, drivers = found.problem, found.problem.drivers
+    problem, drivers, floor = found.problem, found.problem.drivers, found.noise.floor
     unit = problem.system.channel.rpartition("_")[2]
-    measured = problem.measured
-    residuals = {
-        "calibrated": measured - problem.simulate(found.base),
-        "explained": measured - problem.simulate(found.state),
+    simulated = {
+        name: problem.simulate(state)
+        for name, state in (("nominal", found.nominal), ("calibrated", found.base), ("as diagnosed", found.state))
     }
-    figure, axes = plt.subplots(3, 2, figsize=(13, 12), layout="constrained")
-    figure.suptitle(
-        f"{content['run']}: {content['verdict']}" + "".join(f" · {entry['id']}" for entry in content["mechanisms"])
-    )
-    show = slice(None, None, max(1, len(measured) // 4000))
-    axes[0, 0].plot(drivers.time_s[show], measured[show], "k", lw=0.8, label="recording")
-    axes[0, 0].plot(drivers.time_s[show], problem.simulate(found.nominal)[show], lw=0.8, label="nominal simulation")
-    axes[0, 0].plot(drivers.time_s[show], problem.simulate(found.state)[show], lw=0.8, label="simulation as diagnosed")
-    axes[0, 0].set(xlabel="time (s)", ylabel=f"{problem.system.channel} ({unit})", title="recording over simulation")
-    axes[0, 0].legend(fontsize=8)
-    for name, residual in residuals.items():
-        axes[0, 1].plot(drivers.turns[show], residual[show], ".", ms=1.5, label=name)
-    axes[0, 1].set(xlabel="twist (turns)", ylabel=f"residual ({unit})", title="residual by twist")
-    axes[0, 1].legend(fontsize=8, markerscale=6)
-    limit = 3.0 * max(found.mismatch, found.noise.floor)
-    _map(axes[1, 0], found, residuals["calibrated"], "mismatch, calibrated", limit, unit)
-    _map(axes[1, 1], found, residuals["explained"], "mismatch, explained", limit, unit)
-    ranking = found.search.all_of(1)[:10]
-    names = [explanation.ids[0] for explanation in ranking]
-    whole_ = max(found.search.nothing.energy - found.noise.floor**2, 1e-12)
-    shares = [(found.search.nothing.energy - explanation.energy) / whole_ for explanation in ranking]
-    axes[2, 0].barh(
-        names[::-1], shares[::-1], color=["tab:red" if name in found.best_ids else "0.6" for name in names[::-1]]
-    )
-    axes[2, 0].set(xlim=(0, 1.05), title="share of the mismatch that one mechanism explains")
-    held = content["fit"]["heldout"]
-    if held:
-        keys = ["nominal", "calibrated", "explained"]
-        axes[2, 1].bar(keys, [held[f"{key}_{unit}"] for key in keys], color=["0.7", "0.5", "tab:red"])
-        axes[2, 1].axhline(content["fit"][f"noise_floor_{unit}"], color="k", ls="--", label="noise floor")
-        axes[2, 1].set(yscale="log", ylabel=f"rms error ({unit})", title="strokes that no fit has seen")
-        axes[2, 1].legend(fontsize=8)
+    residuals = {"calibrated": problem.measured - simulated["calibrated"]}
+    residuals["as diagnosed"] = problem.measured - simulated["as diagnosed"]
+    figure = plt.figure(figsize=SIZE_INCHES, layout="constrained")
+    figure.suptitle(title(content), fontsize=12)
+    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.0, 3.0]))
+    top, maps, middle, bottom = rows
+    over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
+    styles = ({"color": "0.7", "lw": 0.8}, {"color": "#2166ac", "lw": 0.8, "ls": ":"}, {"color": AFTER, "lw": 0.8})
+    lines = {"recording": (problem.measured, {"color": "k", "lw": 1.6})}
+    lines |= {name: (values, style) for (name, values), style in zip(simulated.items(), styles, strict=True)}
+    panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
+    colours = (BEFORE, AFTER)
+    left = {
+        name: (values, {"color": c, "lw": 0.6}) for (name, values), c in zip(residuals.items(), colours, strict=True)
+    }
+    panels.over_time(under, drivers, left, f"residual ({unit})")
+    under.set_xlabel("time (s)")
+    mean = panels.map_of(drivers, residuals["calibrated"])[0]
+    limit = max(float(np.nanpercentile(np.abs(mean), 98)), 2.0 * floor)
+    both = maps.subplots(1, 2, sharey=True)
+    image = panels.mismatch_map(both[0], drivers, residuals["calibrated"], "mismatch, calibrated", limit)
+    panels.mismatch_map(both[1], drivers, residuals["as diagnosed"], "mismatch, as diagnosed", limit)
+    maps.colorbar(image, ax=both, label=unit, pad=0.01)
+    ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
+    panels.ranking(ranked, found)
+    panels.held_out(held, content["fit"]["heldout"], content["fit"][f"noise_floor_{unit}"], unit)
+    followed = list(panels.listeners(drivers).items())[:6]
+    grid = bottom.subplots(2, 3, sharey=True).ravel()
+    for axes, (label, (signal, counts)) in zip(grid, followed, strict=False):
+        kept = {name: residual[counts] for name, residual in residuals.items()}
+        panels.by_driver(axes, signal[counts], kept, floor, label)
+    for axes in grid[len(followed) :]:
+        axes.axis("off")
+    grid[0].legend(fontsize=7, frameon=False)
+    bottom.suptitle(f"mean residual by driver ({unit}); band: noise floor", fontsize=9)
     with whole(path) as temporary:
-        figure.savefig(temporary, dpi=90, metadata={"Software": None})
+        figure.savefig(temporary, dpi=DOTS, metadata={"Software": None})
     plt.close(figure)

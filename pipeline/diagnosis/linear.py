@@ -42,6 +42,7 @@ class Linear:
         noise: Noise,
         catalogue: dict[str, list[Shape]],
         extra: Array | None = None,
+        form: dict[str, Array] | None = None,
     ) -> None:
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, catalogue
         rows = problem.rows
@@ -73,13 +74,18 @@ class Linear:
                     sigma.append(np.inf)
                     self.terms.append(term)
                     self.at.append(0.0)
-        self.extra = np.arange(len(columns), len(columns) + (0 if extra is None else len(extra)))
-        if extra is not None:
-            columns.extend(extra[:, :rows])
-            low += [-np.inf] * len(extra)
-            high += [np.inf] * len(extra)
-            sigma += [np.inf] * len(extra)
-            self.at += [0.0] * len(extra)
+
+        def free(more: Array, spread: float) -> np.ndarray:
+            """Columns without bounds, and their places."""
+            columns.extend(more[:, :rows])
+            low.extend([-np.inf] * len(more))
+            high.extend([np.inf] * len(more))
+            sigma.extend([spread] * len(more))
+            self.at += [0.0] * len(more)
+            return np.arange(len(columns) - len(more), len(columns))
+
+        self.extra = free(np.zeros((0, rows)) if extra is None else extra, np.inf)
+        self.form = {id_: free(more, 1.0) for id_, more in (form or {}).items()}
         self.low, self.high = np.array(low), np.array(high)
         prior = np.where(np.isfinite(sigma), 1.0 / np.square(sigma), 0.0)
         target = (problem.measured - problem.simulate(state))[:rows]

@@ -10,9 +10,10 @@ from pipeline.diagnosis.linear import Fit, Key, Linear
 
 LEAST_GAIN = 10.0
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
-LEAST_SHARE = 0.2  # of the whole mismatch's rms: a smaller further effect is the first one's formula, not physics
+LEAST_SHARE = 0.05  # of the whole mismatch's rms: a smaller further effect is no physics
 LARGEST = 3
 PARTNERS = 8
+TRIED = 4  # of the best larger explanations
 
 
 @dataclass(frozen=True)
@@ -111,6 +112,23 @@ class Search:
         others = {one.ids: one for one in near if one.ids != chosen.ids and one.energy < half}
         return [chosen, *others.values()]
 
+    def bent(self, one: Explanation) -> Explanation:
+        """An explanation whose formulas may be wrong by a little, as smooth functions of the drivers."""
+        form = [self.linear.form[id_] for id_ in one.ids if id_ in self.linear.form]
+        columns = np.concatenate([self.linear.columns_of(one.keys), *form]).astype(int)
+        fit = self.linear.fit_quickly(columns)
+        active = one.fit.active
+        cost = fit.misfit + self.penalty * (active + sum(self.free[id_] for id_, _ in one.keys))
+        return Explanation(one.ids, one.keys, fit, cost, self.linear.plain(columns).energy)
+
+    def more(self, small: Explanation, large: Explanation, floor: float) -> bool:
+        """Whether a larger explanation has physics that no bent formula of the smaller one makes up for."""
+        if not small.ids:
+            enough = small.energy - large.energy >= self.least_energy(floor)
+            return large.cost <= small.cost - LEAST_GAIN and enough
+        small, large = self.bent(small), self.bent(large)
+        return large.cost <= small.cost - LEAST_GAIN and small.energy - large.energy >= self.least_energy(floor)
+
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""
         mismatch = max(self.nothing.energy - floor**2, 0.0)
@@ -123,12 +141,12 @@ class Search:
             larger = self.all_of(size)
             if not larger:
                 break
-            best = larger[0]
-            if best.cost > chosen.cost - LEAST_GAIN or chosen.energy - best.energy < self.least_energy(floor):
+            best = next((one for one in larger[:TRIED] if self.more(chosen, one, floor)), None)
+            if best is None:
                 break
             chosen = best
         for id_ in chosen.ids if len(chosen.ids) > 1 else ():
             smaller = self.explain(tuple(other for other in chosen.ids if other != id_))
-            if smaller.energy - chosen.energy < self.least_energy(floor):
+            if not self.more(smaller, chosen, floor):
                 return smaller
         return chosen

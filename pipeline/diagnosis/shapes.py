@@ -27,6 +27,11 @@ def time_constants(drivers: Drivers, candidates: tuple[float, ...]) -> list[floa
     return fitting or [min(candidates, key=lambda tau: abs(np.log(tau / whole_s)))]
 
 
+def within(candidates: tuple[float, ...], shape: Shape) -> list[float]:
+    """Those candidates (s) that a shape says its recording could show."""
+    return [tau for tau in candidates if shape["fastest_s"] <= tau <= shape["slowest_s"]]
+
+
 def grid(name: str, low: float, high: float, count: int) -> list[Shape]:
     """Candidates of one parameter, evenly spaced in its logarithm, rounded to six digits."""
     return [{name: float(f"{value:.6g}")} for value in np.geomspace(low, high, count)]

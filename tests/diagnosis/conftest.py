@@ -28,3 +28,10 @@ def problem(conceal):
     """A problem with nothing concealed in it."""
     run, samples = read_samples(conceal()[0])
     return make_problem([run], [samples])
+
+
+@pytest.fixture(scope="session")
+def one_load(conceal):
+    """A problem recorded under one load at one speed without pauses, and its run."""
+    run, samples = read_samples(conceal("creep", rich=False)[0])
+    return make_problem([run], [samples]), run

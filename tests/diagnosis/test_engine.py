@@ -2,6 +2,7 @@
 
 import pytest
 
+from pipeline.diagnosis import nextrun
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.ingest import read_samples
 
@@ -31,3 +32,12 @@ def test_no_false_alarm(nuisance: str, conceal) -> None:
 
 def test_what_no_mechanism_makes_is_unknown(conceal) -> None:
     assert verdict(conceal("u_bump", kappa=3.0, seed=5)[0])[0] == "unknown"
+
+
+def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_load) -> None:
+    problem, run = one_load
+    found = study(problem)
+    rivals = found.search.all_of(1)[:3]
+    assert any(problem.ports(found.search.linear.state.acts))
+    said = nextrun.best(problem, run, found.noise, found.search, rivals)
+    assert any(said.startswith(name) for name in nextrun.CANDIDATES)

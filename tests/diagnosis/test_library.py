@@ -8,6 +8,7 @@ import pytest
 
 import pipeline.diagnosis
 from pipeline.diagnosis.library import mechanisms, systems
+from pipeline.diagnosis.nextrun import Rig, appended
 
 IDS = [
     *("plastic_elongation", "creep", "stiffening", "axial_elasticity", "thermal", "radius_compaction", "wear"),
@@ -57,3 +58,20 @@ def test_diagnosis_imports_nothing_of_rig_models_or_torch() -> None:
             if isinstance(node, ast.ImportFrom | ast.Import):
                 names = [node.module or ""] if isinstance(node, ast.ImportFrom) else [a.name for a in node.names]
                 assert not any(name.startswith(("pipeline.rig", "pipeline.models", "torch")) for name in names), path
+
+
+@pytest.mark.parametrize("id_", IDS)
+def test_a_shape_means_the_same_on_a_longer_recording(id_: str, one_load) -> None:
+    """Its terms keep their names, and their values on what was recorded, whatever is recorded after it."""
+    problem, run = one_load
+    mechanism, rows, rig = mechanisms()[id_], len(problem.record), Rig(problem.record)
+    longer = appended(problem.record, [*rig.stroke(load=2.0), *rig.stroke(slower=0.25, dwell_s=300.0)])
+    drivers = problem.system.drivers(longer, run)
+    for shape in mechanism.shapes(problem.drivers)[:40:7]:
+        before, after = mechanism.terms(problem.drivers, shape), mechanism.terms(drivers, shape)
+        assert [term.name for term in after] == [term.name for term in before]
+        for old, new in zip(before, after, strict=True):
+            was = old.signal(problem.measured) if callable(old.signal) else old.signal
+            now = new.signal(longer.measured) if callable(new.signal) else new.signal
+            early = slice(0, rows - 20)
+            np.testing.assert_allclose(now[early], was[early], atol=0.02 * np.abs(was).max() + 1e-12, err_msg=old.name)

@@ -3,14 +3,15 @@
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import lowpass
-from pipeline.diagnosis.shapes import time_constants
+from pipeline.diagnosis.shapes import time_constants, within
 
 TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Freshly loaded at the first sample, or loaded for long before it."""
-    return [{"fresh": 1.0}, {"fresh": 0.0}]
+    """Freshly loaded at the first sample, or loaded for long before it; the times that the recording can show."""
+    taus = time_constants(drivers, TIMES_S)
+    return [{"fresh": fresh, "fastest_s": taus[0], "slowest_s": taus[-1]} for fresh in (1.0, 0.0)]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -18,7 +19,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     found = []
     for name, tension in (("load", drivers.load), ("twist", drivers.load * drivers.tangent**2)):
         start = 0.0 if shape["fresh"] else drivers.load0 if name == "load" else float(tension[0])
-        for tau_s in time_constants(drivers, TIMES_S):
+        for tau_s in within(TIMES_S, shape):
             strain = lowpass(tension, drivers.time_s, tau_s, start) - start
             found.append(Term(f"{name}_{tau_s:g}_s_mm_per_10_n", "length", strain, "mm/10N"))
     return found

@@ -6,22 +6,24 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.kinematics import Array
 
+UPPER = np.linspace(0.45, 1.09, 44)  # of the nominal range; calibration may stretch it
+LOWER = np.linspace(0.01, 0.3, 14)
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Where the motion ends, as a share of the simulated range; 1: at its upper end, −1: at its lower end."""
-    upper = [{"share": float(f"{share:.6g}"), "side": 1.0} for share in np.linspace(0.5, 0.995, 34)]
-    return upper + [{"share": float(f"{share:.6g}"), "side": -1.0} for share in np.linspace(0.01, 0.3, 14)]
+    """Where the motion ends, in mm from where it starts; side 1: at its upper end, −1: at its lower end."""
+    low, high = float(drivers.contraction.min()), float(drivers.contraction.max())
+    places = [(share, 1.0) for share in UPPER] + [(share, -1.0) for share in LOWER]
+    return [{"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side} for share, side in places]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """The part of the reading that lies beyond the stop is missing."""
 
     def clipped(reading: Array) -> Array:
-        low, high = np.percentile(reading, [0.0, 100.0])
-        stop = low + shape["share"] * (high - low)
-        return np.asarray(
-            np.minimum(reading, stop) - reading if shape["side"] > 0 else np.maximum(reading, stop) - reading
-        )
+        stop = reading[0] + shape["stop_mm"]
+        beyond = np.maximum(reading - stop, 0.0) if shape["side"] > 0 else np.minimum(reading - stop, 0.0)
+        return np.asarray(-beyond)
 
     return [Term("share_held", "sensor", clipped, "1", high=1.1)]
 

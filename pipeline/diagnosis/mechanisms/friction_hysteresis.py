@@ -11,9 +11,16 @@ ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: turns af
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Stretch, by how far after a reversal the loop is open again; or a play of twist as wide as the load is heavy."""
+    """Stretch, by how far after a reversal the loop is open again; or a play of twist as wide as the load is heavy.
+
+    `loaded`: whether the recording can tell a loop that follows the load from one that does not.
+    """
     stretch = [
-        {"half_turns": float(f"{a * drivers.span:.6g}"), "wide_half_turns": float(f"{b * drivers.span:.6g}")}
+        {
+            "half_turns": float(f"{a * drivers.span:.6g}"),
+            "wide_half_turns": float(f"{b * drivers.span:.6g}"),
+            "loaded": float(drivers.loaded),
+        }
         for a, b in ROUNDINGS
     ]
     usual = float(f"{max(float(np.median(drivers.load)), 1e-3):.6g}")
@@ -39,7 +46,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         side = drivers.directed(wide)
         signals = {"mm": side, "load_twist_mm_per_10_n": side * drivers.load * slope}
         signals["load_steep_mm_per_10_n"] = side * drivers.load * slope**3
-        if drivers.loaded:
+        if shape["loaded"]:
             signals["load_mm_per_10_n"] = side * drivers.load
         found += [Term(f"{name}_{key}", "length", signal, "mm") for key, signal in signals.items()]
     return found

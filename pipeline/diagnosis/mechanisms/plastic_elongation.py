@@ -8,16 +8,22 @@ from pipeline.diagnosis.shapes import saturations
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Work weighs with the load to the power 0 or 1; `work` is the recording's whole work, for scale."""
+    """Work weighs with the load to the power 0 or 1; `work` is the recording's whole work, for scale.
+
+    `loaded`: whether the load varies, so that its new maxima show.
+    """
     powers = (0.0, 1.0) if drivers.loaded else (1.0,)
-    return [{"load_power": power, "work": float(f"{drivers.worked(power)[-1]:.6g}") or 1.0} for power in powers]
+    return [
+        {"load_power": power, "work": float(f"{drivers.worked(power)[-1]:.6g}") or 1.0, "loaded": float(drivers.loaded)}
+        for power in powers
+    ]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Saturating and straight growth with work, and growth with every new maximum of tension."""
     grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
     found = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
-    if drivers.loaded:
+    if shape["loaded"]:
         highest = np.maximum.accumulate(drivers.load)
         found.append(Term("new_highest_load_mm", "length", highest - highest[0]))
     tension = np.maximum.accumulate(drivers.load * drivers.tangent**2)

@@ -7,15 +7,15 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """One shape: the laws of twist and tension add up."""
-    return [{}]
+    """The laws of twist and tension add up; `loaded`: whether the recording can show the tension's."""
+    return [{"loaded": float(drivers.loaded)}]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Relative loss of radius: powers of the helix angle's tangent, with and without load, and the load's logarithm."""
     slope = np.maximum(drivers.tangent, 0.0)
     found = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
-    if drivers.loaded:
+    if shape["loaded"]:
         load = np.maximum(drivers.load, 0.05)
         found += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]
         found.append(Term("log_load", "radius", -np.log(load), "1", high=0.5))

@@ -8,10 +8,12 @@ from pipeline.diagnosis.recursions import sticking
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """How far the contraction is ahead, in mm, before it slips."""
+    """How far the contraction is ahead, in mm, before it slips; `usual_rate` (turns/s) says what is slow."""
     reach_mm = float(np.ptp(drivers.contraction))
+    rate = np.abs(drivers.rate)
+    usual = float(f"{np.median(rate[rate > 0.1 * rate.max()]) if rate.max() > 0 else 1.0:.6g}")
     return [
-        {"reach_mm": float(f"{value:.6g}"), "back_share": back}
+        {"reach_mm": float(f"{value:.6g}"), "back_share": back, "usual_rate": usual}
         for value in np.geomspace(1e-3, 0.1, 32) * reach_mm
         for back in (0.0, 0.15, 0.4)
     ]
@@ -22,9 +24,8 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     gap = drivers.contraction - sticking(
         drivers.contraction, shape["reach_mm"], shape["back_share"] * shape["reach_mm"]
     )
-    rate = np.abs(drivers.rate)
-    usual = float(np.median(rate[rate > 0.1 * rate.max()])) if rate.max() > 0 else 1.0
-    return [Term("always", "length", gap, "1"), Term("slow", "length", gap * np.exp(-((rate / usual) ** 2)), "1")]
+    slow = np.exp(-np.square(drivers.rate / shape["usual_rate"]))
+    return [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
 
 
 MECHANISM = Mechanism(

@@ -5,37 +5,51 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import lowpass
-from pipeline.diagnosis.shapes import time_constants
+from pipeline.diagnosis.shapes import time_constants, within
+from pipeline.kinematics import Array
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)
 LEAST_RANGE_K = 0.3
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Lengthens or shortens when warm, by the measured temperature where there is one or by self-heating."""
+    """Lengthens or shortens when warm, by the measured temperature where there is one or by self-heating.
+
+    The times that the recording can show and its usual powers, for scale, go with the shape.
+    """
     measured = drivers.temperature_c is not None and np.ptp(drivers.smooth(drivers.temperature_c)) > LEAST_RANGE_K
-    return [{"sign": sign, "measured": kind} for kind in ((1.0, 0.0) if measured else (0.0,)) for sign in (1.0, -1.0)]
+    taus = time_constants(drivers, TIMES_S)
+    scales = {"fastest_s": taus[0], "slowest_s": taus[-1]}
+    for name, power in _powers(drivers).items():
+        scales[f"usual_{name}"] = float(f"{np.mean(power):.6g}")
+    kinds = (1.0, 0.0) if measured else (0.0,)
+    return [{"sign": sign, "measured": kind, **scales} for kind in kinds for sign in (1.0, -1.0)]
+
+
+def _powers(drivers: Drivers) -> dict[str, Array]:
+    """What may heat, by name; a current that is not recorded heats nothing."""
+    rate = np.abs(drivers.rate)
+    current = np.zeros_like(rate) if drivers.current_a is None else drivers.current_a
+    return {"friction": rate * np.abs(drivers.load), "speed": rate**2, "current": current**2}
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Strain with the measured temperature (at once or delayed), or with filtered friction and motor power."""
     sign, found = shape["sign"], []
     if shape["measured"]:
-        assert drivers.temperature_c is not None
-        kelvin = drivers.smooth(drivers.temperature_c)
+        measured = np.zeros_like(drivers.turns) if drivers.temperature_c is None else drivers.temperature_c
+        kelvin = drivers.smooth(measured)
         kelvin = kelvin - kelvin[0]
         found.append(Term("at_once_mm_per_k", "length", sign * kelvin, "mm/K"))
-        for tau_s in time_constants(drivers, TIMES_S[:4:2]):
+        for tau_s in within(TIMES_S, shape)[:4:2]:
             delayed = lowpass(kelvin, drivers.time_s, tau_s, 0.0)
             found.append(Term(f"after_{tau_s:g}_s_mm_per_k", "length", sign * delayed, "mm/K"))
         return found
-    rate = np.abs(drivers.rate)
-    powers = {"friction": rate * np.abs(drivers.load), "speed": rate**2}
-    if drivers.current_a is not None:
-        powers["current"] = drivers.current_a**2
-    for name, power in powers.items():
-        usual = float(np.mean(power)) or 1.0
-        for tau_s in time_constants(drivers, TIMES_S):
+    for name, power in _powers(drivers).items():
+        usual = shape[f"usual_{name}"]
+        if usual == 0.0:
+            continue
+        for tau_s in within(TIMES_S, shape):
             warm = lowpass(power / usual, drivers.time_s, tau_s, 0.0)
             found.append(Term(f"{name}_{tau_s:g}_s_mm", "length", sign * warm))
     return found

@@ -7,8 +7,8 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """One shape."""
-    return [{}]
+    """`loaded`: whether the loss may grow with the load, which a constant load cannot show."""
+    return [{"loaded": float(drivers.loaded)}]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -18,7 +18,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         Term("straight_mm_per_turn_s", "length", rate, "mm s/turn"),
         Term("root_mm", "length", np.sign(rate) * np.sqrt(np.abs(rate)), "mm"),
     ]
-    if drivers.loaded:
+    if shape["loaded"]:
         found.append(Term("loaded_mm_per_turn_s_10_n", "length", rate * drivers.load, "mm s/turn/10N"))
     return found
 

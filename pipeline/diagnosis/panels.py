@@ -1,0 +1,133 @@
+"""The panels of a diagnosis' page: each draws one thing on the axes that it is given."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from pipeline.diagnosis.drivers import LOAD_UNIT_N, Drivers
+from pipeline.diagnosis.engine import Study
+from pipeline.diagnosis.record import PHASES
+from pipeline.diagnosis.search import Explanation
+from pipeline.kinematics import Array
+
+BEFORE, AFTER, TIED, OTHER = "0.45", "#b2182b", "#ef8a62", "0.78"
+BINS, LISTED = 24, 11
+RARE = 0.003  # of the samples: a bin with fewer shows no mean
+
+
+def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:
+    """Channels over time, thinned to what a page can show."""
+    show = slice(None, None, max(1, len(drivers.time_s) // 5000))
+    for name, (values, style) in lines.items():
+        axes.plot(drivers.elapsed_s[show], values[show], label=name, **style)
+    axes.set(ylabel=label, xlim=(0.0, drivers.elapsed_s[-1]))
+    axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
+
+
+def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:
+    """Mean residual by stroke and place on the stroke (up the twist, then down again); the strokes; edges in turns."""
+    edges = np.linspace(drivers.turns.min(), drivers.turns.max() + 1e-9, BINS + 1)
+    strokes = np.unique(drivers.stroke[drivers.stroke > 0])
+    down = drivers.phase >= PHASES.index("unwinding")
+    column = np.clip(np.digitize(drivers.turns, edges) - 1, 0, BINS - 1)
+    column = np.where(down, 2 * BINS - 1 - column, column)
+    worked = drivers.stroke > 0
+    place = np.searchsorted(strokes, drivers.stroke[worked]), column[worked]
+    total, count = np.zeros((len(strokes), 2 * BINS)), np.zeros((len(strokes), 2 * BINS))
+    np.add.at(total, place, residual[worked])
+    np.add.at(count, place, 1.0)
+    return np.where(count > 0, total / np.maximum(count, 1.0), np.nan), strokes, edges
+
+
+def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float) -> Any:
+    """The map of a residual; returns the image, for its colour bar."""
+    mean, strokes, edges = map_of(drivers, residual)
+    image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
+                        extent=(0, 2 * BINS, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip
+    axes.axvline(BINS, color="k", lw=0.6)
+    axes.set_xticks(
+        [0, BINS / 2, BINS, 3 * BINS / 2, 2 * BINS],
+        [f"{edges[0]:.0f}", "winding →", f"{edges[-1]:.0f}", "→ unwinding", f"{edges[0]:.0f}"],
+    )
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set(title=title, xlabel="twist (turns)", ylabel="stroke")
+    return image
+
+
+def listed(found: Study) -> list[Explanation]:
+    """What the ranking shows: nothing at all, what ties, and the best of every size, from what they leave."""
+    shown = {one.ids: one for one in (found.search.nothing, *found.sets)}
+    for size in range(max((len(one.ids) for one in found.sets), default=1), 0, -1):
+        for one in found.search.all_of(size)[: 8 if size == 1 else 4]:
+            if len(shown) < LISTED:
+                shown.setdefault(one.ids, one)
+    return sorted(shown.values(), key=lambda one: one.energy, reverse=True)
+
+
+def ranking(axes: Axes, found: Study) -> None:
+    """What explanations leave of the recording, in noise floors."""
+    rows, floor = listed(found), found.noise.floor
+    named = found.sets[0].ids if found.sets and found.verdict in ("explained", "ambiguous") else None
+    tied = {one.ids for one in found.sets} if named else set()
+    colours = [AFTER if one.ids == named else TIED if one.ids in tied else OTHER for one in rows]
+    left = [max(np.sqrt(one.energy) / floor, 1e-3) for one in rows]
+    axes.barh(range(len(rows)), left, color=colours, left=0.0, height=0.7)
+    names = [" + ".join(one.ids) if one.ids else "calibration alone" for one in rows]
+    axes.set_yticks(range(len(rows)), names, fontsize=7)
+    axes.axvline(1.0, color="k", ls="--", lw=0.8)
+    axes.set(xscale="log", xlim=(0.5, 1.3 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
+    axes.set_title("explanations: what each leaves")
+
+
+def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, unit: str) -> None:
+    """Error on strokes that no fit has seen, with the noise floor."""
+    axes.set_title("error on strokes no fit has seen")
+    if not held:
+        axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
+        axes.set(xticks=[], yticks=[])
+        return
+    names = ("nominal", "calibrated", "explained")
+    values = [held[f"{name}_{unit}"] for name in names]
+    bars = axes.bar(names, values, color=[OTHER, BEFORE, AFTER], width=0.65)
+    axes.bar_label(bars, [f"{value:.3g}" for value in values], fontsize=8)
+    axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {floor:.3g}")
+    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * floor, 2.0 * max(*values, floor)))
+    axes.legend(fontsize=7, frameon=False)
+
+
+def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
+    """Signals that a residual may follow, by their label, and the samples that count for each."""
+    everywhere = np.ones(len(drivers.turns), bool)
+    moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
+    found = {
+        "twist, winding (turns)": (drivers.turns, moving & (drivers.rate > 0)),
+        "twist, unwinding (turns)": (drivers.turns, moving & (drivers.rate < 0)),
+        "time (s)": (drivers.elapsed_s, everywhere),
+        "twisting rate (turns/s)": (drivers.rate, everywhere),
+        "load (N)": (drivers.load * LOAD_UNIT_N, everywhere),
+        "angle within the turn (turns)": (drivers.turns % 1.0, moving),
+    }
+    if drivers.temperature_c is not None:
+        found["temperature (°C)"] = (drivers.smooth(drivers.temperature_c), everywhere)
+    return {
+        label: pair for label, pair in found.items() if pair[1].sum() > BINS and np.ptp(pair[0]) > 0
+    }  # a constant is followed by nothing
+
+
+def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str) -> None:
+    """Mean residual in bins of a signal, before and after, over the noise floor's band; rare values are left out."""
+    low, high = (float(end) for end in np.percentile(signal, [0.5, 99.5]))
+    edges = np.linspace(low, high, BINS + 1)
+    bins = np.clip(np.digitize(signal, edges) - 1, 0, BINS - 1)
+    count = np.bincount(bins, minlength=BINS)
+    usual = count > RARE * len(signal)
+    middle = 0.5 * (edges[1:] + edges[:-1])[usual]
+    axes.axhspan(-floor, floor, color="0.92")
+    for (name, residual), colour in zip(residuals.items(), (BEFORE, AFTER), strict=True):
+        mean = np.bincount(bins, weights=residual, minlength=BINS)[usual] / count[usual]
+        axes.plot(middle, mean, ".-", ms=3, lw=1, color=colour, label=name)
+    axes.set_xlabel(label, fontsize=8)
+    axes.tick_params(labelsize=7)
