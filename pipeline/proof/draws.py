@@ -46,17 +46,19 @@ GROWS = {
     "x_magnetic_scale": ("error_mm",),
     "x_string_tangling": ("scatter",),
 }
+EITHER_SIGN = ("sensor_drift", "thermal", "wear")  # a zero drifts up or down, a fibre may shrink, a worn one may fuzz
 MOST = {"share": 0.95, "lag_s": 0.5, "turns": 2.0}  # beyond which it would be another thing
 
 
 def draw_effect(name: str, bench: Bench, protocol: Protocol, rng: np.random.Generator) -> Strength:
-    """Parameters of an effect by its strength, its shape being drawn."""
+    """Parameters of an effect by its strength, its shape and sign being drawn."""
     shape = _shape(name, bench, protocol, rng)
+    sign = float(rng.choice([-1.0, 1.0])) if name in EITHER_SIGN else 1.0
 
     def of(strength: float) -> Parameters:
         parameters = dict(shape)
         for key in GROWS.get(name, ()):
-            grown = np.minimum(np.multiply(shape[key], strength), MOST.get(key, np.inf))
+            grown = np.minimum(np.multiply(shape[key], sign * strength), MOST.get(key, np.inf))
             parameters[key] = grown.tolist()
         if name == "radius_compaction":
             parameters["bed_mpa"] = shape["bed_mpa"] / strength

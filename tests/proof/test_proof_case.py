@@ -11,6 +11,7 @@ from scipy.optimize import lsq_linear
 import pipeline.proof
 from pipeline.kinematics import Geometry
 from pipeline.proof import referee
+from pipeline.proof.alike import copies, left_over
 from pipeline.proof.bench import draw_bench, mismeasure
 from pipeline.proof.case import ALWAYS_KAPPA, Case, answer, draw_case, performed
 from pipeline.proof.draws import NAMED, OPEN_SET
@@ -156,3 +157,11 @@ def test_the_generator_knows_nothing_of_what_must_explain_it():
         for node in ast.walk(ast.parse(path.read_text())):
             module = node.module if isinstance(node, ast.ImportFrom) else None
             assert not (module or "").startswith("pipeline") or module.startswith(allowed), (path, module)
+
+
+def test_friction_and_backlash_look_alike_under_one_load_and_not_under_three():
+    for protocol, low, high in (("poor", 0.0, 0.15), ("rich", 0.2, 1.0)):
+        case = case_of("backlash", protocol)
+        left = left_over(case, copies(case, ["backlash", "friction_hysteresis", "creep"], shapes=3))
+        assert left["backlash"] < 0.1 and left["creep"] > 0.8
+        assert low <= left["friction_hysteresis"] <= high, (protocol, left)
