@@ -96,6 +96,30 @@ def test_an_index_of_a_data_frame_is_a_channel(make_run):
     assert read_samples(folder)[1].to_numpy() == pytest.approx(GOOD.to_numpy())
 
 
+def test_an_empty_cell_of_a_tab_file_shifts_nothing(make_run):
+    folder = make_run("a-01", suffix=".csv", file={"delimiter": "\t"})
+    lines = GOOD.to_csv(index=False, sep="\t").splitlines()
+    cells = lines[60].split("\t")
+    lines[60] = "\t".join([cells[0], "", *cells[2:]])
+    (folder / "recording.csv").write_text("\n".join(lines))
+    with pytest.raises(BadInput, match="motor_turns: is not a number in 1 rows, first in row 60"):
+        read_samples(folder)
+
+
+def test_a_row_with_a_field_too_many_is_not_cut(make_run):
+    folder = make_run("a-01", suffix=".csv")
+    lines = GOOD.to_csv(index=False).splitlines()
+    (folder / "recording.csv").write_text("\n".join([lines[0], *(f"{line},7" for line in lines[1:])]))
+    with pytest.raises(BadInput, match="is not a table"):
+        read_samples(folder)
+
+
+def test_a_rig_without_string_may_describe_one(make_run):
+    samples = GOOD.rename(columns={"motor_turns": "motor_deg", "displacement_mm": "jaw_deg"}).drop(columns="load_n")
+    _, read = read_samples(make_run("a-01", samples, actuator="cable_drive"))
+    assert list(read.columns) == ["time_s", "motor_deg", "jaw_deg"]
+
+
 def test_channels_units_and_the_load_of_the_rig(make_run):
     samples = GOOD.rename(columns={"motor_turns": "theta", "displacement_mm": "x"}).drop(columns="load_n")
     samples["theta"] = samples["theta"] * 2 * np.pi
