@@ -40,7 +40,7 @@ def test_terms_are_finite_named_once_and_as_long_as_the_recording(id_: str, prob
         for term in terms:
             signal = term.signal(problem.measured) if callable(term.signal) else term.signal
             assert signal.shape == problem.measured.shape and np.isfinite(signal).all()
-            assert term.low <= 0.0 < term.high or term.low < 0.0
+            assert term.low < term.high and term.high > 0.0
 
 
 def test_the_engine_names_no_mechanism_and_no_system_and_mechanisms_know_no_other() -> None:
