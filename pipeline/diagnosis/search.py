@@ -28,6 +28,11 @@ class Explanation:
     energy: float
 
 
+def apart(ids: tuple[str, ...]) -> bool:
+    """Whether all of a set listen to different drivers: two laws of one driver bend into anything, and name nothing."""
+    return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)
+
+
 class Search:
     """Explanations on one linearisation, remembered."""
 
@@ -103,7 +108,7 @@ class Search:
         else:
             good_sets = [explanation.ids for explanation in self.all_of(size - 1)[:2]]
             sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
-        return sorted((self.explain(found) for found in sets), key=lambda explanation: explanation.cost)
+        return sorted((self.explain(found) for found in sets if apart(found)), key=lambda explanation: explanation.cost)
 
     def leaders(self, chosen: Explanation) -> list[Explanation]:
         """The chosen explanation, and the others of its size that come close to it."""
