@@ -22,7 +22,8 @@ from pipeline.run_yaml import Run
 EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
-LEAST_SAMPLES = 200
+LEAST_SAMPLES, LEAST_STROKES = 200, 2
+LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
 Progress = Callable[[str], None]
 
 
@@ -54,9 +55,9 @@ def make_problem(
     """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput."""
     record = joined(runs, tables, most)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
-    if len(record) < LEAST_SAMPLES or worked < 1:
-        where = (folders or [Path(runs[0].run)])[0]
-        problem = f"{len(record)} samples with {worked} strokes decide nothing"
+    where = (folders or [Path(runs[0].run)])[0]
+    if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
+        problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
         raise BadInput(where, "recording", problem, "record at least three strokes, with a pause, at 10 Hz or more")
     system = systems()[runs[0].actuator]
     drivers = system.drivers(record, runs[0])
@@ -176,6 +177,15 @@ def decide(
         verdict = "explained" if len(sets) == 1 else "ambiguous"
     state = best if verdict in ("explained", "ambiguous") else base
     return Study(problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch)
+
+
+def refuse_faint(found: Study, folder: Path) -> None:
+    """Raise BadInput where the motion hardly leaves the noise, so that any verdict would be a guess."""
+    problem, floor = found.problem, found.noise.floor
+    moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
+    if moved < LEAST_MOTION * floor:
+        gap = f"should move by {moved:.3g} and has a noise of {floor:.3g}: nothing can be told from it"
+        raise BadInput(folder, problem.system.channel, gap, "record strokes over more turns, or with a finer sensor")
 
 
 def physics(ids: tuple[str, ...]) -> bool:
