@@ -40,10 +40,11 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
             )
     problem = engine.make_problem(runs, tables, folders)
     found = engine.study(problem, say)
+    engine.refuse_faint(found, folders[0])
     say("held out")
     fine = engine.at_own_rate(runs, tables)
     found = engine.polished(found, fine)
-    held, _ = heldout.held_out(problem, fine)
+    held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
     names = [run.run for run in runs] if together else runs[0].run

@@ -33,7 +33,7 @@ def acts_from(content: list[dict[str, Any]], drivers: Drivers, where: str = "run
             raise BadInput(where, f"{field}.id", f"{id_!r} is not a mechanism of the library", mend)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
-        options = mechanism.shapes(drivers)
+        options = mechanism.shapes(drivers) or [dict.fromkeys(mechanism.units, 0.0)]
         names = [set(shape) for shape in options] or [set()]
         fitting = [keys for keys in names if keys <= set(given)]
         if not isinstance(given, dict) or not fitting:

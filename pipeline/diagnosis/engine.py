@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, compare, form, generic
+from pipeline.diagnosis import calibrate, candidates, compare, form, generic
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Shape
-from pipeline.diagnosis.library import mechanisms, systems
+from pipeline.diagnosis.library import systems
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.problem import Act, Problem, State
@@ -23,7 +22,8 @@ from pipeline.run_yaml import Run
 EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
-LEAST_SAMPLES = 200
+LEAST_SAMPLES, LEAST_STROKES = 200, 2
+LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
 Progress = Callable[[str], None]
 
 
@@ -55,9 +55,9 @@ def make_problem(
     """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput."""
     record = joined(runs, tables, most)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
-    if len(record) < LEAST_SAMPLES or worked < 1:
-        where = (folders or [Path(runs[0].run)])[0]
-        problem = f"{len(record)} samples with {worked} strokes decide nothing"
+    where = (folders or [Path(runs[0].run)])[0]
+    if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
+        problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
         raise BadInput(where, "recording", problem, "record at least three strokes, with a pause, at 10 Hz or more")
     system = systems()[runs[0].actuator]
     drivers = system.drivers(record, runs[0])
@@ -85,12 +85,6 @@ def fine_floor(fine: Problem, found: Study) -> float:
     return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.noise.floor**2))
 
 
-def catalogue(problem: Problem) -> dict[str, list[Shape]]:
-    """All shapes of all mechanisms that the recording could show."""
-    found = {id_: mechanism.shapes(problem.drivers) for id_, mechanism in mechanisms().items()}
-    return {id_: shapes for id_, shapes in found.items() if shapes}
-
-
 def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0.0) -> Noise:
     """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do."""
     acts = tuple(act for act in state.acts if act not in problem.included)
@@ -113,10 +107,11 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     base = calibrate.base(problem)
     problem, _ = calibrate.without_outliers(problem, base)
     base = calibrate.base(problem)
-    smooth = generic.dictionary(problem.drivers)
+    more = candidates.suggested(problem, base)
+    smooth = candidates.without_physics(problem, more)
     say("noise floor and colour")
     noise = noise_of(problem, base, smooth, SURPRISES)
-    shapes = catalogue(problem)
+    shapes = candidates.catalogue(problem, more)
     say("searching explanations")
     search = Search(Linear(problem, base, noise, shapes))
     chosen, best = search.select(noise.floor, largest=1), base
@@ -128,7 +123,7 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             own = [noise_of(problem, state, smooth) for state in refined]
             place = min(range(len(own)), key=lambda i: unlikely(problem, own[i], refined[i]))
             best, noise = refined[place], own[place]
-            shapes = with_refined(problem, shapes, refined)
+            shapes = candidates.with_refined(problem, shapes, refined)
             ordered = [best, *(state for state in refined if state is not best)]
             search = Search(Linear(problem, best, noise, shapes, form=form.columns(problem, ordered)))
             before, chosen = chosen, search.select(noise.floor)
@@ -159,16 +154,6 @@ def unlikely(problem: Problem, noise: Noise, state: State) -> float:
     return 2.0 * problem.rows * float(np.log(noise.innovation)) + active * float(np.log(problem.rows))
 
 
-def with_refined(problem: Problem, shapes: dict[str, list[Shape]], states: list[State]) -> dict[str, list[Shape]]:
-    """The catalogue with the refined shapes of what acts in some states."""
-    near = {id_: list(options) for id_, options in shapes.items()}
-    for state in states:
-        for act in state.acts:
-            if act not in problem.included:
-                near[act.id] += [shape for shape in act.shapes if shape not in near[act.id]]
-    return near
-
-
 def decide(
     problem: Problem, nominal: State, base: State, noise: Noise, best: State, sets: list[Explanation], search: Search
 ) -> Study:
@@ -181,16 +166,31 @@ def decide(
     floor = noise.floor
     mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
     share = 1.0 - max(left["best"] ** 2 - floor**2, 0.0) / max(mismatch**2, 1e-300)
+    remainder = float(np.sqrt(max(left["best"] ** 2 - floor**2, 0.0)))
     if not sets:
         verdict = "unknown" if mismatch > unknown_from(search, floor) else "consistent"
         if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
             verdict = "parameters"
-    elif share < EXPLAINED and np.sqrt(max(left["best"] ** 2 - floor**2, 0.0)) > LEAST_EFFECT * floor:
+    elif not physics(sets[0].ids) or (share < EXPLAINED and remainder > LEAST_EFFECT * floor):
         verdict = "unknown"
     else:
         verdict = "explained" if len(sets) == 1 else "ambiguous"
     state = best if verdict in ("explained", "ambiguous") else base
     return Study(problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch)
+
+
+def refuse_faint(found: Study, folder: Path) -> None:
+    """Raise BadInput where the motion hardly leaves the noise, so that any verdict would be a guess."""
+    problem, floor = found.problem, found.noise.floor
+    moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
+    if moved < LEAST_MOTION * floor:
+        gap = f"should move by {moved:.3g} and has a noise of {floor:.3g}: nothing can be told from it"
+        raise BadInput(folder, problem.system.channel, gap, "record strokes over more turns, or with a finer sensor")
+
+
+def physics(ids: tuple[str, ...]) -> bool:
+    """Whether a set names any physics of the library."""
+    return not all(id_.startswith("x_") for id_ in ids)
 
 
 def unknown_from(search: Search, floor: float) -> float:

@@ -54,6 +54,20 @@ CANDIDATES: dict[str, Callable[[Rig], list[Leg]]] = {
 }  # fmt: skip
 
 
+UNKNOWN = {
+    "twist": "repeat one stroke under another load, and one at half the speed",
+    "direction": "reverse three times within one stroke, at two speeds",
+    "time": "rest for five minutes at the lowest twist, then repeat one stroke",
+    "time, as a steady oscillation": "rest for two minutes with the motor off",
+    "speed": "repeat one stroke at half and at a quarter of the speed",
+    "angle within the turn": "wind ten turns at a tenth of the speed",
+    "acceleration": "stop abruptly at half twist and hold for 20 s, three times",
+    "load": "hold at half twist and step the load up and down twice",
+    "temperature": "hold under the usual load while the rig warms by 5 K",
+    "current": "repeat one stroke with the string unhooked from its load",
+}  # by the driver that a mismatch follows
+
+
 def appended(record: Record, legs: list[Leg]) -> Record:
     """The record with legs of straight motion after it; the measured channel is carried on, and means nothing."""
     step_s = max(float(np.median(np.diff(record.time_s))), sum(leg[0] for leg in legs) / MOST_STEPS)
@@ -118,4 +132,9 @@ def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Ex
     }
     name = max(scores, key=lambda key: scores[key])
     now = separation(problem, run, noise, search, sets[:4], problem.record)
-    return f"{name}: it raises the expected gap between what ties from {now:.3g} to {scores[name]:.3g} (10 decides)"
+    return f"{name}: it raises the expected gap between what ties from {now:.3g} to {scores[name]:.3g}"
+
+
+def after_unknown(driver: str) -> str:
+    """What to record when nothing in the library explains a mismatch that follows a driver most."""
+    return f"{UNKNOWN.get(driver, UNKNOWN['twist'])}: it shows whether the mismatch follows {driver} or only seems to"

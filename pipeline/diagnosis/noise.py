@@ -96,4 +96,15 @@ def estimate(
             swallowed = float(gap[0] / max(guess.floor**2, 1e-300))
             covariance = seen + gap
         noise = from_covariance(covariance)
-    return noise, swallowed
+    return louder(noise, own, first) if trim else noise, swallowed
+
+
+def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
+    """The noise of the quieter blocks, brought to the mean loudness of all: what is new in every sample tells it.
+
+    Noise that grows loud for a while does so in its innovations; something that happened does not.
+    """
+    innovations = whiten(own[None], noise.ar, first)[0]
+    spreads = [1.4826 * float(np.median(np.abs(block))) for block in np.array_split(innovations, BLOCKS)]
+    factor = max(float(np.sqrt(np.mean(np.square(spreads)))) / noise.innovation, 1.0)
+    return Noise(noise.floor * factor, noise.ar, noise.innovation * factor)

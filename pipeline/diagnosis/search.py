@@ -10,7 +10,8 @@ from pipeline.diagnosis.linear import Fit, Key, Linear
 
 LEAST_GAIN = 10.0
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
-LEAST_SHARE = 0.05  # of the whole mismatch's rms: a smaller further effect is no physics
+LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas of the others can do
+MORE_SHARE, MORE_EFFECT = 0.12, (0.15, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 LARGEST = 3
 PARTNERS = 8
 TRIED = 4  # of the best larger explanations
@@ -25,6 +26,11 @@ class Explanation:
     fit: Fit
     cost: float
     energy: float
+
+
+def apart(ids: tuple[str, ...]) -> bool:
+    """Whether all of a set listen to different drivers: two laws of one driver bend into anything, and name nothing."""
+    return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)
 
 
 class Search:
@@ -102,7 +108,7 @@ class Search:
         else:
             good_sets = [explanation.ids for explanation in self.all_of(size - 1)[:2]]
             sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
-        return sorted((self.explain(found) for found in sets), key=lambda explanation: explanation.cost)
+        return sorted((self.explain(found) for found in sets if apart(found)), key=lambda explanation: explanation.cost)
 
     def leaders(self, chosen: Explanation) -> list[Explanation]:
         """The chosen explanation, and the others of its size that come close to it."""
@@ -124,15 +130,16 @@ class Search:
     def more(self, small: Explanation, large: Explanation, floor: float) -> bool:
         """Whether a larger explanation has physics that no bent formula of the smaller one makes up for."""
         if not small.ids:
-            enough = small.energy - large.energy >= self.least_energy(floor)
+            enough = small.energy - large.energy >= (LEAST_EFFECT * floor) ** 2
             return large.cost <= small.cost - LEAST_GAIN and enough
-        small, large = self.bent(small), self.bent(large)
-        return large.cost <= small.cost - LEAST_GAIN and small.energy - large.energy >= self.least_energy(floor)
+        if small.energy - large.energy < self.least_energy(floor):
+            return False
+        return self.bent(large).cost <= self.bent(small).cost - LEAST_MORE
 
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""
-        mismatch = max(self.nothing.energy - floor**2, 0.0)
-        return max((LEAST_EFFECT * floor) ** 2, LEAST_SHARE**2 * mismatch)
+        mismatch = float(np.sqrt(max(self.nothing.energy - floor**2, 0.0)))
+        return float(np.clip(MORE_SHARE * mismatch, MORE_EFFECT[0] * floor, MORE_EFFECT[1] * floor)) ** 2
 
     def select(self, floor: float, largest: int = LARGEST) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""

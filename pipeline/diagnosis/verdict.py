@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.diagnosis import generic, locate, nextrun
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
-from pipeline.diagnosis.engine import Study, fine_floor, rms
+from pipeline.diagnosis.engine import Study, fine_floor, physics, rms
 from pipeline.diagnosis.intervals import Interval, intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
@@ -34,7 +34,7 @@ def mismatch_signal(found: Study) -> tuple[Array, str]:
     """The mismatch without its noise, and the driver it follows: by the best explanation, or by the dictionary."""
     problem = found.problem
     before = problem.simulate(found.base)
-    if found.verdict in ("explained", "ambiguous"):
+    if found.verdict in ("explained", "ambiguous") or (found.sets and not physics(found.sets[0].ids)):
         driver = " and ".join(mechanisms()[id_].driver for id_ in found.sets[0].ids)
         return problem.simulate(found.best) - before, driver
     columns = generic.groups(problem.drivers)
@@ -111,7 +111,7 @@ def confidence(found: Study) -> float:
 def next_experiment(found: Study, run: Run) -> str | None:
     """What to record next, in words."""
     if found.verdict == "unknown":
-        return "repeat one stroke at half the speed and at another load: it shows whether the mismatch follows them"
+        return nextrun.after_unknown(mismatch_signal(found)[1])
     if found.verdict != "ambiguous":
         return None
     return nextrun.best(found.problem, run, found.noise, found.search, found.sets)

@@ -85,14 +85,47 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     assert again["verdict"] in ("consistent", "parameters")
 
 
-def test_bad_input_is_named_and_the_good_run_is_written(conceal, tmp_path) -> None:
+def edited(source: Path, to: Path, samples: pd.DataFrame | None = None, **described: object) -> Path:
+    """A copy of a run with other samples, or other words in its run.yaml."""
+    shutil.copytree(source, to)
+    words = yaml.safe_load((to / "run.yaml").read_text()) | {"run": to.name} | described
+    (to / "run.yaml").write_text(yaml.safe_dump(words))
+    if samples is not None:
+        samples.to_parquet(to / "recording.parquet", index=False)
+    return to
+
+
+def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, tmp_path) -> None:
     good, _ = conceal()
-    bad = tmp_path / "bad"
-    shutil.copytree(good, bad)
-    described = yaml.safe_load((bad / "run.yaml").read_text())
-    described |= {"run": "bad", "simulation": [{"id": "crep", "parameters": {}}]}
-    (bad / "run.yaml").write_text(yaml.safe_dump(described))
-    done = command("pipeline.diagnose", bad, good, "--out", tmp_path / "out")
+    samples = pd.read_parquet(good / "recording.parquet")
+    few = samples[samples["time_s"] < samples["time_s"].iloc[0] + 15.0]
+    noise = np.random.default_rng(0).normal(size=len(samples))
+    bad = edited(good, tmp_path / "bad", simulation=[{"id": "crep", "parameters": {}}])
+    short = edited(good, tmp_path / "short", few)
+    faint = edited(good, tmp_path / "faint", samples.assign(displacement_mm=samples["displacement_mm"] + 9.0 * noise))
+    done = command("pipeline.diagnose", bad, short, faint, good, "--out", tmp_path / "out")
     assert done.returncode == 2 and "simulation[0].id" in done.stderr
-    assert (tmp_path / "out" / good.name / "diagnosis.json").is_file()
-    assert not (tmp_path / "out" / "bad").exists()
+    assert "short: recording" in done.stderr and "record at least three strokes" in done.stderr
+    assert "faint: displacement_mm" in done.stderr and "finer sensor" in done.stderr
+    assert [path.name for path in (tmp_path / "out").iterdir()] == [good.name]
+
+
+def test_two_runs_of_one_rig_are_diagnosed_together(diagnosed, tmp_path) -> None:
+    folder, _, _, _ = diagnosed
+    samples = pd.read_parquet(folder / "recording.parquet")
+    resting = samples["motor_turns"] < 0.02 * samples["motor_turns"].max()
+    middle = samples.index[resting & (samples.index > 0.55 * len(samples))][0]
+    halves = [
+        edited(folder, tmp_path / name, half.reset_index(drop=True), string=string_of(folder) | {"id": "spool"})
+        for name, half in (("first", samples.loc[:middle]), ("second", samples.loc[middle:]))
+    ]
+    done = command("pipeline.diagnose", *halves, "--together", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
+    assert content["run"] == ["first", "second"] and {"zero_1_mm", "zero_2_mm"} <= set(content["parameters"])
+    assert [entry["id"] for entry in content["mechanisms"]] == ["creep"]
+
+
+def string_of(folder: Path) -> dict:
+    """The string of a run."""
+    return yaml.safe_load((folder / "run.yaml").read_text())["string"]

@@ -1,5 +1,6 @@
 """The diagnosis of recordings made by another hand: names, abstention, no false alarm."""
 
+import numpy as np
 import pytest
 
 from pipeline.diagnosis import nextrun
@@ -41,3 +42,10 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     assert any(problem.ports(found.search.linear.state.acts))
     said = nextrun.best(problem, run, found.noise, found.search, rivals)
     assert any(said.startswith(name) for name in nextrun.CANDIDATES)
+
+
+def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
+    run, samples = read_samples(conceal(seed=31)[0])
+    sway = samples.assign(displacement_mm=samples["displacement_mm"] + 0.1 * np.sin(4.1 * samples["time_s"]))
+    found = study(make_problem([run], [sway]))
+    assert found.verdict == "unknown" and found.best_ids == ("x_wave",)

@@ -32,5 +32,6 @@ MECHANISM = Mechanism(
     told_apart_by="load steps at two twists: a stretch is the same at both",
     sentence="The string stretches with its load, by {size}.",
     shapes=shapes,
+    units={"from_load": "10N"},
     terms=terms,
 )

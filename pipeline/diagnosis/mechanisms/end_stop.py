@@ -7,6 +7,7 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.kinematics import Array
 
 UPPER = np.linspace(0.45, 1.09, 44)  # of the nominal range; calibration may stretch it
+LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
 LOWER = np.linspace(0.01, 0.3, 14)
 
 
@@ -25,7 +26,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         beyond = np.maximum(reading - stop, 0.0) if shape["side"] > 0 else np.minimum(reading - stop, 0.0)
         return np.asarray(-beyond)
 
-    return [Term("share_held", "sensor", clipped, "1", high=1.1)]
+    return [Term("share_held", "sensor", clipped, "1", LEAST_HELD, 1.4)]
 
 
 MECHANISM = Mechanism(

@@ -27,5 +27,6 @@ MECHANISM = Mechanism(
     told_apart_by="small load steps at one twist every few strokes",
     sentence="With work the string grows stiffer and stretches {size} less under its load.",
     shapes=shapes,
+    units={"work": "10mm", "from_load": "10N"},
     terms=terms,
 )

@@ -1,0 +1,68 @@
+"""A steady oscillation in time that nothing on the rig drives: a swaying floor, a fan, the day's humidity."""
+
+import numpy as np
+from scipy.ndimage import median_filter
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.kinematics import Array
+
+LEAST_PERIODS = 3
+AROUND = 61  # bins of the spectrum that make the background of a line
+LINE = 30.0  # times the background: once in 10^9 bins by chance
+MOST = 3
+STEPS = np.linspace(-0.45, 0.45, 7)  # bins beside a line at which its frequency is tried
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """None before a recording suggests one."""
+    return []
+
+
+def lines(signal: Array, time_s: Array) -> Array:
+    """Power of a signal over its background, by bin of its spectrum (1/duration each)."""
+    even_s = np.linspace(time_s[0], time_s[-1], len(signal))
+    even = np.interp(even_s, time_s, signal - signal.mean())
+    power = np.square(np.abs(np.fft.rfft(even * np.hanning(len(even)))))
+    return np.asarray(power / (median_filter(power, AROUND, mode="nearest") / np.log(2.0) + 1e-300))
+
+
+def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+    """Frequencies (Hz) of the strongest lines of a residual that are no lines of the motion."""
+    count = len(residual)
+    time_s = drivers.time_s[:count]
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    height = lines(np.clip(residual, -6.0 * spread, 6.0 * spread), time_s)
+    height[lines(drivers.contraction[:count], time_s) > LINE] = 0.0
+    height[:LEAST_PERIODS] = 0.0
+    whole_s = float(drivers.elapsed_s[count - 1])
+    found: list[Shape] = []
+    for _ in range(MOST):
+        peak = int(np.argmax(height))
+        if height[peak] < LINE:
+            break
+        found += [{"hz": float(f"{(peak + step) / whole_s:.8g}")} for step in STEPS]
+        height[max(peak - 4, 0) : peak + 5] = 0.0
+    return found
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Sine and cosine of the time."""
+    angle = 2.0 * np.pi * shape["hz"] * drivers.elapsed_s
+    waves = {"sine_mm": np.sin(angle), "cosine_mm": np.cos(angle)}
+    return [Term(name, "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
+
+
+MECHANISM = Mechanism(
+    id="x_wave",
+    driver="time, as a steady oscillation",
+    equation="x_m = x + A sin(2 pi f t + p)",
+    source="none: what oscillates is not on the rig",
+    confused_with="load_swing (which follows starts and stops), eccentricity",
+    told_apart_by="a rest with the motor off: it goes on",
+    sentence="The reading oscillates steadily in time, {size}, whatever the rig does.",
+    shapes=shapes,
+    units={"hz": "Hz"},
+    terms=terms,
+    suggest=suggest,
+)
