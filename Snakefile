@@ -1,6 +1,7 @@
 """twistbench: from recordings of a twisted string rig to the paper's tables and figures."""
 
 import json
+import shlex
 import sys
 from pathlib import Path
 
@@ -21,12 +22,13 @@ validate(config, str(Path(workflow.basedir) / "pipeline/config/schema.yaml"))
 RAW, SYNTHETIC = Path("raw"), list(config["synthetic"])
 PLAN = make_plan(RAW, SYNTHETIC)
 MATERIALS = list(PLAN.materials)
+DIAGNOSED = [run for runs in PLAN.materials.values() for run in runs] + PLAN.others
 TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
-shell.prefix(f"export PYTHONPATH={workflow.basedir} OMP_NUM_THREADS=1 PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID; ")
+shell.prefix(f"export PYTHONPATH={shlex.quote(workflow.basedir)} OMP_NUM_THREADS=1 PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID; ")
 
 
 wildcard_constraints:
@@ -42,6 +44,7 @@ rule all:
     input:
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, "comparison.md"]),
         expand("processed/{run}/strokes.parquet", run=PLAN.others),
+        expand("reports/diagnosis/{run}", run=DIAGNOSED),
         "reports/metrics.csv",
         "reports/index.html",
 
@@ -53,7 +56,7 @@ rule tables:
 
 rule diagnosis:
     input:
-        expand("reports/diagnosis/{run}/diagnosis.json", run=[run for runs in PLAN.materials.values() for run in runs]),
+        expand("reports/diagnosis/{run}", run=DIAGNOSED),
 
 
 include: "pipeline/rules/record.smk"
@@ -72,9 +75,9 @@ onstart:
 
 
 onerror:
-    print(summary(Path("reports"), MATERIALS))
+    print(summary(Path("reports"), MATERIALS, DIAGNOSED))
     print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
 
 
 onsuccess:
-    print(summary(Path("reports"), MATERIALS))
+    print(summary(Path("reports"), MATERIALS, DIAGNOSED))

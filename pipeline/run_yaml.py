@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import BadInput
 
@@ -16,8 +16,15 @@ STRING_ACTUATORS = ("separator", "twisted_pair")
 # One sigma of how well each dimension was measured, unless run.yaml says otherwise; the radius relative.
 TOLERANCE = {"radius": 0.03, "separator_mm": 0.5, "torsion_zone_mm": 1.0, "length_mm": 2.0}
 
-Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
-Number = Annotated[float, Field(allow_inf_nan=False)]
+
+def _no_bool(value: Any) -> Any:
+    if isinstance(value, bool):  # YAML reads yes and no as these, and they would count as 1 and 0
+        raise ValueError("must be a number")
+    return value
+
+
+Number = Annotated[float, BeforeValidator(_no_bool), Field(allow_inf_nan=False)]
+Positive = Annotated[Number, Field(gt=0)]
 
 
 class _Section(BaseModel):
@@ -80,16 +87,16 @@ class Run(_Section):
             return self
         if self.string is None:
             raise ValueError("string: is missing; add the string's material, radius_mm, length_mm, stiffness_n_per_mm")
-        needed = ("torsion_zone_mm", "separator_mm") if self.actuator == "separator" else ()
-        for key in needed:
-            if key not in self.rig:
-                raise ValueError(f"rig.{key}: is missing; add the length in mm that you measured on the rig")
         known: tuple[str, ...] = ("torsion_zone_mm", "separator_mm", "load_n")
         for key, value in self.rig.items():
             if key not in known:
                 raise ValueError(f"rig.{key}: is not a known key; {_meant(key, known)}")
             if value < 0 or (value == 0 and key == "torsion_zone_mm"):
                 raise ValueError(f"rig.{key}: is {value:g}; give the length in mm or the load in N that was measured")
+        needed = ("torsion_zone_mm", "separator_mm") if self.actuator == "separator" else ()
+        for key in needed:
+            if key not in self.rig:
+                raise ValueError(f"rig.{key}: is missing; add the length in mm that you measured on the rig")
         for key in self.tolerance:
             if key not in TOLERANCE:
                 raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, TOLERANCE)}")

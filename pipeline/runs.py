@@ -1,7 +1,7 @@
 """What a run folder is: `raw/<run>/` with `run.yaml` and one recording; find it, read it, check it."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,23 @@ from pipeline.errors import BadInput
 from pipeline.run_yaml import Run, parse_run
 
 RECORDINGS = ("recording.frames", "recording.parquet", "recording.csv", "recording.csv.gz")
+
+
+class KeyTwice(yaml.MarkedYAMLError):
+    """A key that stands twice in one mapping, of which YAML would silently take the last."""
+
+
+class OnceLoader(yaml.SafeLoader):
+    """YAML's safe loader, which refuses a key that stands twice."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
+        """Mapping of a node; raises KeyTwice."""
+        seen = set()
+        for key, _ in node.value:
+            if isinstance(key, yaml.ScalarNode) and key.value in seen:
+                raise KeyTwice(problem=key.value, problem_mark=key.start_mark)
+            seen.add(key.value if isinstance(key, yaml.ScalarNode) else id(key))
+        return super().construct_mapping(node, deep)
 
 
 def read_run(folder: Path | str) -> Run:
@@ -23,7 +40,10 @@ def read_run(folder: Path | str) -> Run:
     except UnicodeDecodeError:
         raise BadInput(path, "run.yaml", "is not UTF-8 text", "save it as UTF-8") from None
     try:
-        content = yaml.safe_load(text)
+        content = yaml.load(text, OnceLoader)
+    except KeyTwice as error:
+        place = f"line {error.problem_mark.line + 1}" if error.problem_mark else "the file"
+        raise BadInput(path, place, f"says {error.problem!r} a second time", "keep one of the two") from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         place = f"line {mark.line + 1}" if mark else "the file"

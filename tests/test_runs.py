@@ -38,6 +38,8 @@ def test_a_good_run_is_taken_as_written():
         (without("rig", "separator_mm"), "rig.separator_mm", "add the length in mm"),
         (without("rig", "torsion_zone_mm"), "rig.torsion_zone_mm", "add the length in mm"),
         (changed("rig", torsion_zone=150), "rig.torsion_zone", "did you mean 'torsion_zone_mm'"),
+        ({**content("a-01"), "rig": {"torsion_zone_mm": 150, "seperator_mm": 8}}, "rig.seperator_mm", "'separator_mm'"),
+        (changed("string", radius_mm=True), "string.radius_mm", "radius of one string in mm"),
         (changed("rig", load_n=-3), "rig.load_n", "that was measured"),
         (changed("tolerance", radius_mm=0.1), "tolerance.radius_mm", "did you mean 'radius'"),
         (changed("string", radius_mm="thick"), "string.radius_mm", "radius of one string in mm"),
@@ -101,3 +103,11 @@ def test_runs_are_found_sorted_and_hidden_ones_left_out(make_run, tmp_path):
         make_run(name)
     (tmp_path / "raw" / "empty").mkdir()
     assert [folder.name for folder in find_runs(tmp_path / "raw")] == ["a-01", "b-01"]
+
+
+def test_a_key_that_stands_twice_is_named_with_its_line(tmp_path):
+    folder = tmp_path / "a-01"
+    folder.mkdir()
+    (folder / "run.yaml").write_text("run: a-01\nstring: {material: x}\nrig:\n  load_n: 20\n  load_n: 30\n")
+    with pytest.raises(BadInput, match=r"line 5: says 'load_n' a second time"):
+        read_run(folder)

@@ -1,4 +1,4 @@
-"""Reports → index.html, one page with every material's tables and figures."""
+"""Reports → index.html, one page with every material's tables and figures and every run's diagnosis."""
 
 import argparse
 import csv
@@ -8,12 +8,14 @@ from pathlib import Path
 from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.report import paper
+from pipeline.report.diagnoses import section
 
 STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums }
 caption { text-align: left; font-weight: 600 } th, td { padding: .15rem .8rem; border-bottom: 1px solid #ddd }
 th, td:nth-child(-n+2) { text-align: left } td { text-align: right } img { max-width: 100%; margin: .5rem 0 }
+pre { white-space: pre-wrap; font: 14px/1.5 system-ui, sans-serif } .verdicts td:nth-child(3) { text-align: left }
 """
 
 
@@ -26,7 +28,7 @@ def html_table(path: Path, caption: str) -> str:
     return f"<table><caption>{html.escape(caption)}</caption>\n<tr>{cells}</tr>\n{lines}</table>\n"
 
 
-def page(reports: Path, materials: list[str]) -> str:
+def page(reports: Path, materials: list[str], runs: list[str]) -> str:
     """The page's HTML; links are relative to the reports' folder, so that it can be moved as a whole."""
     text = [f"<!doctype html>\n<html lang=en><meta charset=utf-8><title>twistbench</title><style>{STYLE}</style>"]
     text.append("<h1>twistbench reports</h1><p>All numbers: <a href=metrics.csv>metrics.csv</a></p>")
@@ -41,6 +43,8 @@ def page(reports: Path, materials: list[str]) -> str:
             f'<a href={material}/figure_{number}.pdf><img src={material}/figure_{number}.png alt="Figure {number}"></a>'
             for number in (4, 5)
         ]
+    if runs:
+        text.append(section(reports, runs))
     return "\n".join(text) + "\n"
 
 
@@ -49,10 +53,11 @@ def main() -> None:
     """Write `index.html`."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("materials", nargs="*")
+    parser.add_argument("--runs", nargs="*", default=[], help="runs that are diagnosed")
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
-    write_text(arguments.out, page(arguments.reports, arguments.materials))
+    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs))
 
 
 if __name__ == "__main__":

@@ -2,8 +2,7 @@ rule diagnose:
     input:
         recording,
     output:
-        "reports/diagnosis/{run}/diagnosis.json",
-        "reports/diagnosis/{run}/diagnosis.png",
+        directory("reports/diagnosis/{run}"),
     log:
         "processed/logs/diagnose-{run}.log",
     threads: 1
@@ -12,4 +11,4 @@ rule diagnose:
     message:
         "diagnose {wildcards.run}"
     shell:
-        "exec python -m pipeline.diagnose raw/{wildcards.run:q} --out reports/diagnosis > {log:q} 2>&1"
+        "exec python -m pipeline.diagnose raw/{wildcards.run:q} --out reports/diagnosis --note-refusals > {log:q} 2>&1"

@@ -70,14 +70,17 @@ rule metrics:
 rule index:
     input:
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, "comparison.md"]),
+        expand("reports/diagnosis/{run}", run=DIAGNOSED),
     output:
         "reports/index.html",
     log:
         "processed/logs/index.log",
     params:
         materials=MATERIALS,
+        runs=DIAGNOSED,
         code=fingerprint("pipeline.report.index"),
     message:
         "write the page that leads to every report"
     shell:
-        "exec python -m pipeline.report.index {params.materials} --reports reports --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.index {params.materials} --runs {params.runs}"
+        " --reports reports --out {output} > {log} 2>&1"
