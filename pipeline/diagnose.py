@@ -11,7 +11,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.diagnosis import engine, figures, heldout, sentences, verdict
+from pipeline.diagnosis import engine, figures, heldout, outcome, sentences, verdict
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
@@ -40,7 +40,7 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
             )
     problem = engine.make_problem(runs, tables, folders)
     found = engine.study(problem, say)
-    engine.refuse_faint(found, folders[0])
+    outcome.refuse_faint(found, folders[0])
     say("held out")
     fine = engine.at_own_rate(runs, tables)
     found = engine.polished(found, fine)
