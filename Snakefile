@@ -71,5 +71,10 @@ onstart:
         print(f"raw/{run}: left out, its recording is unfinished (python -m pipeline.capture --recover raw/{run})")
 
 
+onerror:
+    print(summary(Path("reports"), MATERIALS))
+    print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
+
+
 onsuccess:
     print(summary(Path("reports"), MATERIALS))

@@ -5,8 +5,6 @@
 """
 
 import argparse
-from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -15,11 +13,11 @@ from numpy.typing import NDArray
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
-from pipeline.ingest import geometry
-from pipeline.run_yaml import TOLERANCE, Run
-from pipeline.runs import capture_info, read_run
+from pipeline.recorded import Recorded, in_order, read_recorded, tare_mm
+from pipeline.run_yaml import TOLERANCE
 
 TRAINING_POINTS = 5000  # as in the paper
+HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes
 MOST_BLOCKS = 80  # into which a stroke's winding, or unwinding, is cut
 BLOCK_LEAST_SAMPLES = 10
 HOLD_OUT = 4  # one block in so many
@@ -29,45 +27,6 @@ MOVING = ("winding", "unwinding")
 
 Numbers = NDArray[np.int64]
 Mask = NDArray[np.bool_]
-
-
-@dataclass(frozen=True)
-class Recorded:
-    """One run as it reaches this stage: what it is, when it began, its samples and its strokes."""
-
-    run: Run
-    started_utc: str
-    samples: pd.DataFrame
-    strokes: pd.DataFrame
-
-
-def in_order(runs: list[Recorded]) -> list[Recorded]:
-    """Runs of one string in the order in which they were recorded.
-
-    The capture program notes when it began. Where it did not record every run, their own time stamps tell as long
-    as no two overlap; failing that, their names do.
-    """
-    by_name = sorted(runs, key=lambda one: one.run.run)
-    if all(one.started_utc for one in runs):
-        return sorted(by_name, key=lambda one: one.started_utc)
-    spans = sorted((one.samples["time_s"].iloc[0], one.samples["time_s"].iloc[-1]) for one in runs)
-    if all(before[1] <= after[0] for before, after in pairwise(spans)):
-        return sorted(by_name, key=lambda one: float(one.samples["time_s"].iloc[0]))
-    return by_name
-
-
-def tare_mm(first: Recorded) -> float:
-    """What to add to a string's displacement so that it is the model's on the rest before the first stroke.
-
-    Without a rest there, its first sample serves. The median keeps outliers out.
-    """
-    samples, strokes = first.samples, first.strokes
-    before = strokes[(strokes["stroke"] == 0) & (strokes["phase"] == "rest")]
-    rest = samples.iloc[:1]
-    if not before.empty:
-        rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
-    expected_mm = geometry(first.run).contraction_mm(rest["motor_turns"].to_numpy(), rest["load_n"].to_numpy())
-    return float(np.median(expected_mm - rest["displacement_mm"].to_numpy()))
 
 
 def blocks_from_top(samples: int) -> Numbers:
@@ -119,11 +78,11 @@ def points_of(recorded: Recorded, strokes_before: int, offset_mm: float) -> pd.D
     return points
 
 
-def _thinned(eligible: Mask) -> Mask:
-    """At most TRAINING_POINTS of the eligible rows, evenly spaced over them."""
+def _thinned(eligible: Mask, most: int) -> Mask:
+    """At most so many of the eligible rows, evenly spaced over them."""
     rows = np.flatnonzero(eligible)
-    if len(rows) > TRAINING_POINTS:
-        rows = rows[np.linspace(0, len(rows) - 1, TRAINING_POINTS).round().astype(int)]
+    if len(rows) > most:
+        rows = rows[np.linspace(0, len(rows) - 1, most).round().astype(int)]
     chosen = np.zeros(len(eligible), bool)
     chosen[rows] = True
     return chosen
@@ -131,7 +90,8 @@ def _thinned(eligible: Mask) -> Mask:
 
 def _split(test: Mask, eligible: Mask) -> NDArray[np.str_]:
     """Labels "train", "test" and "" of the points."""
-    return np.where(test, "test", np.where(_thinned(eligible & ~test), "train", ""))
+    train = _thinned(eligible & ~test, TRAINING_POINTS)
+    return np.where(_thinned(test, HELD_OUT_POINTS), "test", np.where(train, "train", ""))
 
 
 def make_dataset(recorded: list[Recorded]) -> pd.DataFrame:
@@ -162,14 +122,6 @@ def make_dataset(recorded: list[Recorded]) -> pd.DataFrame:
     return points[schemas.DATASET.names]
 
 
-def read_recorded(run_dir: Path, processed: Path) -> Recorded:
-    """One run from its folder and from what the earlier stages made of it."""
-    run = read_run(run_dir)
-    samples = schemas.read(processed / run.run / "samples.parquet")
-    strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
-    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes)
-
-
 @program
 def main() -> None:
     """Write `dataset.parquet` of one material."""
@@ -179,9 +131,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
     dataset = make_dataset([read_recorded(folder, arguments.processed) for folder in arguments.run_dirs])
-    if not (dataset["within"] == "test").any():
-        mend = "record more samples a stroke"
-        raise BadInput(arguments.out, "within", "there are too few points to hold any out", mend)
+    if not {"train", "test"} <= set(dataset["within"]):
+        mend = "record more strokes, or more samples a stroke"
+        raise BadInput(arguments.out, "within", "there are too few points to hold some out and learn from others", mend)
     schemas.write(dataset, schemas.DATASET, arguments.out)
     for split in ("within", "later"):
         counts = dataset[split].value_counts()

@@ -15,7 +15,7 @@ import yaml
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
-from pipeline.ingest import check
+from pipeline.ingest import check, check_finite
 from pipeline.kinematics import Array
 from pipeline.recording import read_table, to_samples
 from pipeline.run_yaml import parse_run
@@ -71,7 +71,10 @@ def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path) -> N
         raise BadInput(folder, "run", "is there already", "choose another --run; runs are never overwritten")
     temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
     try:
-        temporary.mkdir(parents=True)
+        try:
+            temporary.mkdir(parents=True)
+        except OSError as error:
+            raise BadInput(folder.parent, "--out", f"cannot be written ({error})", "choose another folder") from None
         schemas.write(samples, schemas.samples(list(samples.columns)), temporary / "recording.parquet")
         text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
         (temporary / "run.yaml").write_text(text, encoding="utf-8")
@@ -91,10 +94,14 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
         raise BadInput(where, error.field, error.problem, error.mend) from None
     if not file.is_file():
         raise BadInput(file, "file", "is not there", "check the path")
-    samples = to_samples(run, read_table(file, run.file), file, mapping)
+    table = read_table(file, run.file)
+    samples = to_samples(run, table, file, mapping)
+    check_finite(samples, file)
     time_s, mended = mend_time(samples["time_s"].to_numpy())
     samples["time_s"] = time_s
     check(run, samples, file)
+    if "load_n" not in run.channels and "load_n" not in table.columns:
+        samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     write_run({**kept, **({"mended": mended} if mended else {})}, samples, folder)
     said = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())

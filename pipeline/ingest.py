@@ -10,7 +10,7 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
 from pipeline.recording import read_recording
-from pipeline.run_yaml import Run
+from pipeline.run_yaml import STRING_ACTUATORS, Run
 from pipeline.runs import read_run, recording_path
 from pipeline.schemas import CHANNELS
 from pipeline.strokes import segment
@@ -36,8 +36,8 @@ def geometry(run: Run) -> Geometry:
     )
 
 
-def check_numbers(samples: pd.DataFrame, path: Path) -> None:
-    """Raise BadInput for an empty table, a NaN or infinity, or a clock that stands, runs back or is too slow."""
+def check_finite(samples: pd.DataFrame, path: Path) -> None:
+    """Raise BadInput for a table too short to hold a stroke, a NaN or an infinity."""
     if len(samples) < LEAST_SAMPLES:
         problem = f"holds {len(samples)} samples, too few for a stroke"
         raise BadInput(path, "file", problem, "record at least one stroke at 10 Hz to 10 kHz")
@@ -47,6 +47,10 @@ def check_numbers(samples: pd.DataFrame, path: Path) -> None:
             mend = "remove the rows without a reading; missing rows are no harm"
             problem = f"is not a number in {bad.sum()} rows, first in row {int(np.argmax(bad)) + 1}"
             raise BadInput(path, name, problem, mend)
+
+
+def check_clock(samples: pd.DataFrame, path: Path) -> None:
+    """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig has."""
     step_s = np.diff(samples["time_s"])
     if (step_s <= 0).any():
         row = int(np.argmax(step_s <= 0)) + 2
@@ -104,8 +108,9 @@ def check_string(samples: pd.DataFrame, base: Geometry, path: Path) -> None:
 
 def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
     """Raise BadInput unless the samples of a run, read from `path`, can be what their names say and hold a stroke."""
-    check_numbers(samples, path)
-    if run.string is not None:
+    check_finite(samples, path)
+    check_clock(samples, path)
+    if run.actuator in STRING_ACTUATORS:
         check_string(samples, geometry(run), path)
     segment(samples, CHANNELS[run.actuator][0], path)
 

@@ -3,6 +3,8 @@
 import gzip
 import hashlib
 import io
+import warnings
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +14,7 @@ import pyarrow.parquet as pq
 
 from pipeline import wire
 from pipeline.errors import BadInput
-from pipeline.run_yaml import Channel, Run, TextFile
+from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run, TextFile
 from pipeline.runs import capture_info, recording_path
 from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS
 from pipeline.units import conversion
@@ -27,7 +29,7 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     try:
         with opened(path, "rb") as file:
             text = file.read().decode(layout.encoding)
-    except (OSError, EOFError) as error:
+    except (OSError, EOFError, zlib.error) as error:
         raise BadInput(path, "file", f"cannot be read ({error})", "copy it again from the logger") from None
     except (UnicodeDecodeError, LookupError):
         mend = "set file.encoding, latin1 for instance"
@@ -37,16 +39,18 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
         lines = [line for line in lines if not line.lstrip().startswith(layout.comment)]
     if len(lines) <= layout.header:
         raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
-    separator = r"\s+" if layout.delimiter.isspace() else layout.delimiter
+    separator = r"\s+" if layout.delimiter == " " else layout.delimiter
     try:
-        table = pd.read_csv(
-            io.StringIO("\n".join(lines)),
-            sep=separator,
-            header=0 if layout.header else None,
-            skipinitialspace=True,
-            index_col=False,
-            engine="c",
-        )
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", pd.errors.ParserWarning)  # a row with a field too many is cut otherwise
+            table = pd.read_csv(
+                io.StringIO("\n".join(lines)),
+                sep=separator,
+                header=0 if layout.header else None,
+                skipinitialspace=True,
+                index_col=False,
+                engine="c",
+            )
     except (pd.errors.ParserError, pd.errors.EmptyDataError, pd.errors.ParserWarning) as error:
         mend = "check file.delimiter, and the line that it names"
         raise BadInput(path, "file", f"is not a table ({str(error).strip()})", mend) from None
@@ -59,7 +63,7 @@ def read_table(path: Path, layout: TextFile) -> pd.DataFrame:
     if path.suffix != ".parquet":
         return read_text(path, layout)
     try:
-        return pq.read_table(path).to_pandas()
+        return pq.read_table(path).to_pandas(ignore_metadata=True)  # an index is a column like any other
     except (pa.ArrowException, OSError):
         mend = "copy it again; a Parquet file whose writer was killed cannot be read"
         raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
@@ -82,7 +86,8 @@ def _raw(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bo
     numbers = pd.to_numeric(column, errors="coerce")
     if column.dtype == bool or (numbers.isna() & column.notna()).any():
         row = int(np.argmax((numbers.isna() & column.notna()).to_numpy()))
-        raise BadInput(path, name, f"row {row + 1} holds {column.iloc[row]!r}, not a number", "remove that row")
+        mend = "write numbers with a decimal point" if "," in str(column.iloc[row]) else "remove that row"
+        raise BadInput(path, name, f"row {row + 1} holds {column.iloc[row]!r}, not a number", mend)
     return numbers.astype(float)
 
 
@@ -110,7 +115,7 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
             problem, _, mend = str(error).partition("; ")
             raise BadInput(mapping, f"channels.{name}.unit", f"{channel.unit} {problem}", mend) from None
         samples[name] = factor * (channel.scale * raw + channel.offset) + shift
-    if run.string is not None and "load_n" not in samples:
+    if run.actuator in STRING_ACTUATORS and "load_n" not in samples:
         samples["load_n"] = pd.Series(run.rig.get("load_n", 0.0), index=table.index)
     return pd.DataFrame(samples).astype(float)
 

@@ -45,7 +45,7 @@ class String(_Section):
 class TextFile(_Section):
     """How a text recording is written."""
 
-    delimiter: str = ","
+    delimiter: str = Field(",", min_length=1, max_length=1, description="one character; a space is any white space")
     header: bool = True
     comment: str | None = Field(None, min_length=1, max_length=1)
     encoding: str = "utf-8"

@@ -61,5 +61,6 @@ def capture_info(folder: Path | str) -> dict[str, Any]:
 
 
 def find_runs(raw: Path | str) -> Iterator[Path]:
-    """Run folders under `raw/`, sorted by name: every folder that holds a `run.yaml`, hidden ones left out."""
-    return (path.parent for path in sorted(Path(raw).glob("[!.]*/run.yaml")))
+    """Run folders under `raw/`, sorted by name: those with a `run.yaml` or a recording, hidden ones left out."""
+    folders = (path for path in sorted(Path(raw).glob("[!.]*")) if path.is_dir())
+    return (path for path in folders if any((path / name).is_file() for name in ("run.yaml", *RECORDINGS)))

@@ -81,10 +81,16 @@ def _holds(time_s: Array, motion: Array, legs: Indices, span: float) -> NDArray[
         travel = np.cumsum(order)  # samples are near enough equally spaced: speed weighs as travel does
         usual = order[np.searchsorted(travel, travel[-1] / 2)]
         slow[leg] = speed[leg] < HOLD_SPEED * usual
-    for first, last in _runs_of(~slow):  # jitter while holding is no motion
-        inside = first > 0 and last < len(slow)
-        if inside and np.ptp(motion[first:last]) < PHASE_REVERSAL * span / 2:
-            slow[first:last] = True
+    still = slow.copy()  # jitter while holding is no motion
+    for first, last in _runs_of(~slow):
+        beside = first > 0 or last < len(slow)
+        if beside and np.ptp(motion[first:last]) < PHASE_REVERSAL * span / 2:
+            still[first:last] = True
+    step = np.diff(motion, append=motion[-1])
+    for first, last in pairwise(legs):  # but a leg that is made of such steps moves all the same
+        absorbed = (still & ~slow)[first:last]
+        if abs(step[first:last][absorbed].sum()) < abs(motion[last] - motion[first]) / 2:
+            slow[first:last] = still[first:last]
     for first, last in _runs_of(slow):
         if time_s[last - 1] - time_s[first] < HOLD_LEAST_S:
             slow[first:last] = False
@@ -113,6 +119,7 @@ def label(time_s: Array, motion: Array) -> tuple[Indices, Phases]:
     strokes, legs = (turning_points(smooth, share * span) for share in (STROKE_REVERSAL, PHASE_REVERSAL))
     holding = _holds(time_s, smooth, legs, span)
     strokes, legs = (_after_stands(points, holding, _half_window(time_s)) for points in (strokes, legs))
+    legs[0], legs[-1] = 0, len(motion) - 1
     resting = holding & (smooth <= low + REST_BAND * span)
 
     phase = np.empty(len(motion), object)
@@ -138,7 +145,7 @@ def segment(samples: pd.DataFrame, driver: str, where: Path | str) -> pd.DataFra
     time_s, motion = samples["time_s"].to_numpy(), samples[driver].to_numpy()
     reach = float(np.subtract(*np.percentile(motion, [99.9, 0.1])))
     stroke, phase = label(time_s, motion)
-    if reach < LEAST_RANGE[driver] or not stroke.any():
+    if reach < LEAST_RANGE[driver] or not (phase[stroke > 0] == "winding").any():
         problem = f"there is no stroke in it: from {motion.min():.3g} to {motion.max():.3g} it never winds up"
         mend = "record at least one winding; is the column the motor's, and its unit right?"
         raise BadInput(where, driver, problem, mend)

@@ -1,11 +1,13 @@
 import numpy as np
+import pandas as pd
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from made_recording import BASE, content, recording
 
 from pipeline import schemas
-from pipeline.dataset import Recorded, blocks_from_top, held_out, in_order, make_dataset, tare_mm
+from pipeline.dataset import HELD_OUT_POINTS, blocks_from_top, held_out, make_dataset
+from pipeline.recorded import Recorded, in_order, tare_mm
 from pipeline.run_yaml import parse_run
 from pipeline.strokes import segment
 
@@ -150,3 +152,48 @@ def test_order_of_runs():
     assert [one.run.run for one in in_order(same)] == ["b", "c"]
     noted = [recorded("b", "2026-11-21T12:00:00Z", early), recorded("c", "2026-11-21T09:00:00Z", early)]
     assert [one.run.run for one in in_order(noted)] == ["c", "b"]
+
+
+def test_order_of_runs_without_a_clock_goes_by_strokes_before_or_by_number():
+    same = recording(1)
+    told = [
+        recorded(name, samples=same, string=string(strokes_before=n)) for name, n in (("a-late", 10), ("b-early", 0))
+    ]
+    assert [one.run.run for one in in_order(told)] == ["b-early", "a-late"]
+    numbered = [recorded(name, samples=same) for name in ("r-10", "r-2")]
+    assert [one.run.run for one in in_order(numbered)] == ["r-2", "r-10"]
+
+
+def test_the_last_rest_before_the_first_stroke_is_the_tare():
+    one = recorded()
+    rest = one.strokes.iloc[[0]]
+    earlier = rest.assign(last_sample=20)
+    later = rest.assign(first_sample=21)
+    samples = one.samples.copy()
+    samples.loc[:20, "displacement_mm"] += 2.0  # the zero moved before the last rest
+    two = Recorded(one.run, "", samples, pd.concat([earlier, later, one.strokes.iloc[1:]], ignore_index=True))
+    assert tare_mm(two) == pytest.approx(tare_mm(one), abs=0.02)
+
+
+def test_the_runs_own_tolerance_goes_with_its_points():
+    dataset = make_dataset([recorded(samples=recording(2), tolerance={"radius": 0.07, "separator_mm": 0.2})])
+    assert (dataset["radius_tolerance"] == 0.07).all() and (dataset["separator_tolerance_mm"] == 0.2).all()
+
+
+def test_what_lies_before_the_first_stroke_stays_out():
+    samples = recording(3)
+    samples = samples[samples["time_s"] > 18.0].reset_index(drop=True)  # begins within the first unwinding
+    dataset = make_dataset([recorded(samples=samples)])
+    assert dataset["stroke"].min() == 1 and dataset["time_s"].min() > 30.0
+
+
+def test_unwinding_blocks_count_from_the_top_too():
+    unwinding = NINE[(NINE["phase"] == "unwinding") & (NINE["stroke"] == 1)]
+    assert unwinding.loc[unwinding["motor_turns"].idxmax(), "block"] == 0
+
+
+def test_held_out_points_are_capped_evenly():
+    dataset = make_dataset([recorded(samples=recording(9, rate_hz=600.0))])
+    assert (dataset["within"] == "test").sum() == HELD_OUT_POINTS == (dataset["later"] == "test").sum()
+    held = dataset[dataset["within"] == "test"].groupby(["stroke", "phase"]).size()
+    assert len(held) == 18 and held.max() < 1.2 * held.min()

@@ -66,6 +66,16 @@ def test_every_number_can_be_recomputed_from_the_stored_predictions(dataset, tmp
     assert pick(metrics, **where)["value"] == pytest.approx(by_hand)
 
 
+def test_errors_of_both_signs_do_not_cancel(dataset, tmp_path):
+    held = np.flatnonzero(dataset["within"] == "test")
+    path = write_predictions(
+        dataset, tmp_path / "toy" / "within-0.predictions.parquet", motor_turns=np.resize([1.0, -1.0], len(held))
+    )
+    metrics = evaluate(dataset, path, "m")
+    where = {"map": "inverse", "phase": "all", "angle_band": "all", "stroke": "all", "metric": "average"}
+    assert pick(metrics, **where)["value"] == pytest.approx(1.0)
+
+
 def test_predictions_of_other_points_are_refused(dataset, tmp_path):
     path = write_predictions(dataset, tmp_path / "toy" / "later-0.predictions.parquet", split="within")
     with pytest.raises(BadInput, match="not the points that later holds out"):

@@ -22,6 +22,15 @@ def test_a_failed_write_leaves_what_was_there(tmp_path):
     assert path.read_text() == "old" and os.listdir(tmp_path) == ["table.csv"]
 
 
+def test_who_reads_sees_the_old_file_or_the_new_one(tmp_path):
+    path = tmp_path / "table.csv"
+    write_text(path, "old")
+    with open(path) as reader:
+        write_text(path, "new and longer")
+        assert reader.read() == "old"
+    assert path.read_text() == "new and longer"
+
+
 def test_a_table_comes_back_as_it_went(tmp_path):
     table = pd.DataFrame({"point": [1, 2], "displacement_mm": [0.5, float("nan")], "motor_turns": [1.0, 2.0]})
     schemas.write(table, schemas.PREDICTIONS, tmp_path / "t.parquet")

@@ -61,6 +61,7 @@ def test_the_ground_stands_on_nothing_but_the_ground():
         ("report", {"models", "rig", "diagnosis", "train"}),
         ("capture", {"rig", "models", "report"}),
         ("diagnosis", {"rig", "models", "report", "proof"}),
+        ("proof", {"diagnosis", "models", "report", "train"}),
     ],
 )
 def test_neighbours_do_not_reach_into_each_other(one, others):

@@ -80,6 +80,25 @@ def test_bad_imports_write_nothing(foreign, name, change, says):
     assert (sorted(raw.rglob("*")) if raw.exists() else []) == before
 
 
+def test_a_time_stamp_that_is_no_number_is_not_mended(foreign):
+    file, mapping, raw = foreign
+    lines = file.read_text().splitlines()
+    lines[30] = ";".join(["nan", *lines[30].split(";")[1:]])
+    file.write_text("\n".join(lines))
+    with pytest.raises(BadInput, match="time_s: is not a number"):
+        import_run(file, mapping, "a-01", raw)
+    assert not raw.exists()
+
+
+def test_the_rigs_load_is_not_baked_in(foreign):
+    file, mapping, raw = foreign
+    import_run(file, mapping, "a-01", raw)
+    assert "load_n" not in pd.read_parquet(raw / "a-01" / "recording.parquet").columns
+    text = (raw / "a-01" / "run.yaml").read_text()
+    (raw / "a-01" / "run.yaml").write_text(text.replace("separator_mm: 8", "separator_mm: 8\n  load_n: 30"))
+    assert (read_samples(raw / "a-01")[1]["load_n"] == 30).all()
+
+
 def test_a_bad_mapping_is_named_not_the_run(foreign):
     file, mapping, raw = foreign
     mapping.write_text(mapping.read_text().replace("radius_mm", "raduis_mm"))

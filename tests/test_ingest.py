@@ -90,6 +90,36 @@ def test_every_form_of_recording_gives_the_same_samples(make_run, suffix):
     assert read.to_numpy() == pytest.approx(GOOD.to_numpy(), abs=0, rel=0)
 
 
+def test_an_index_of_a_data_frame_is_a_channel(make_run):
+    folder = make_run("a-01")
+    GOOD.set_index("time_s").to_parquet(folder / "recording.parquet")
+    assert read_samples(folder)[1].to_numpy() == pytest.approx(GOOD.to_numpy())
+
+
+def test_an_empty_cell_of_a_tab_file_shifts_nothing(make_run):
+    folder = make_run("a-01", suffix=".csv", file={"delimiter": "\t"})
+    lines = GOOD.to_csv(index=False, sep="\t").splitlines()
+    cells = lines[60].split("\t")
+    lines[60] = "\t".join([cells[0], "", *cells[2:]])
+    (folder / "recording.csv").write_text("\n".join(lines))
+    with pytest.raises(BadInput, match="motor_turns: is not a number in 1 rows, first in row 60"):
+        read_samples(folder)
+
+
+def test_a_row_with_a_field_too_many_is_not_cut(make_run):
+    folder = make_run("a-01", suffix=".csv")
+    lines = GOOD.to_csv(index=False).splitlines()
+    (folder / "recording.csv").write_text("\n".join([lines[0], *(f"{line},7" for line in lines[1:])]))
+    with pytest.raises(BadInput, match="is not a table"):
+        read_samples(folder)
+
+
+def test_a_rig_without_string_may_describe_one(make_run):
+    samples = GOOD.rename(columns={"motor_turns": "motor_deg", "displacement_mm": "jaw_deg"}).drop(columns="load_n")
+    _, read = read_samples(make_run("a-01", samples, actuator="cable_drive"))
+    assert list(read.columns) == ["time_s", "motor_deg", "jaw_deg"]
+
+
 def test_channels_units_and_the_load_of_the_rig(make_run):
     samples = GOOD.rename(columns={"motor_turns": "theta", "displacement_mm": "x"}).drop(columns="load_n")
     samples["theta"] = samples["theta"] * 2 * np.pi
@@ -128,6 +158,7 @@ def test_samples_carry_units(make_run, tmp_path):
         ("time_s,motor_turns,displacement_mm\n", "file", "holds no samples"),
         ("time_s,motor_turns,displacement_mm\n1,2,x\n", "displacement_mm", "row 1 holds 'x', not a number"),
         ("time_s;motor_turns;displacement_mm\n1;2;3\n", "time_s", "no column 'time_s'"),
+        ('time_s,motor_turns,displacement_mm\n1,2,"3,5"\n', "displacement_mm", "with a decimal point"),
         ('time_s,motor_turns\n1,2\n1,2,3,4\n"', "file", "is not a table"),
     ],
 )

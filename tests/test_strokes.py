@@ -148,3 +148,40 @@ def test_every_sample_has_one_stretch():
         [np.arange(a, b + 1) for a, b in zip(table["first_sample"], table["last_sample"], strict=True)]
     )
     assert (covered == np.arange(len(samples))).all()
+
+
+@pytest.mark.parametrize(("back", "strokes"), [(0.24, 1), (0.26, 2)])
+def test_a_quarter_of_the_range_parts_strokes(back, strokes):
+    found, _ = phases_of([(0, 0), (10, 20), (13, 20 * (1 - back)), (16, 20), (26, 0)])
+    assert max(stroke for stroke, _ in found) == strokes
+
+
+@pytest.mark.parametrize(("level", "phase"), [(0.04, "rest"), (0.06, "hold")])
+def test_a_rest_is_a_hold_within_five_percent_of_the_lowest_twist(level, phase):
+    low = 20 * level
+    found, _ = phases_of([(0, 0), (10, 20), (20, low), (25, low), (35, 20), (45, 0), (48, 0)])
+    assert found[2] == (1, phase)
+
+
+@pytest.mark.parametrize("noise_turns", [0.01, 0.03])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_noisy_motor_channel_leaves_no_sample_without_a_phase(noise_turns, seed):
+    time_s, turns = sampled(motion(3), rate_hz=100.0, noise_turns=noise_turns, seed=seed)
+    stroke, phase = label(time_s, turns)
+    assert stroke.max() == 3 and set(phase) == {"winding", "hold", "unwinding", "rest"}
+    assert phase[0] == "rest" and (phase[:180] == "rest").all()  # what the tare stands on
+
+
+def test_a_winding_in_small_steps_is_a_winding():
+    corners = [(0.0, 0.0), (2.0, 0.0)]
+    for step in range(1, 81):
+        corners += [(corners[-1][0] + 0.1, 0.25 * step), (corners[-1][0] + 1.1, 0.25 * step)]
+    corners += [(corners[-1][0] + 10, 0.0), (corners[-1][0] + 13, 0.0)]
+    found, table = phases_of(corners)
+    assert (1, "winding") in found and (1, "unwinding") in found and table["stroke"].max() == 1
+
+
+def test_a_twist_of_less_than_a_tenth_of_a_turn_is_no_stroke():
+    time_s, turns = sampled(motion(3))
+    with pytest.raises(BadInput, match="no stroke"):
+        segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns * 0.003}), "motor_turns", "here")

@@ -8,6 +8,9 @@ def summary(reports: Path, materials: list[str]) -> str:
     text = []
     for material in materials:
         folder = reports / material
+        if not all((folder / f"table_{number}.md").is_file() for number in (1, 2)):
+            text.append(f"\n== {material}: no tables")
+            continue
         text.append(f"\n== {material} " + "=" * max(0, 90 - len(material)))
         text += [(folder / f"table_{number}.md").read_text(encoding="utf-8") for number in (1, 2)]
         figures = [str(folder / f"figure_{number}.png") for number in (4, 5)]

@@ -1,38 +1,61 @@
-"""What an effect of the string is: a small machine with a state, stepped in time, that acts on one quantity."""
+"""What an effect is: a small machine with a state, stepped in time, that acts on one quantity of the rig."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from pipeline.kinematics import Geometry
+import numpy as np
+from numba import njit
+
+from pipeline.kinematics import Array, Geometry
+
+ActsOn = Literal["twist", "radius", "length", "contraction", "reading"]
+compiled = njit(cache=True)  # for loops over the steps; compiled once a machine
 
 
 @dataclass(slots=True)
-class Now:
-    """What the string undergoes in one step; the string fills it in the order of its fields.
-
-    Twist effects see the motor's twist, radius effects the string's as well, length effects everything.
-    """
+class Lived:
+    """A stretch of time as the rig lives it: arrays of shape (steps,), filled in the order of their fields."""
 
     geometry: Geometry  # the true dimensions, scalars
     step_s: float
-    load_n: float = 0.0
-    turned_rad: float = 0.0  # what the motor turned in this step
-    twist_rad: float = 0.0  # the motor's, then the string's once the twist effects have acted
-    radius_mm: float = 0.0  # under load; then as the radius effects leave it
-    helix_tangent: float = 0.0  # of the helix angle, with the radius of the step before for radius effects
-    advance_mm: float = 0.0  # what the helix contracted in this step
+    load_n: Array
+    turned_rad: Array  # what the motor turned in each step
+    twist_rad: Array  # the motor's, then as each twist effect leaves it
+    radius_mm: Array  # under load, then as each radius effect leaves it
+    helix_tangent: Array  # of the helix angle
+    helix_mm: Array  # contraction of the helix, as the twist and the radius make it
+    advance_mm: Array  # what the helix contracted in each step
+    contraction_mm: Array  # the helix' less what the string is longer, then as each contraction effect leaves it
+    reading_mm: Array  # what the displacement sensor says, before noise
+    temperature_c: Array  # what a thermocouple on the string would say
+
+    @property
+    def helix_sine(self) -> Array:
+        """Sine of the helix angle."""
+        return self.helix_tangent / np.hypot(1.0, self.helix_tangent)
 
 
 class Effect(ABC):
     """One effect: its parameters are the arguments of its making, its state lasts as long as the string."""
 
-    acts_on: ClassVar[Literal["twist", "radius", "length"]]
+    acts_on: ClassVar[ActsOn]
 
     @abstractmethod
-    def step(self, now: Now) -> float:
-        """Advance the state by one step and return what the effect does now.
+    def run(self, lived: Lived) -> Array:
+        """Advance the state through a stretch of time and return what the effect does after each of its steps.
 
         A twist effect returns the twist that the string has less than the motor, in rad; a radius effect the
-        factor on the radius; a length effect the lengthening of the string, in mm.
+        factor on the radius; a length effect the lengthening of the string and a contraction effect what the
+        load moves less than the string pulls, in mm; a reading effect what the sensor says too much, in mm.
         """
+
+
+@compiled
+def settle(asked: Array, share: float, state: Array) -> Array:
+    """A state that closes a share of its gap to what is asked in every step; of the shape of `asked`."""
+    out = np.empty(len(asked))
+    for step in range(len(asked)):
+        state[0] += (asked[step] - state[0]) * share
+        out[step] = state[0]
+    return out

@@ -125,3 +125,12 @@ def test_progress_is_logged_and_a_lost_loss_is_an_error(
     assert [record.message.split(",")[0] for record in caplog.records] == ["epoch 1 of 2", "epoch 2 of 2"]
     with pytest.raises(ArithmeticError, match="nan in epoch 1"):
         minimise(net, lambda rows: net(rows[:, None].float()).mean() * torch.nan, 10, 4, [0.1])
+
+
+def test_the_inn_is_the_papers_by_default() -> None:
+    from pipeline.models.inn import Settings
+
+    default = Settings()
+    assert (default.blocks, default.width, default.layers) == (7, 256, 3)
+    assert default.rates == (8e-4, 4e-4, 1e-4, 5e-5)
+    assert default.composite == "identity" and default.log_stroke

@@ -51,6 +51,14 @@ def test_cells_are_medians_of_the_seeds_within_and_winding():
     assert inverse[0][2] == "1001.112"
 
 
+def test_cells_are_medians_not_means_and_of_the_whole_range():
+    metrics = made_metrics(strokes=(1,), seeds=3)
+    metrics["value"] = metrics["seed"].map({0: 1.0, 1: 2.0, 2: 9.0})
+    poison = metrics.assign(angle_band="0-25%", value=99.0)
+    table = rows(pd.concat([metrics, poison], ignore_index=True), 1, TITLES)
+    assert table[0][2] == ["2.000"] * 3
+
+
 def test_a_stroke_that_is_not_there_keeps_its_row_empty():
     body = list(csv.reader(io.StringIO(to_csv(1, rows(made_metrics(strokes=(1,)), 1, TITLES)))))[1:]
     assert len(body) == 9

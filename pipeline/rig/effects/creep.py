@@ -3,7 +3,10 @@
 import math
 from collections.abc import Sequence
 
-from pipeline.rig.effect import Effect, Now
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, compiled
 
 
 class Model(Effect):
@@ -16,15 +19,30 @@ class Model(Effect):
     acts_on = "length"
 
     def __init__(self, compliance_mm_per_n: Sequence[float], tau_s: Sequence[float], yield_mm: float = 0.03) -> None:
-        self.branches = list(zip(compliance_mm_per_n, tau_s, strict=True))
+        if len(compliance_mm_per_n) != len(tau_s):
+            raise TypeError("compliance_mm_per_n and tau_s must have one value for each branch")
+        self.compliance_mm_per_n = np.array(compliance_mm_per_n, float)
+        self.tau_s = np.array(tau_s, float)
         self.yield_mm = yield_mm
-        self.flow_mm = [0.0] * len(self.branches)
+        self.flow_mm = np.zeros(len(self.tau_s))
 
-    def step(self, now: Now) -> float:
-        pull_n = now.load_n * now.helix_tangent / math.sqrt(1.0 + now.helix_tangent**2)
-        for branch, (compliance_mm_per_n, tau_s) in enumerate(self.branches):
-            gap_mm = compliance_mm_per_n * pull_n - self.flow_mm[branch]
+    def run(self, lived: Lived) -> Array:
+        """Lengthening in mm."""
+        pull_n = lived.load_n * lived.helix_tangent / np.sqrt(1.0 + lived.helix_tangent**2)
+        kept = np.array([math.exp(-lived.step_s / tau_s) for tau_s in self.tau_s])
+        return _flow(pull_n, self.compliance_mm_per_n, kept, self.yield_mm, self.flow_mm)
+
+
+@compiled
+def _flow(pull_n: Array, compliance_mm_per_n: Array, kept: Array, yield_mm: float, flow_mm: Array) -> Array:
+    out = np.empty(len(pull_n))
+    for step in range(len(pull_n)):
+        total = 0.0
+        for branch in range(len(flow_mm)):
+            gap_mm = compliance_mm_per_n[branch] * pull_n[step] - flow_mm[branch]
             # sinh flow has a closed solution for a standing pull: tanh(g/2y) falls as exp(−t/τ)
-            rest = math.tanh(gap_mm / (2.0 * self.yield_mm)) * math.exp(-now.step_s / tau_s)
-            self.flow_mm[branch] += gap_mm - 2.0 * self.yield_mm * math.atanh(rest)
-        return sum(self.flow_mm)
+            rest = math.tanh(gap_mm / (2.0 * yield_mm)) * kept[branch]
+            flow_mm[branch] += gap_mm - 2.0 * yield_mm * math.atanh(rest)
+            total += flow_mm[branch]
+        out[step] = total
+    return out

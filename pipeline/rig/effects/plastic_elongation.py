@@ -1,9 +1,11 @@
 """Winding under load stretches a string for good, ever less as it is worked."""
 
-import math
 from collections.abc import Sequence
 
-from pipeline.rig.effect import Effect, Now
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, compiled
 
 
 class Model(Effect):
@@ -16,18 +18,27 @@ class Model(Effect):
     acts_on = "length"
 
     def __init__(self, stretch_mm: Sequence[float], work_n_mm: Sequence[float]) -> None:
-        self.left_mm = list(stretch_mm)
-        self.work_n_mm = list(work_n_mm)
-        if len(self.left_mm) != len(self.work_n_mm):
+        if len(stretch_mm) != len(work_n_mm):
             raise TypeError("stretch_mm and work_n_mm must have one value for each population")
-        self.given_mm = 0.0
+        self.left_mm = np.array(stretch_mm, float)
+        self.work_n_mm = np.array(work_n_mm, float)
+        self.given_mm = np.zeros(1)
 
-    def step(self, now: Now) -> float:
-        sine = now.helix_tangent / math.hypot(1.0, now.helix_tangent)
-        work_n_mm = now.load_n * max(now.advance_mm, 0.0) * sine
-        for population, capacity_n_mm in enumerate(self.work_n_mm):
-            share = work_n_mm / (capacity_n_mm + work_n_mm)  # implicit: never more than there is
-            yielded_mm = self.left_mm[population] * share
-            self.left_mm[population] -= yielded_mm
-            self.given_mm += yielded_mm
-        return self.given_mm
+    def run(self, lived: Lived) -> Array:
+        """Lengthening in mm."""
+        work_n_mm = lived.load_n * np.maximum(lived.advance_mm, 0.0) * lived.helix_sine
+        return _yield(work_n_mm, self.work_n_mm, self.left_mm, self.given_mm)
+
+
+@compiled
+def _yield(work_n_mm: Array, capacity_n_mm: Array, left_mm: Array, given_mm: Array) -> Array:
+    out = np.empty(len(work_n_mm))
+    for step in range(len(work_n_mm)):
+        for population in range(len(left_mm)):
+            # implicit: never more than there is
+            share = work_n_mm[step] / (capacity_n_mm[population] + work_n_mm[step])
+            yielded_mm = left_mm[population] * share
+            left_mm[population] -= yielded_mm
+            given_mm[0] += yielded_mm
+        out[step] = given_mm[0]
+    return out

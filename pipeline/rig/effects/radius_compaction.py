@@ -2,7 +2,10 @@
 
 import math
 
-from pipeline.rig.effect import Effect, Now
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, compiled
 
 
 class Model(Effect):
@@ -20,11 +23,30 @@ class Model(Effect):
     ) -> None:
         self.bed_mpa, self.exponent, self.settle_s = bed_mpa, exponent, settle_s
         self.limit = densest / loose
-        self.packing = 1.0  # φ/φ0
+        self.state = np.array([1.0, np.nan])  # φ/φ0, and the radius of the step before
 
-    def step(self, now: Now) -> float:
-        squared = now.helix_tangent**2
-        pressure_mpa = now.load_n * squared / (1.0 + squared) / now.radius_mm**2 * self.packing
-        borne = min((1.0 + pressure_mpa / self.bed_mpa) ** (1.0 / self.exponent), self.limit)
-        self.packing += (borne - self.packing) * -math.expm1(-now.step_s / self.settle_s)
-        return self.packing**-0.5
+    def run(self, lived: Lived) -> Array:
+        """Factor on the radius."""
+        if math.isnan(self.state[1]):
+            self.state[1] = lived.geometry.radius_mm
+        settled = -math.expm1(-lived.step_s / self.settle_s)
+        bed = (self.bed_mpa, 1.0 / self.exponent, self.limit, settled)
+        zone = (lived.geometry.torsion_zone_mm, lived.geometry.separator_mm)
+        return _pack(lived.load_n, lived.twist_rad, lived.radius_mm, zone, bed, self.state)
+
+
+@compiled
+def _pack(
+    load_n: Array, twist_rad: Array, radius_mm: Array, zone: tuple[float, float], bed: tuple[float, ...], state: Array
+) -> Array:
+    zone_mm, separator_mm = zone
+    bed_mpa, inverse_exponent, limit, settled = bed
+    out = np.empty(len(load_n))
+    for step in range(len(load_n)):
+        squared = ((separator_mm + twist_rad[step] * state[1]) / zone_mm) ** 2
+        pressure_mpa = load_n[step] * squared / (1.0 + squared) / radius_mm[step] ** 2 * state[0]
+        borne = min((1.0 + pressure_mpa / bed_mpa) ** inverse_exponent, limit)
+        state[0] += (borne - state[0]) * settled
+        out[step] = state[0] ** -0.5
+        state[1] = radius_mm[step] * out[step]
+    return out

@@ -1,0 +1,1 @@
+"""The concealed proof: recordings of the synthetic rig with physics hidden in them, and sealed answers that name it."""

@@ -1,0 +1,61 @@
+"""Which effects look alike to any diagnosis: the best copy of one that another can make, once calibration is free."""
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+from scipy.optimize import nnls
+
+from pipeline.kinematics import Array
+from pipeline.proof.bench import Bench
+from pipeline.proof.case import Case
+from pipeline.proof.draws import EITHER_SIGN, NAMED, Parameters, draw_effect
+from pipeline.proof.perform import perform
+from pipeline.proof.protocol import Protocol
+from pipeline.proof.size import calibrated, measure, rms
+
+SHAPES = 6  # of each effect, drawn; a copy may mix them, which is more than one set of parameters can
+MOST_STRENGTH = 30.0
+DEAR = 0.03  # noise floors that a weight of 1 costs, so that no huge shapes cancel each other to make a copy
+THIN = 5  # samples of which one is compared
+Copies = Mapping[str, Array]  # by effect: what calibration leaves of its shapes, (samples, shapes)
+
+
+def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Copies:
+    """What calibration leaves of every effect on a case's bench and protocol, each about a noise floor large."""
+    rng = np.random.default_rng([case.seed, 2])
+    bench, protocol, floor_mm = case.bench, case.protocol, case.nuisance.floor_mm
+    # what calibration leaves of nothing is no copy: the limits of the dimensions show in it
+    bare_mm = _left_mm(bench, protocol, {}, floor_mm)
+    found = {}
+    for name in names:
+        left = [np.zeros(len(bare_mm))]
+        for _ in range(shapes):
+            of = draw_effect(name, bench, protocol, rng)
+            kappa = measure(bench, protocol, {name: of(1.0)}, floor_mm)[0].kappa
+            if kappa < 1.0 / MOST_STRENGTH:  # nothing of it shows on this protocol: what is left is rounding
+                continue
+            strength = max(1.0 / kappa, 1e-3)
+            left.append(_left_mm(bench, protocol, {name: of(strength)}, floor_mm) - bare_mm)
+        both = [-one for one in left] if name in EITHER_SIGN else []
+        found[name] = np.array(left + both).T
+    return found
+
+
+def left_over(case: Case, of: Copies) -> dict[str, float]:
+    """By effect: what it leaves of the case's mismatch, in noise floors, when it copies it as well as it can.
+
+    What leaves less than a diagnosis could see is a tie by construction, whatever the recording is worth else.
+    """
+    bench, protocol, floor_mm = case.bench, case.protocol, case.nuisance.floor_mm
+    wanted_mm = _left_mm(bench, protocol, case.effects, floor_mm) - _left_mm(bench, protocol, {}, floor_mm)
+    dear = DEAR * floor_mm * np.sqrt(len(wanted_mm))
+    left = {}
+    for name, mixed in of.items():
+        costs = dear * np.eye(mixed.shape[1])
+        weights = nnls(np.vstack([mixed, costs]), np.append(wanted_mm, np.zeros(len(costs))))[0]
+        left[name] = rms(wanted_mm - mixed @ weights) / floor_mm
+    return left
+
+
+def _left_mm(bench: Bench, protocol: Protocol, hidden: Mapping[str, Parameters], floor_mm: float) -> Array:
+    return calibrated(bench, perform(bench, protocol, hidden), floor_mm).residual_mm[::THIN]

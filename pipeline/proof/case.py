@@ -1,0 +1,138 @@
+"""One concealed case: what is drawn from its seed, what is recorded of it, and what its sealed answer says."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+import pandas as pd
+
+from pipeline.proof.bench import Bench, draw_bench, mismeasure
+from pipeline.proof.draws import NAMED, OPEN_SET, Parameters, draw_effect
+from pipeline.proof.location import location
+from pipeline.proof.nuisance import Nuisance, draw_nuisance, late_s, record
+from pipeline.proof.perform import perform
+from pipeline.proof.protocol import Kind, Protocol, draw_protocol
+from pipeline.proof.referee import Ruling, rule
+from pipeline.proof.size import OutOfReach, Size, measure, strength_for
+
+Stratum = Literal["none", "parameters", "noise", "single", "pair", "open"]
+STRATA: tuple[Stratum, ...] = ("none", "parameters", "noise", "single", "pair", "open")
+HIDES = {"single": 1, "pair": 2, "open": 1}  # effects in a case, by stratum; the others hide none
+ALWAYS = ("radius_compaction", "axial_elasticity", "eccentricity")  # every real string has a little of these
+ATTEMPTS = 8
+ALWAYS_KAPPA = 0.15  # and together they stay below this
+WITHIN, BEYOND = (0.0, 1.8), (1.0, 3.0)  # sigma of the measuring errors; so far off only in `parameters`
+
+
+@dataclass(frozen=True)
+class Case:
+    """All that a case is, before it is performed; the same seed draws the same case."""
+
+    seed: int
+    stratum: Stratum
+    bench: Bench
+    protocol: Protocol
+    nuisance: Nuisance
+    effects: dict[str, Parameters]  # what the answer names
+    sizes: dict[str, Size]  # of each alone
+    rulings: dict[str, Ruling]  # of the referee, on each alone
+    always: dict[str, Parameters]  # what the answer does not name
+    load_cell: bool
+    thermocouple: bool
+
+
+def draw_case(
+    seed: int, stratum: Stratum, protocol: Kind, effects: Sequence[str] = (), kappas: Sequence[float] = (1.0,)
+) -> Case:
+    """Draw a case; effects that are not given are drawn, and one kappa serves for all of them. Raises OutOfReach."""
+    # a stream for each thing, so that another effect does not change the bench that it is hidden in
+    bench_rng, protocol_rng, nuisance_rng, effect_rng, always_rng = (
+        np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(5)
+    )
+    bench = mismeasure(draw_bench(bench_rng), bench_rng, BEYOND if stratum == "parameters" else WITHIN)
+    told = draw_protocol(protocol, bench, protocol_rng)
+    nuisance = draw_nuisance(nuisance_rng, trap=stratum == "noise")
+    load_cell, thermocouple = protocol == "rich" or nuisance_rng.random() < 0.5, nuisance_rng.random() < 0.2
+    count, pool = HIDES.get(stratum, 0), OPEN_SET if stratum == "open" else NAMED
+    drawn = effect_rng.permutation(np.array(pool, object)).tolist()
+    names = [*effects, *[name for name in drawn if name not in effects]][:count]
+    wanted = [*kappas, *[kappas[-1]] * count][:count]
+    hidden, sizes = {}, {}
+    rulings: dict[str, Ruling] = {}
+    for name, kappa in zip(names, wanted, strict=True):
+        hidden[name], sizes[name], rulings[name] = _pure(name, bench, told, nuisance.floor_mm, kappa, effect_rng)
+    always = _always(bench, told, nuisance.floor_mm, names, always_rng)
+    thermocouple |= "room_k" in hidden.get("thermal", {})
+    return Case(seed, stratum, bench, told, nuisance, hidden, sizes, rulings, always, load_cell, thermocouple)
+
+
+def _pure(
+    name: str, bench: Bench, protocol: Protocol, floor_mm: float, kappa: float, rng: np.random.Generator
+) -> tuple[Parameters, Size, Ruling]:
+    """An effect of that size which the referee lets pass under its name; raises OutOfReach after some attempts."""
+    for _ in range(ATTEMPTS):
+        of = draw_effect(name, bench, protocol, rng)
+        strength, size = strength_for(name, of, bench, protocol, floor_mm, kappa)
+        ruling = rule(name, of(strength), bench, protocol)
+        if ruling.pure:
+            return of(strength), size, ruling
+    raise OutOfReach(f"{name} of {kappa:g} noise floors is never pure on this bench and protocol")
+
+
+def _always(
+    bench: Bench, protocol: Protocol, floor_mm: float, but: Sequence[str], rng: np.random.Generator
+) -> dict[str, Parameters]:
+    """Small effects that no diagnosis need find."""
+    always = {}
+    for name in ALWAYS:
+        if name in but:
+            continue
+        kappa = ALWAYS_KAPPA / len(ALWAYS) * rng.uniform(0.3, 0.9)
+        of = draw_effect(name, bench, protocol, rng)
+        try:
+            strength, _ = strength_for(name, of, bench, protocol, floor_mm, kappa)
+        except OutOfReach:  # nothing of it shows on this protocol, however much there is
+            strength = 0.1
+        always[name] = of(strength)
+    return always
+
+
+def performed(case: Case) -> pd.DataFrame:
+    """The case's recording, with all its effects and nuisances."""
+    late_rng, record_rng = (np.random.default_rng(child) for child in np.random.SeedSequence([case.seed, 1]).spawn(2))
+    count = len(case.protocol.phases[0])
+    late = late_s(case.nuisance, case.protocol.rate_hz, count, late_rng)
+    said = perform(case.bench, case.protocol, case.effects | case.always, late)
+    return record(said, case.nuisance, case.protocol.rate_hz, case.load_cell, case.thermocouple, record_rng)
+
+
+def answer(case: Case, run: str) -> dict[str, Any]:
+    """The sealed answer: what is hidden in the recording, how much of it calibration leaves, and where."""
+    bench, floor_mm = case.bench, case.nuisance.floor_mm
+    size, clean, fit = measure(bench, case.protocol, case.effects, floor_mm)
+    extras, _, _ = measure(replace(bench, measured=bench.true), case.protocol, case.always, floor_mm)
+    return {
+        "run": run,
+        "seed": case.seed,
+        "stratum": case.stratum,
+        "protocol": case.protocol.kind,
+        "effects": [
+            {"id": name, "parameters": parameters, **case.sizes[name].told(), **case.rulings[name].told()}
+            for name, parameters in case.effects.items()
+        ],
+        "together": size.told(),
+        "noise_floor_mm": floor_mm,
+        "location": location(clean, fit.residual_mm) if case.effects else None,
+        "dimensions": {
+            name: {"measured": getattr(bench.measured, name), "true": getattr(bench.true, name)}
+            for name in ("radius_mm", "separator_mm", "torsion_zone_mm", "length_mm", "stiffness_n_per_mm")
+        },
+        "measuring_errors_sigma": bench.errors(),
+        "calibration_moves_sigma": fit.sigmas,
+        "scale": bench.scale,
+        "zero_mm": bench.zero_mm,
+        "nuisance": case.nuisance.told(),
+        "always": {"effects": case.always, "kappa": extras.kappa},
+        "motion": case.protocol.motion.model_dump(),
+    }

@@ -1,0 +1,51 @@
+"""Where a mismatch sits: the smallest box of twist × strokes × phase that holds four fifths of its energy."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.kinematics import Array
+from pipeline.proof.perform import Performed
+
+SHARE = 0.80
+BINS = 24  # of the twist
+PHASES = ("winding", "hold", "unwinding", "rest", "all")
+
+
+def location(performed: Performed, residual_mm: Array) -> dict[str, Any]:
+    """The box as the contract writes it; its size is the number of samples in it."""
+    edges = np.linspace(performed.motor_turns.min(), performed.motor_turns.max(), BINS + 1)
+    turn = np.clip(np.searchsorted(edges, performed.motor_turns, side="right") - 1, 0, BINS - 1)
+    energy, whole = np.square(residual_mm), float(np.square(residual_mm).sum())
+    strokes = int(performed.stroke.max()) + 1
+    best: dict[str, Any] = {}
+    least = np.inf
+    for phase in PHASES:
+        here = np.full(len(turn), True) if phase == "all" else performed.phase == phase
+        held = _summed(turn[here], performed.stroke[here], energy[here], strokes)
+        size = _summed(turn[here], performed.stroke[here], np.ones(here.sum()), strokes)
+        size = np.where(held >= SHARE * whole, size, np.inf)
+        if size.min() < least:
+            least = float(size.min())
+            low, high, first, last = np.unravel_index(int(size.argmin()), size.shape)
+            best = {
+                "motor_turns": [float(edges[low]), float(edges[high + 1])],
+                "strokes": [int(first), int(last)],
+                "phase": phase,
+                "share": float(held[low, high, first, last] / whole),
+                "of_samples": least / len(turn),
+            }
+    return best
+
+
+def _summed(turn: NDArray[np.intp], stroke: NDArray[np.intp], value: Array, strokes: int) -> Array:
+    """Sum over every box, shape (lowest bin, highest bin, first stroke, last stroke); no box is inside out."""
+    table = np.zeros((BINS + 1, strokes + 1))
+    np.add.at(table, (turn + 1, stroke + 1), value)
+    table = table.cumsum(0).cumsum(1)
+    low, high = table[:-1], table[1:]
+    rows = high[None, :, :] - low[:, None, :]  # (low, high, strokes + 1)
+    boxes = rows[:, :, None, 1:] - rows[:, :, :-1, None]
+    proper = np.triu(np.ones((BINS, BINS), bool))[:, :, None, None] & np.triu(np.ones((strokes, strokes), bool))
+    return np.where(proper, boxes, 0.0)

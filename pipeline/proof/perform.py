@@ -1,0 +1,54 @@
+"""A bench performs a motion, and its sensors would say without noise: the rig run once, sampled where asked."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.kinematics import Array, Geometry
+from pipeline.proof.bench import Bench
+from pipeline.proof.protocol import STEPS_PER_SAMPLE, Protocol, phases
+from pipeline.rig import effects
+from pipeline.rig.motion import Commands
+from pipeline.rig.string import String
+
+Hidden = Mapping[str, Mapping[str, Any]]  # parameters by effect
+
+
+@dataclass(frozen=True)
+class Performed:
+    """What was truly done and said, in equal samples; arrays of shape (samples,)."""
+
+    time_s: Array
+    motor_turns: Array
+    load_n: Array
+    displacement_mm: Array
+    temperature_c: Array
+    stroke: NDArray[np.intp]
+    phase: NDArray[np.str_]
+
+
+def live(geometry: Geometry, told: Commands, hidden: Hidden, step_s: float) -> tuple[Array, Array]:
+    """Displacement in mm and temperature in °C at the end of every step; both of shape (steps,)."""
+    string = String(geometry, [effects.make(*effect) for effect in hidden.items()], step_s)
+    lived = string.live(told.motor_turns, told.load_n)
+    return lived.reading_mm, lived.temperature_c
+
+
+def perform(bench: Bench, protocol: Protocol, hidden: Hidden, late_s: Array | None = None) -> Performed:
+    """The bench with these effects in it, sampled at the protocol's rate or `late_s` after it.
+
+    The displacement has the sensor's scale and zero.
+    """
+    told = protocol.told
+    reading_mm, temperature_c = live(bench.true, told, hidden, protocol.step_s)
+    time_s = told.time_s[::STEPS_PER_SAMPLE]
+    time_s = time_s if late_s is None else np.clip(time_s + late_s, 0.0, told.time_s[-1])
+    sampled = [
+        np.interp(time_s, told.time_s, values) for values in (told.motor_turns, told.load_n, reading_mm, temperature_c)
+    ]
+    stroke, phase = protocol.phases if late_s is None else phases(told, time_s)
+    displacement_mm = bench.scale * sampled[2] + bench.zero_mm
+    return Performed(time_s, sampled[0], sampled[1], displacement_mm, sampled[3], stroke, phase)

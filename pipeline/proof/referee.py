@@ -1,0 +1,146 @@
+"""The referee of purity: an effect is what its name says when it stands still as soon as its driver does.
+
+It reruns the rig with the declared driver frozen, where little of the effect may be left, and with other things
+changed, where little of it may change.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.proof.bench import Bench
+from pipeline.proof.protocol import Protocol
+from pipeline.rig import effects
+from pipeline.rig.motion import Commands
+from pipeline.rig.string import String
+
+LEAST_CARRIED = 0.90
+MOST_CHANGED = 0.10
+
+Done = tuple[Commands, float]  # what is commanded, and the time that a step of it lasts
+Change = Callable[[Commands, float], Done]
+
+
+def _turns(made: Callable[[Array], Array]) -> Change:
+    return lambda told, step_s: (replace(told, motor_turns=made(told.motor_turns)), step_s)
+
+
+def _load(made: Callable[[Array], Array]) -> Change:
+    return lambda told, step_s: (replace(told, load_n=made(told.load_n)), step_s)
+
+
+def _pace(times: float) -> Change:
+    return lambda told, step_s: (told, step_s / times)
+
+
+CHANGES: Mapping[str, Change] = {
+    "in no time": _pace(1e6),
+    "infinitely slowly": _pace(0.001),
+    "at half speed": _pace(0.5),
+    "a hundred times as fast": _pace(100.0),
+    "without load": _load(lambda load_n: 1e-6 * load_n),
+    "under one load": _load(lambda load_n: np.full_like(load_n, load_n.mean())),
+    "under twice the load": _load(lambda load_n: 2.0 * load_n),
+    "at rest": _turns(lambda turns: np.full_like(turns, turns[0])),
+    "wound up once": _turns(np.maximum.accumulate),
+    "half wound": _turns(lambda turns: 0.4 * turns),
+    "never unwound": _turns(lambda turns: 0.5 * turns.max() + 0.5 * turns),
+    "by whole turns": _turns(np.rint),
+}
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What an effect says of itself: its driver, how to freeze that, and what makes no difference."""
+
+    driver: str
+    frozen: str
+    indifferent: tuple[str, ...] = ()
+
+
+CLAIMS: Mapping[str, Claim] = {
+    "axial_elasticity": Claim("load", "under one load", ("at half speed", "never unwound")),
+    "backlash": Claim("reversals of twist", "wound up once", ("at half speed", "under twice the load")),
+    "clamp_slip": Claim("an event", "in no time", ("at rest",)),
+    "count_slip": Claim("an event", "in no time"),
+    "creep": Claim("time under load", "in no time"),
+    "eccentricity": Claim("the angle within a turn", "by whole turns", ("at half speed", "under twice the load")),
+    "end_stop": Claim("large displacement", "half wound", ("at half speed",)),
+    "friction_hysteresis": Claim("reversals of twist under load", "without load", ("at half speed",)),
+    "jam": Claim("large twist", "half wound", ("at half speed", "under twice the load")),
+    "load_swing": Claim("starts and stops", "infinitely slowly", ("under twice the load",)),
+    "overtwist": Claim("large twist", "half wound", ("at half speed", "under twice the load")),
+    "plastic_elongation": Claim("worked strokes", "wound up once", ("at half speed",)),
+    "radius_compaction": Claim("twist under load", "without load", ("at half speed",)),
+    "sensor_drift": Claim("time", "in no time", ("under twice the load", "at rest")),
+    "sensor_lag": Claim("displacement rate", "infinitely slowly", ("under twice the load",)),
+    "shaft_windup": Claim("torque", "without load", ("at half speed",)),
+    "slack": Claim("low twist", "never unwound", ("at half speed", "under twice the load")),
+    "stick_slip": Claim("slow displacement", "a hundred times as fast"),
+    "stiffening": Claim("worked strokes, under load", "without load", ("at half speed",)),
+    "thermal": Claim("temperature", "at rest"),
+    "viscous_loss": Claim("twisting rate", "infinitely slowly", ("under twice the load",)),
+    "wear": Claim("travel", "wound up once", ("at half speed",)),
+    "x_ballooning": Claim("twisting rate squared", "infinitely slowly", ("under twice the load",)),
+    "x_encoder_interpolation": Claim("the angle within a turn", "by whole turns", ("at half speed",)),
+    "x_floor_sway": Claim("time", "in no time", ("under twice the load", "at rest")),
+    "x_humidity": Claim("time", "in no time", ("under twice the load", "at rest")),
+    "x_magnetic_scale": Claim("displacement", "at rest", ("at half speed",)),
+    "x_string_tangling": Claim("a new winding", "never unwound", ("at half speed", "under twice the load")),
+}
+
+
+def claim_of(name: str, parameters: Mapping[str, Any]) -> Claim:
+    """The claim of an effect; heat that comes from the room stands still when time does, not when the string does."""
+    if name == "thermal" and parameters.get("room_k"):
+        return Claim("temperature", "in no time", ("at rest",))
+    return CLAIMS[name]
+
+
+@dataclass(frozen=True)
+class Ruling:
+    """What the referee saw."""
+
+    driver: str
+    carried: float  # share of the effect that goes when its driver stands still
+    changed: dict[str, float]  # share of the effect that changes with what should make no difference
+
+    @property
+    def pure(self) -> bool:
+        """Whether the effect may be called by its name."""
+        return self.carried >= LEAST_CARRIED and max(self.changed.values(), default=0.0) <= MOST_CHANGED
+
+    def told(self) -> dict[str, Any]:
+        """All of it, for the answer."""
+        return {"driver": self.driver, "driver_carries": self.carried, "bystanders_change": self.changed}
+
+
+def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Protocol) -> Ruling:
+    """Rerun the rig on a bench as an effect's claim asks, and compare."""
+    claim = claim_of(name, parameters)
+
+    def does(change: str = "") -> Array:
+        told, step_s = CHANGES[change](protocol.told, protocol.step_s) if change else (protocol.told, protocol.step_s)
+        return _does(name, parameters, bench, told, step_s)
+
+    effect = does()
+    after = slice(int(protocol.told.strokes_s[0, 1] / protocol.step_s), None)  # what one winding does is no growth
+    frozen = does(claim.frozen)[after] if claim.frozen == "wound up once" else does(claim.frozen)
+    size = float(effect.std())
+    changed = {change: float((does(change) - effect).std()) / size for change in claim.indifferent}
+    return Ruling(claim.driver, 1.0 - float(frozen.std()) / size, changed)
+
+
+def _does(name: str, parameters: Mapping[str, Any], bench: Bench, told: Commands, step_s: float) -> Array:
+    """What the effect does to the quantity that it acts on, of shape (steps,): rad, a factor, or mm."""
+    effect = effects.make(name, parameters)
+    with_it = String(bench.true, [effect], step_s).live(told.motor_turns, told.load_n)
+    without = String(bench.true, [], step_s).live(told.motor_turns, told.load_n)
+    if effect.acts_on == "twist":
+        return without.twist_rad - with_it.twist_rad
+    if effect.acts_on == "radius":
+        return with_it.radius_mm / without.radius_mm
+    return with_it.reading_mm - without.reading_mm

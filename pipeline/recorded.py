@@ -1,0 +1,76 @@
+"""What one string went through: its runs as the stages before left them, in order, and their common tare."""
+
+import re
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline import schemas
+from pipeline.ingest import geometry
+from pipeline.run_yaml import Run
+from pipeline.runs import capture_info, read_run
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """One run as it reaches this stage: what it is, when it began, its samples and its strokes."""
+
+    run: Run
+    started_utc: str
+    samples: pd.DataFrame
+    strokes: pd.DataFrame
+
+
+def _strokes_before(recorded: Recorded) -> int | None:
+    """Strokes that run.yaml says the string had done, or None where it does not say."""
+    string = recorded.run.string
+    return string.strokes_before if string and "strokes_before" in string.model_fields_set else None
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """A name as its numbers and its words, so that run 10 comes after run 2."""
+    return [(int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", name)]
+
+
+def in_order(runs: list[Recorded]) -> list[Recorded]:
+    """Runs of one string in the order in which they were recorded.
+
+    The capture program notes when it began. Where it did not record every run, their own time stamps tell as long
+    as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
+    names, 2 before 10.
+    """
+    by_name = sorted(runs, key=lambda one: _natural(one.run.run))
+    if all(one.started_utc for one in runs):
+        return sorted(by_name, key=lambda one: one.started_utc)
+    spans = sorted((one.samples["time_s"].iloc[0], one.samples["time_s"].iloc[-1]) for one in runs)
+    if all(before[1] <= after[0] for before, after in pairwise(spans)):
+        return sorted(by_name, key=lambda one: float(one.samples["time_s"].iloc[0]))
+    told = [_strokes_before(one) for one in by_name]
+    if None not in told:
+        return [one for _, one in sorted(zip(told, by_name, strict=True), key=lambda pair: pair[0] or 0)]
+    return by_name
+
+
+def tare_mm(first: Recorded) -> float:
+    """What to add to a string's displacement so that it is the model's on the rest before the first stroke.
+
+    Without a rest there, its first sample serves. The median keeps outliers out.
+    """
+    samples, strokes = first.samples, first.strokes
+    before = strokes[(strokes["stroke"] == 0) & (strokes["phase"] == "rest")]
+    rest = samples.iloc[:1]
+    if not before.empty:
+        rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
+    expected_mm = geometry(first.run).contraction_mm(rest["motor_turns"].to_numpy(), rest["load_n"].to_numpy())
+    return float(np.median(expected_mm - rest["displacement_mm"].to_numpy()))
+
+
+def read_recorded(run_dir: Path, processed: Path) -> Recorded:
+    """One run from its folder and from what the earlier stages made of it."""
+    run = read_run(run_dir)
+    samples = schemas.read(processed / run.run / "samples.parquet")
+    strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
+    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes)

@@ -1,0 +1,54 @@
+"""Twist is lost between encoder and string: a set screw that lets go now and then."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, compiled
+
+
+class Model(Effect):
+    """A screw tires under torque, dD/dt = (τ / torque_n_mm)², and slips by turns[i] when D reaches lives_s[i].
+
+    While it slips it goes at `slip_turns_per_s`; what is lost stays lost.
+    """
+
+    acts_on = "twist"
+
+    def __init__(
+        self,
+        turns: Sequence[float] = (0.5,),
+        lives_s: Sequence[float] = (20.0,),
+        torque_n_mm: float = 4.0,
+        slip_turns_per_s: float = 8.0,
+    ) -> None:
+        if len(turns) != len(lives_s):
+            raise TypeError("turns and lives_s must have one value for each slip")
+        self.slips_rad = 2.0 * np.pi * np.array(turns, float)
+        self.lives_s = np.array(lives_s, float)
+        self.torque_n_mm, self.rad_per_s = torque_n_mm, 2.0 * np.pi * slip_turns_per_s
+        self.state = np.zeros(2)  # damage, and the twist that is lost
+
+    def run(self, lived: Lived) -> Array:
+        """Twist lost, in rad."""
+        geometry = lived.geometry
+        open_mm = geometry.separator_mm + lived.twist_rad * lived.radius_mm
+        torque = lived.load_n * lived.radius_mm * open_mm / np.hypot(geometry.torsion_zone_mm, open_mm)
+        tired_s = (torque / self.torque_n_mm) ** 2 * lived.step_s
+        return _slip(tired_s, self.lives_s, self.slips_rad, self.rad_per_s * lived.step_s, self.state)
+
+
+@compiled
+def _slip(tired_s: Array, lives_s: Array, slips_rad: Array, most_rad: float, state: Array) -> Array:
+    out = np.empty(len(tired_s))
+    for step in range(len(tired_s)):
+        state[0] += tired_s[step]
+        due_rad = 0.0
+        for slip in range(len(lives_s)):
+            if state[0] >= lives_s[slip]:
+                due_rad += slips_rad[slip]
+        gap_rad = due_rad - state[1]
+        state[1] += min(max(gap_rad, -most_rad), most_rad)
+        out[step] = state[1]
+    return out

@@ -1,0 +1,28 @@
+"""The hook that turns the string runs out of true: a ripple once a turn."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived
+
+
+class Model(Effect):
+    """A hook that goes round the axis at `run_out_mm`, seen from a guide that stands aside.
+
+    It stands aside by as much as the zone is long, and their distance is worked out in space. The hook is driven
+    through a bent joint, so that it goes ahead and behind twice a turn: its angle is θ + phase + joint · sin 2θ.
+    """
+
+    acts_on = "length"
+
+    def __init__(self, run_out_mm: float = 0.1, phase_rad: float = 0.0, joint: float = 0.1) -> None:
+        self.run_out_mm, self.phase_rad, self.joint = run_out_mm, phase_rad, joint
+
+    def run(self, lived: Lived) -> Array:
+        """Lengthening in mm, about the middle of the hook's way."""
+        zone_mm = lived.geometry.torsion_zone_mm
+        angle = lived.twist_rad + self.phase_rad + self.joint * np.sin(2.0 * lived.twist_rad)
+        aside_mm = zone_mm - self.run_out_mm * np.cos(angle)
+        level_mm = self.run_out_mm * np.sin(angle)
+        straight_mm = np.sqrt(zone_mm**2 + aside_mm**2 + level_mm**2)
+        return np.asarray(straight_mm - np.sqrt(2.0) * zone_mm)

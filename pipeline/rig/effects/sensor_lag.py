@@ -1,0 +1,37 @@
+"""The displacement sensor is late."""
+
+import math
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, settle
+
+
+class Model(Effect):
+    """A conversion that takes time, then two filters: dead time and two poles, together `lag_s` long.
+
+    The dead time is half of the lag, the slower filter three fifths of the rest.
+    """
+
+    acts_on = "reading"
+
+    def __init__(self, lag_s: float = 0.06) -> None:
+        self.dead_s, self.poles_s = 0.5 * lag_s, (0.3 * lag_s, 0.2 * lag_s)
+        self.before_mm: Array | None = None  # what the dead time still holds
+        self.filtered_mm = [np.zeros(1) for _ in self.poles_s]
+
+    def run(self, lived: Lived) -> Array:
+        """What the sensor says too much, in mm."""
+        held = math.ceil(self.dead_s / lived.step_s) + 1
+        if self.before_mm is None:
+            self.before_mm = np.full(held, lived.reading_mm[0])
+            for state in self.filtered_mm:
+                state[:] = lived.reading_mm[0]
+        line_mm = np.concatenate([self.before_mm, lived.reading_mm])
+        self.before_mm = line_mm[-held:]
+        now = np.arange(held, len(line_mm))
+        late_mm = np.interp(now - self.dead_s / lived.step_s, np.arange(len(line_mm)), line_mm)
+        for pole_s, state in zip(self.poles_s, self.filtered_mm, strict=True):
+            late_mm = settle(late_mm, -math.expm1(-lived.step_s / pole_s), state)
+        return np.asarray(late_mm - lived.reading_mm)

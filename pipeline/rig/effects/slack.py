@@ -1,0 +1,55 @@
+"""A string that hangs through: the first twist takes up the slack and moves nothing."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, compiled
+
+
+class Model(Effect):
+    """A load that rests on a rubber bed until the string, `take_up_mm` too long, has taken its weight over.
+
+    At the rise y the bed still bears F (1 − y/bed)^hardness and the string stretch_n_per_mm times the gap between what
+    it asks for and y less than F; y is where the two bear F together, and is solved for at every step.
+    """
+
+    acts_on = "contraction"
+
+    def __init__(
+        self,
+        take_up_mm: float = 0.5,
+        bed_mm: float = 0.08,
+        hardness: float = 1.5,
+        stretch_n_per_mm: float = 60.0,
+    ) -> None:
+        self.take_up_mm, self.bed_mm, self.hardness = take_up_mm, bed_mm, hardness
+        self.stretch_n_per_mm = stretch_n_per_mm
+
+    def run(self, lived: Lived) -> Array:
+        """What the load rises less than the string contracts, in mm."""
+        geometry = lived.geometry
+        lowest_mm = np.hypot(geometry.torsion_zone_mm, geometry.separator_mm) - geometry.torsion_zone_mm
+        asked_mm = lived.contraction_mm - lowest_mm - self.take_up_mm
+        softness = lived.load_n / self.stretch_n_per_mm
+        return np.asarray(lived.contraction_mm - lowest_mm - _lift(asked_mm, softness, self.bed_mm, self.hardness))
+
+
+@compiled
+def _lift(asked_mm: Array, softness_mm: Array, bed_mm: float, hardness: float) -> Array:
+    """Rise of the load for what the string asks, both from the bed, in mm; by bisection, of the shape of `asked_mm`."""
+    out = np.empty(len(asked_mm))
+    for step in range(len(asked_mm)):
+        low, high = 0.0, bed_mm
+        if asked_mm[step] >= bed_mm:
+            out[step] = asked_mm[step]
+            continue
+        for _ in range(40):
+            rise = 0.5 * (low + high)
+            bed = (1.0 - rise / bed_mm) ** hardness
+            string = min((rise - asked_mm[step]) / softness_mm[step], 1.0)  # share of the load that it misses
+            if string < bed:
+                low = rise
+            else:
+                high = rise
+        out[step] = 0.5 * (low + high)
+    return out

@@ -1,0 +1,27 @@
+"""Strands that are twisted fast resist it, and the string is longer while they do."""
+
+import math
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, settle
+
+
+class Model(Effect):
+    """A shear-thinning fluid between the strands: its stress σ settles to the rate of twisting ω to a power, in time.
+
+    settle_s · dσ/dt = sign(ω) |ω|^thinning − σ with ω in turns/s; the string is mm_per_rate · σ longer.
+    """
+
+    acts_on = "length"
+
+    def __init__(self, mm_per_rate: float = 0.05, thinning: float = 0.8, settle_s: float = 0.04) -> None:
+        self.mm_per_rate, self.thinning, self.settle_s = mm_per_rate, thinning, settle_s
+        self.stress = np.zeros(1)
+
+    def run(self, lived: Lived) -> Array:
+        """Lengthening in mm."""
+        turns_per_s = lived.turned_rad / (2.0 * np.pi) / lived.step_s
+        asked = np.sign(turns_per_s) * np.abs(turns_per_s) ** self.thinning
+        return self.mm_per_rate * settle(asked, -math.expm1(-lived.step_s / self.settle_s), self.stress)

@@ -1,0 +1,21 @@
+"""A string that is spun fast bows out and so is shorter, whichever way it turns. No library holds it."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, settle
+
+
+class Model(Effect):
+    """Bowing by the centrifugal force, which builds up within `settle_s`: the string is mm_per_rate2 · ω² shorter."""
+
+    acts_on = "length"
+
+    def __init__(self, mm_per_rate2: float = 0.05, settle_s: float = 0.1) -> None:
+        self.mm_per_rate2, self.settle_s = mm_per_rate2, settle_s
+        self.bow = np.zeros(1)
+
+    def run(self, lived: Lived) -> Array:
+        """Lengthening in mm, which is negative."""
+        asked = (lived.turned_rad / (2.0 * np.pi) / lived.step_s) ** 2
+        return -self.mm_per_rate2 * settle(asked, -np.expm1(-lived.step_s / self.settle_s), self.bow)

@@ -1,0 +1,20 @@
+"""The encoder's two tracks are uneven: its count is wrong several times a turn. No library holds it."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived
+
+
+class Model(Effect):
+    """Tracks of `lines` periods a turn, unequal in offset (once a period) and gain (twice a period)."""
+
+    acts_on = "twist"
+
+    def __init__(self, error_turns: float = 0.03, lines: int = 4, phase_rad: float = 0.0) -> None:
+        self.error_rad, self.lines, self.phase_rad = 2.0 * np.pi * error_turns, lines, phase_rad
+
+    def run(self, lived: Lived) -> Array:
+        """Twist that the encoder counts too much, in rad."""
+        line = self.lines * lived.twist_rad + self.phase_rad
+        return np.asarray(self.error_rad * (np.sin(line) + 0.4 * np.cos(2.0 * line)))

@@ -1,0 +1,23 @@
+"""The building sways: the reading goes to and fro in time, whatever the rig does. No library holds it."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived
+
+
+class Model(Effect):
+    """Two modes of a floor that beat against each other, seen by a sensor that stands on it."""
+
+    acts_on = "reading"
+
+    def __init__(self, sway_mm: float = 0.05, frequency_hz: float = 0.31, phase_rad: float = 0.0) -> None:
+        self.sway_mm, self.frequency_hz, self.phase_rad = sway_mm, frequency_hz, phase_rad
+        self.time_s = 0.0
+
+    def run(self, lived: Lived) -> Array:
+        """What the sensor says too much, in mm."""
+        time_s = self.time_s + lived.step_s * np.arange(len(lived.reading_mm))
+        self.time_s = float(time_s[-1]) + lived.step_s
+        angle = 2.0 * np.pi * self.frequency_hz * time_s + self.phase_rad
+        return np.asarray(self.sway_mm * (np.sin(angle) + 0.5 * np.sin(1.083 * angle)))

@@ -1,0 +1,24 @@
+"""The string swells and dries with the air's humidity, slowly up and down. No library holds it."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived, settle
+
+
+class Model(Effect):
+    """An air conditioner that switches at two limits wets and dries the air; the string takes it up within `soak_s`."""
+
+    acts_on = "length"
+
+    def __init__(self, swell_mm: float = 0.2, period_s: float = 90.0, soak_s: float = 20.0, phase: float = 0.0) -> None:
+        self.swell_mm, self.period_s, self.soak_s, self.phase = swell_mm, period_s, soak_s, phase
+        self.time_s = 0.0
+        self.wet = np.zeros(1)
+
+    def run(self, lived: Lived) -> Array:
+        """Lengthening in mm."""
+        time_s = self.time_s + lived.step_s * np.arange(len(lived.load_n))
+        self.time_s = float(time_s[-1]) + lived.step_s
+        air = np.where((time_s / self.period_s + self.phase) % 1.0 < 0.5, 1.0, -1.0)
+        return self.swell_mm * settle(air, -np.expm1(-lived.step_s / self.soak_s), self.wet)

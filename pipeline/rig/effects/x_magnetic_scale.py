@@ -1,0 +1,20 @@
+"""A magnetic scale is unevenly magnetised: the sensor errs with a period of its way. No library holds it."""
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.effect import Effect, Lived
+
+
+class Model(Effect):
+    """A field of which the third harmonic leaks into the reading once every `pole_mm`, more towards one end."""
+
+    acts_on = "reading"
+
+    def __init__(self, error_mm: float = 0.05, pole_mm: float = 2.0, phase_rad: float = 0.0) -> None:
+        self.error_mm, self.pole_mm, self.phase_rad = error_mm, pole_mm, phase_rad
+
+    def run(self, lived: Lived) -> Array:
+        """What the sensor says too much, in mm."""
+        angle = 2.0 * np.pi * lived.reading_mm / self.pole_mm + self.phase_rad
+        return np.asarray(self.error_mm * (np.sin(angle) + 0.3 * np.sin(3.0 * angle)))

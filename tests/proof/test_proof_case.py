@@ -1,0 +1,167 @@
+"""A concealed case is of the size that it says, pure, and as rich or as poor as its protocol."""
+
+import ast
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.optimize import lsq_linear
+
+import pipeline.proof
+from pipeline.kinematics import Geometry
+from pipeline.proof import referee
+from pipeline.proof.alike import copies, left_over
+from pipeline.proof.bench import draw_bench, mismeasure
+from pipeline.proof.case import ALWAYS_KAPPA, Case, answer, draw_case, performed
+from pipeline.proof.draws import NAMED, OPEN_SET
+from pipeline.proof.location import location
+from pipeline.proof.perform import perform
+from pipeline.proof.protocol import draw_protocol
+from pipeline.proof.referee import CLAIMS, rule
+from pipeline.proof.size import OutOfReach, measure
+from pipeline.rig import effects
+from pipeline.strokes import label
+
+
+@cache
+def case_of(effect: str, protocol: str = "rich", kappa: float = 1.0) -> Case:
+    return draw_case(1, "open" if effect in OPEN_SET else "single", protocol, [effect], [kappa])
+
+
+def left_mm(case: Case) -> np.ndarray:
+    """What a fit of its own leaves of the noise-free recording: straight lines solved again and again, no prior."""
+    said, measured = perform(case.bench, case.protocol, case.effects), case.bench.measured
+
+    def residual(moves):
+        radius_mm = measured.radius_mm * (1 + 0.03 * moves[0])
+        separator_mm, zone_mm = measured.separator_mm + 0.5 * moves[1], measured.torsion_zone_mm + moves[2]
+        length_mm = measured.length_mm + 2 * moves[3]
+        geometry = Geometry("separator", radius_mm, length_mm, measured.stiffness_n_per_mm, zone_mm, separator_mm)
+        model = geometry.contraction_mm(said.motor_turns, said.load_n) * (1 + 0.01 * moves[4]) + moves[5]
+        return said.displacement_mm - model
+
+    moves, limits = np.zeros(6), np.append(np.full(5, 3.0), 1e3)
+    for _ in range(6):
+        slopes = np.stack([(residual(moves + 1e-4 * one) - residual(moves)) / 1e-4 for one in np.eye(6)], axis=1)
+        bounds = (-limits - moves, limits - moves)
+        moves = moves + lsq_linear(slopes[::4], -residual(moves)[::4], bounds, method="bvls").x
+    return residual(moves)
+
+
+def test_every_effect_of_the_rig_can_be_concealed_and_has_a_claim():
+    assert {*NAMED, *OPEN_SET} == set(effects.names()) == set(CLAIMS)
+
+
+@pytest.mark.parametrize("effect", effects.names())
+def test_at_kappa_one_calibration_leaves_one_noise_floor(effect):
+    case = case_of(effect)
+    assert case.sizes[effect].kappa == pytest.approx(1.0, abs=0.05)
+    left = np.sqrt(np.square(left_mm(case)).mean()) / case.nuisance.floor_mm
+    assert left == pytest.approx(case.sizes[effect].kappa, rel=0.06)
+
+
+@pytest.mark.parametrize("effect", effects.names())
+def test_the_declared_driver_carries_the_effect(effect):
+    case = case_of(effect)
+    ruling = rule(effect, case.effects[effect], case.bench, case.protocol)
+    assert ruling.carried >= 0.9 and max(ruling.changed.values(), default=0.0) <= 0.1, ruling
+
+
+def test_an_effect_under_a_false_name_is_found_out(monkeypatch):
+    """Play whose contact takes time is a lag: that is what the referee is for."""
+    case = case_of("sensor_lag")
+    claims = {"sensor_lag": CLAIMS["backlash"]}
+    monkeypatch.setattr(referee, "CLAIMS", claims)
+    assert not rule("sensor_lag", case.effects["sensor_lag"], case.bench, case.protocol).pure
+
+
+def test_load_alone_shows_nothing_under_one_load():
+    with pytest.raises(OutOfReach, match="axial_elasticity"):
+        case_of("axial_elasticity", "poor")
+
+
+def test_a_bench_is_measured_within_its_tolerance():
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        bench = draw_bench(rng)
+        assert 8 <= bench.top_turns <= 80 and bench.stroke_mm > 5
+        errors = mismeasure(bench, rng, (1.0, 3.0)).errors()
+        assert all(0.6 <= abs(error) <= 3.5 for error in errors.values()), errors  # sigma of the other's radius
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_rich_protocol_is_rich_and_the_poor_one_poor(seed):
+    rng = np.random.default_rng(seed)
+    bench = draw_bench(rng)
+    for kind in ("rich", "poor"):
+        protocol = draw_protocol(kind, bench, rng)
+        strokes = protocol.motion.each()
+        assert 10 <= len(strokes) <= 15 and 25 <= protocol.rate_hz <= 50
+        told = protocol.told
+        assert 6_000 <= told.time_s[-1] * protocol.rate_hz <= 16_000
+        assert len({stroke.load_n for stroke in strokes}) == (3 if kind == "rich" else 1)
+        assert len({round(stroke.speed_turns_per_s, 6) for stroke in strokes}) == (3 if kind == "rich" else 1)
+        assert max(stroke.hold_s for stroke in strokes) == (15 if kind == "rich" else 0)
+        stroke, phase = protocol.phases
+        number, name = label(told.time_s[::8], told.motor_turns[::8])
+        assert number.max() == len(strokes) == stroke.max()
+        assert (number == stroke).mean() > 0.97 and (name == phase).mean() > 0.93
+
+
+def test_the_floor_is_the_floor():
+    case = draw_case(5, "none", "rich")
+    table = performed(case)
+    extras = perform(case.bench, case.protocol, case.always)
+    clean = np.interp(table["time_s"], extras.time_s, extras.displacement_mm)
+    noise = table["displacement_mm"] - clean
+    assert 1.4826 * np.median(np.abs(noise)) == pytest.approx(case.nuisance.floor_mm, rel=0.1)
+    assert (np.abs(noise) > 7 * case.nuisance.floor_mm).mean() == pytest.approx(0.001, abs=0.0008)
+    assert not table.isna().any().any() and (np.diff(table["time_s"]) > 0).all()
+
+
+@pytest.mark.parametrize("stratum", ["none", "parameters", "noise"])
+def test_controls_hide_nothing_that_a_calibration_does_not_take_up(stratum):
+    for seed in (1, 2):
+        sealed = answer(draw_case(seed, stratum, "rich"), "case")
+        assert sealed["effects"] == [] and sealed["location"] is None
+        assert sealed["together"]["kappa"] < 0.05 and sealed["always"]["kappa"] < ALWAYS_KAPPA
+
+
+def test_a_pair_is_two_effects_of_their_own_sizes():
+    case = draw_case(3, "pair", "rich", ["creep", "backlash"], [1.0, 0.5])
+    assert [round(case.sizes[name].kappa, 1) for name in ("creep", "backlash")] == [1.0, 0.5]
+    assert measure(case.bench, case.protocol, case.effects, case.nuisance.floor_mm)[0].kappa > 0.8
+
+
+def test_the_box_is_the_smallest_that_holds_the_energy():
+    case = case_of("end_stop")
+    said = perform(case.bench, case.protocol, {})
+    here = (said.stroke >= 3) & (said.stroke <= 4) & (said.phase == "winding") & (said.motor_turns > 0.5 * 24)
+    box = location(said, np.where(here, 1.0, 0.0))
+    assert box["phase"] == "winding" and box["strokes"] == [3, 4]
+    inside = (said.phase == "winding") & (said.stroke >= 3) & (said.stroke <= 4)
+    inside &= (said.motor_turns >= box["motor_turns"][0]) & (said.motor_turns <= box["motor_turns"][1])
+    assert (inside & here).sum() / here.sum() >= 0.8
+
+
+def test_the_same_seed_makes_the_same_case():
+    one, two = (performed(draw_case(7, "single", "poor", ["creep"], [3.0])) for _ in range(2))
+    assert one.equals(two)
+
+
+def test_the_generator_knows_nothing_of_what_must_explain_it():
+    allowed = ("pipeline.proof", "pipeline.rig", "pipeline.kinematics", "pipeline.schemas", "pipeline.run")
+    allowed += ("pipeline.files", "pipeline.errors")
+    for path in Path(pipeline.proof.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            module = node.module if isinstance(node, ast.ImportFrom) else None
+            assert not (module or "").startswith("pipeline") or module.startswith(allowed), (path, module)
+
+
+def test_friction_and_backlash_look_alike_under_one_load_and_not_under_three():
+    for protocol, low, high in (("poor", 0.0, 0.15), ("rich", 0.2, 1.0)):
+        case = case_of("backlash", protocol)
+        left = left_over(case, copies(case, ["backlash", "friction_hysteresis", "creep"], shapes=3))
+        assert left["backlash"] < 0.1 and left["creep"] > 0.8
+        assert low <= left["friction_hysteresis"] <= high, (protocol, left)
