@@ -26,9 +26,16 @@ Progress = Callable[[str], None]
 
 
 def make_problem(
-    runs: list[Run], tables: list[pd.DataFrame], folders: list[Path] | None = None, most: int = WORKING_SAMPLES
+    runs: list[Run],
+    tables: list[pd.DataFrame],
+    folders: list[Path] | None = None,
+    most: int = WORKING_SAMPLES,
+    without: frozenset[str] = frozenset(),
 ) -> Problem:
-    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput."""
+    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput.
+
+    No explanation of it may name the mechanisms in `without`.
+    """
     record = joined(runs, tables, most)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     where = (folders or [Path(runs[0].run)])[0]
@@ -38,12 +45,12 @@ def make_problem(
     system = systems()[runs[0].actuator]
     drivers = system.drivers(record, runs[0])
     parameters = tuple(system.parameters(runs[0]))
-    return Problem(system, record, drivers, parameters, record.measured, len(record), adopted(runs[0], drivers))
+    included = adopted(runs[0], drivers)
+    return Problem(system, record, drivers, parameters, record.measured, len(record), included, without)
 
 
 def adopted(run: Run, drivers: Drivers) -> tuple[Act, ...]:
     """What `simulation:` of run.yaml says that the simulator already includes."""
-
     return acts_from(run.simulation, drivers)
 
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import chance, generic, locate, nextrun
+from pipeline.diagnosis import chance, generic, locate, nextrun, protocol
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
@@ -14,6 +14,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import Study, physics, rms
 from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
@@ -117,17 +118,17 @@ def confidence(found: Study) -> float:
     return float(np.clip(found.share, 0.0, 1.0) / max(len(found.sets), 1))
 
 
-def next_experiment(found: Study, run: Run) -> str | None:
-    """What to record next, in words."""
+def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
+    """What to record next, in words and as legs."""
     if found.verdict == "unknown":
-        return nextrun.after_unknown(mismatch_signal(found)[1])
+        return nextrun.after_unknown(found.problem, run, mismatch_signal(found)[1])
     if found.verdict != "ambiguous":
         return None
     return nextrun.best(found.problem, run, found.noise, found.search, found.sets)
 
 
 def diagnosis(
-    found: Study, fine: Problem, heldout: dict[str, Any] | None, run: str | list[str], experiment: str | None
+    found: Study, fine: Problem, heldout: dict[str, Any] | None, runs: list[Run], experiment: nextrun.Proposal | None
 ) -> dict[str, Any]:
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = found.problem
@@ -156,20 +157,24 @@ def diagnosis(
         "zero" if problem.runs == 1 else f"zero_{number + 1}": float(zero)
         for number, zero in enumerate(found.state.zeros)
     }
-    content = {
-        "run": run,
+    content: dict[str, Any] = {
+        "run": runs[0].run,
         "verdict": found.verdict,
         "mismatch": mismatch,
         "mechanisms": _mechanisms(found, fine, sizes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
-        "next_experiment": experiment,
+        "next_experiment": experiment[0] if experiment else None,
+        "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **_interval(interval)} for name, interval in parameters.items()
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
         "simulation": entries(found.state.acts, problem.drivers),
+        "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*"),
     }
+    if problem.without:
+        content["without"] = sorted(problem.without)
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():
