@@ -83,7 +83,12 @@ def _pure(
 def _always(
     bench: Bench, protocol: Protocol, floor_mm: float, but: Sequence[str], rng: np.random.Generator
 ) -> dict[str, Parameters]:
-    """Small effects that no diagnosis need find."""
+    """Small effects that no diagnosis need find; none is there of which nothing shows, however much there is.
+
+    Their size is what calibration leaves of them alone: a wrongly measured bench leaves something of itself, and no
+    strength is so small that less is left.
+    """
+    known = replace(bench, measured=bench.true)
     always = {}
     for name in ALWAYS:
         if name in but:
@@ -91,10 +96,9 @@ def _always(
         kappa = ALWAYS_KAPPA / len(ALWAYS) * rng.uniform(0.3, 0.9)
         of = draw_effect(name, bench, protocol, rng)
         try:
-            strength, _ = strength_for(name, of, bench, protocol, floor_mm, kappa)
-        except OutOfReach:  # nothing of it shows on this protocol, however much there is
-            strength = 0.1
-        always[name] = of(strength)
+            always[name] = of(strength_for(name, of, known, protocol, floor_mm, kappa)[0])
+        except OutOfReach:
+            continue
     return always
 
 

@@ -128,6 +128,22 @@ def test_controls_hide_nothing_that_a_calibration_does_not_take_up(stratum):
         assert sealed["together"]["kappa"] < 0.05 and sealed["always"]["kappa"] < ALWAYS_KAPPA
 
 
+@pytest.mark.parametrize(
+    ("seed", "stratum", "protocol", "effect"),
+    [
+        (1028, "single", "rich", "wear"),
+        (1029, "single", "rich", "friction_hysteresis"),
+        (1032, "single", "rich", "backlash"),
+        (4, "single", "poor", "creep"),
+        (5, "pair", "rich", "creep"),
+        (6, "pair", "poor", "creep"),
+    ],
+)
+def test_what_every_string_has_stays_small_however_wrongly_the_bench_is_measured(seed, stratum, protocol, effect):
+    sealed = answer(draw_case(seed, stratum, protocol, [effect], [3.0]), "case")
+    assert 0.0 < sealed["always"]["kappa"] < ALWAYS_KAPPA
+
+
 def test_a_pair_is_two_effects_of_their_own_sizes():
     case = draw_case(3, "pair", "rich", ["creep", "backlash"], [1.0, 0.5])
     assert [round(case.sizes[name].kappa, 1) for name in ("creep", "backlash")] == [1.0, 0.5]
