@@ -28,7 +28,9 @@ TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", 
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
-shell.prefix(f"export PYTHONPATH={shlex.quote(workflow.basedir)} OMP_NUM_THREADS=1 PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID; ")
+shell.prefix(
+    f"export PYTHONPATH={shlex.quote(workflow.basedir)} OMP_NUM_THREADS=1 PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID; "
+)
 
 
 wildcard_constraints:

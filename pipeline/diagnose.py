@@ -20,7 +20,7 @@ Result = TypeVar("Result")
 
 
 def diagnose(folders: list[Path], out: Path, together: bool = False, without: frozenset[str] = frozenset()) -> str:
-    """Diagnose one run, or several of one rig together; write `diagnosis.json` and figures; return sentences.
+    """Diagnose one run, or several of one rig together; write json, words and figures; return the words.
 
     The library lacks the mechanisms in `without`. Raises BadInput for runs that are none, or not of one rig.
     """
@@ -55,7 +55,9 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
-    return sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
+    words = sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
+    write_text(out / "verdict.txt", words + "\n")
+    return words
 
 
 def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
@@ -68,13 +70,15 @@ def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
         return None
 
 
-def _one(folder: Path, out: Path, without: frozenset[str]) -> tuple[str, bool]:
-    """Sentences of one run, or its error, and whether it went well."""
+def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[str, bool]:
+    """Words on one run, or its error, and whether that counts as done; `note` writes a refusal where words would be."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     try:
         return diagnose([folder], out / folder.resolve().name, without=without), True
     except BadInput as error:
-        return f"error: {error}", False
+        if note:
+            write_text(out / folder.resolve().name / "verdict.txt", f"{folder.name}: not decided: {error}\n")
+        return f"error: {error}", note
 
 
 @program
@@ -88,6 +92,9 @@ def main() -> int:
     parser.add_argument(
         "--without", action="append", default=[], metavar="ID", help="a mechanism that the library shall lack"
     )
+    parser.add_argument(
+        "--note-refusals", action="store_true", help="write why a run is refused as its verdict.txt, and exit with 0"
+    )
     arguments = parser.parse_args()
     folders: list[Path] = arguments.run_dir
     without = frozenset(arguments.without)
@@ -99,10 +106,12 @@ def main() -> int:
     outcomes: list[tuple[str, bool]] = []
     if arguments.jobs > 1 and len(folders) > 1:
         with ProcessPoolExecutor(arguments.jobs) as pool:
-            waiting: list[Any] = [pool.submit(_one, folder, arguments.out, without) for folder in folders]
+            waiting: list[Any] = [
+                pool.submit(_one, folder, arguments.out, without, arguments.note_refusals) for folder in folders
+            ]
             outcomes = [future.result() for future in waiting]
     else:
-        outcomes = [_one(folder, arguments.out, without) for folder in folders]
+        outcomes = [_one(folder, arguments.out, without, arguments.note_refusals) for folder in folders]
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 0 if all(fine for _, fine in outcomes) else 2

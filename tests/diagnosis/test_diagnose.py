@@ -125,6 +125,9 @@ def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, tmp_pa
     assert "short: recording" in done.stderr and "record at least three strokes" in done.stderr
     assert "faint: displacement_mm" in done.stderr and "finer sensor" in done.stderr
     assert [path.name for path in (tmp_path / "out").iterdir()] == [good.name]
+    done = command("pipeline.diagnose", short, "--out", tmp_path / "noted", "--note-refusals")
+    assert done.returncode == 0 and [path.name for path in (tmp_path / "noted" / "short").iterdir()] == ["verdict.txt"]
+    assert (tmp_path / "noted" / "short" / "verdict.txt").read_text().startswith("short: not decided: ")
 
 
 def test_two_runs_of_one_rig_are_diagnosed_together(diagnosed, tmp_path) -> None:

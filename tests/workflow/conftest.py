@@ -41,8 +41,8 @@ class Project:
 
 
 def copy_project(folder: Path) -> Project:
-    """Code, rules and small configuration; the environment is linked, not made again."""
-    ignored = shutil.ignore_patterns("__pycache__", ".venv*")
+    """Code, what is compiled of it, rules, configuration; the environment is linked, not made again."""
+    ignored = shutil.ignore_patterns(".venv*", "*.tmp.*")
     for name in ("pipeline", "env"):
         shutil.copytree(ROOT / name, folder / name, ignore=ignored)
     shutil.copy(ROOT / "Snakefile", folder)

@@ -2,6 +2,7 @@
 
 import csv
 import hashlib
+import json
 import os
 import shutil
 import signal
@@ -45,7 +46,13 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     )
     header = (reports / "metrics.csv").read_text().splitlines()[0]
     assert header == "material,model,split,map,stroke,phase,angle_band,seed,metric,unit,value"
-    assert (reports / "index.html").read_text().count("<table>") == 2
+    index = (reports / "index.html").read_text()
+    assert index.count("<table>") == 2
+    verdict = json.loads((reports / "diagnosis" / "synthetic-01" / "diagnosis.json").read_text())["verdict"]
+    assert f"synthetic-01: {verdict}" in printed and f"<td>{verdict}</td>" in index
+    assert (
+        "diagnosis/synthetic-01/diagnosis.png" in index and (reports / "diagnosis/synthetic-01/diagnosis.png").is_file()
+    )
 
 
 def test_a_second_run_has_nothing_to_do(finished):
@@ -75,7 +82,11 @@ LATE = {"evaluate": 1, "table": 1, "comparison": 1, "figures": 1, "metrics": 1, 
         ("pipeline/report/tables.py", {"table": 1, "index": 1}),
         ("pipeline/models/mlp.py", {"train": 2, **{rule: 1 for rule in LATE if rule != "figures"}}),
         ("pipeline/import_run.py", {}),
-        ("pipeline/rig/setups/small.yaml", {"record": 1, "ingest": 1, "strokes": 1, "dataset": 1, "train": 9, **LATE}),
+        (
+            "pipeline/rig/setups/small.yaml",
+            {"record": 1, "ingest": 1, "strokes": 1, "dataset": 1, "train": 9, "diagnose": 1, **LATE},
+        ),
+        ("pipeline/diagnosis/locate.py", {"diagnose": 1, "index": 1}),
     ],
 )
 def test_a_change_of_code_makes_again_what_it_made(project, module, rules):
@@ -88,7 +99,8 @@ def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project)
     add_run(project, "nylon-01", "nylon")
     before = digest(project.folder / "raw")
     fits = {"train": 9, "dataset": 1, "evaluate": 1, "table": 1, "comparison": 1, "figures": 1}
-    assert project.rules_to_run() == {"ingest": 1, "strokes": 1, **fits, "metrics": 1, "index": 1}
+    late = {"diagnose": 1, "metrics": 1, "index": 1}
+    assert project.rules_to_run() == {"ingest": 1, "strokes": 1, **fits, **late}
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr
     assert digest(project.folder / "raw") == before
@@ -98,7 +110,7 @@ def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project)
     # A second run of the same material: its dataset and what stands on it, and nothing of the others.
     add_run(project, "nylon-02", "nylon")
     again = project.rules_to_run()
-    assert again == {"ingest": 1, "strokes": 1, **fits, "metrics": 1, "index": 1}
+    assert again == {"ingest": 1, "strokes": 1, **fits, **late}
 
 
 BAD = recording(4)
