@@ -11,7 +11,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.diagnosis import engine, figures, heldout, sentences, verdict
+from pipeline.diagnosis import engine, figures, heldout, library, outcome, sentences, verdict
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
@@ -19,8 +19,11 @@ from pipeline.ingest import read_samples
 Result = TypeVar("Result")
 
 
-def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
-    """Diagnose one run, or several of one rig together; write `diagnosis.json` and figures; return sentences."""
+def diagnose(folders: list[Path], out: Path, together: bool = False, without: frozenset[str] = frozenset()) -> str:
+    """Diagnose one run, or several of one rig together; write `diagnosis.json` and figures; return sentences.
+
+    The library lacks the mechanisms in `without`. Raises BadInput for runs that are none, or not of one rig.
+    """
     started = time.monotonic()
     name = "+".join(folder.name for folder in folders)
 
@@ -38,17 +41,18 @@ def diagnose(folders: list[Path], out: Path, together: bool = False) -> str:
             raise BadInput(
                 folder, "rig", "has other dimensions than the first run's", "diagnose the runs of each rig apart"
             )
-    problem = engine.make_problem(runs, tables, folders)
+    problem = engine.make_problem(runs, tables, folders, without=without)
     found = engine.study(problem, say)
-    engine.refuse_faint(found, folders[0])
+    outcome.refuse_faint(found, folders[0])
     say("held out")
     fine = engine.at_own_rate(runs, tables)
     found = engine.polished(found, fine)
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
-    names = [run.run for run in runs] if together else runs[0].run
-    content = verdict.diagnosis(found, fine, held, names, experiment)
+    content = verdict.diagnosis(found, fine, held, runs, experiment)
+    if together:
+        content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
     return sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
@@ -64,11 +68,11 @@ def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
         return None
 
 
-def _one(folder: Path, out: Path) -> tuple[str, bool]:
+def _one(folder: Path, out: Path, without: frozenset[str]) -> tuple[str, bool]:
     """Sentences of one run, or its error, and whether it went well."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     try:
-        return diagnose([folder], out / folder.resolve().name), True
+        return diagnose([folder], out / folder.resolve().name, without=without), True
     except BadInput as error:
         return f"error: {error}", False
 
@@ -81,18 +85,24 @@ def main() -> int:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--together", action="store_true", help="several runs of one rig in one diagnosis")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
+    parser.add_argument(
+        "--without", action="append", default=[], metavar="ID", help="a mechanism that the library shall lack"
+    )
     arguments = parser.parse_args()
     folders: list[Path] = arguments.run_dir
+    without = frozenset(arguments.without)
+    for id_ in sorted(without - set(library.mechanisms())):
+        raise BadInput("arguments", "--without", f"{id_} is no mechanism", f"use {', '.join(library.mechanisms())}")
     if arguments.together:
-        print(diagnose(folders, arguments.out, together=True))
+        print(diagnose(folders, arguments.out, together=True, without=without))
         return 0
     outcomes: list[tuple[str, bool]] = []
     if arguments.jobs > 1 and len(folders) > 1:
         with ProcessPoolExecutor(arguments.jobs) as pool:
-            waiting: list[Any] = [pool.submit(_one, folder, arguments.out) for folder in folders]
+            waiting: list[Any] = [pool.submit(_one, folder, arguments.out, without) for folder in folders]
             outcomes = [future.result() for future in waiting]
     else:
-        outcomes = [_one(folder, arguments.out) for folder in folders]
+        outcomes = [_one(folder, arguments.out, without) for folder in folders]
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 0 if all(fine for _, fine in outcomes) else 2

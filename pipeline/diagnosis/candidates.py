@@ -11,12 +11,12 @@ from pipeline.diagnosis.problem import Problem, State
 def suggested(problem: Problem, state: State) -> dict[str, list[Shape]]:
     """Shapes that what a state leaves makes plausible, by mechanism."""
     residual = (problem.measured - problem.simulate(state))[: problem.rows]
-    return {id_: mechanism.suggest(problem.drivers, residual) for id_, mechanism in mechanisms().items()}
+    return {id_: mechanism.suggest(problem.drivers, residual) for id_, mechanism in problem.library.items()}
 
 
 def catalogue(problem: Problem, more: dict[str, list[Shape]]) -> dict[str, list[Shape]]:
     """All shapes of all mechanisms that the recording could show, and those that it suggests."""
-    found = {id_: mechanism.shapes(problem.drivers) + more[id_] for id_, mechanism in mechanisms().items()}
+    found = {id_: mechanism.shapes(problem.drivers) + more[id_] for id_, mechanism in problem.library.items()}
     return {id_: shapes for id_, shapes in found.items() if shapes}
 
 

@@ -1,58 +1,41 @@
 """The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism by name."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, candidates, compare, form, generic
+from pipeline.diagnosis import calibrate, candidates, chance, compare, form, generic
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.library import systems
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
+from pipeline.diagnosis.outcome import Study, decide, rms
 from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
-from pipeline.diagnosis.search import LEAST_EFFECT, Explanation, Search
+from pipeline.diagnosis.search import Search
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run
 
-EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
-PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
 LEAST_SAMPLES, LEAST_STROKES = 200, 2
-LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
 Progress = Callable[[str], None]
 
 
-@dataclass(frozen=True)
-class Study:
-    """Everything that one pass over a recording found."""
-
-    problem: Problem
-    nominal: State
-    base: State
-    noise: Noise
-    verdict: str
-    state: State  # with what was named, or the base
-    best: State  # the best that the library offers, whatever the verdict
-    sets: list[Explanation]
-    search: Search
-    share: float  # of the mismatch's energy that the best explanation takes
-    mismatch: float  # rms after calibration, noise taken off
-
-    @property
-    def best_ids(self) -> tuple[str, ...]:
-        """Ids of what the best explanation names."""
-        return tuple(act.id for act in self.best.acts if act not in self.problem.included)
-
-
 def make_problem(
-    runs: list[Run], tables: list[pd.DataFrame], folders: list[Path] | None = None, most: int = WORKING_SAMPLES
+    runs: list[Run],
+    tables: list[pd.DataFrame],
+    folders: list[Path] | None = None,
+    most: int = WORKING_SAMPLES,
+    without: frozenset[str] = frozenset(),
 ) -> Problem:
-    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput."""
+    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput.
+
+    No explanation of it may name the mechanisms in `without`.
+    """
     record = joined(runs, tables, most)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     where = (folders or [Path(runs[0].run)])[0]
@@ -62,12 +45,12 @@ def make_problem(
     system = systems()[runs[0].actuator]
     drivers = system.drivers(record, runs[0])
     parameters = tuple(system.parameters(runs[0]))
-    return Problem(system, record, drivers, parameters, record.measured, len(record), adopted(runs[0], drivers))
+    included = adopted(runs[0], drivers)
+    return Problem(system, record, drivers, parameters, record.measured, len(record), included, without)
 
 
 def adopted(run: Run, drivers: Drivers) -> tuple[Act, ...]:
     """What `simulation:` of run.yaml says that the simulator already includes."""
-
     return acts_from(run.simulation, drivers)
 
 
@@ -82,7 +65,7 @@ def fine_floor(fine: Problem, found: Study) -> float:
         return found.noise.floor
     own = robust(fine.measured - fine.simulate(found.best))
     averaged = robust(found.problem.measured - found.problem.simulate(found.best))
-    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.noise.floor**2))
+    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.floor**2))
 
 
 def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0.0) -> Noise:
@@ -93,11 +76,6 @@ def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0
     target = (problem.measured - problem.simulate(state))[: problem.rows]
     noise, _ = estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
     return noise
-
-
-def rms(values: np.ndarray) -> float:
-    """Root of the mean square."""
-    return float(np.sqrt(np.mean(np.square(values))))
 
 
 def study(problem: Problem, say: Progress = lambda _: None) -> Study:
@@ -112,8 +90,10 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     say("noise floor and colour")
     noise = noise_of(problem, base, smooth, SURPRISES)
     shapes = candidates.catalogue(problem, more)
+    random = chance.seen(problem, base)
+    least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
     say("searching explanations")
-    search = Search(Linear(problem, base, noise, shapes))
+    search = Search(Linear(problem, base, noise, shapes), least)
     chosen, best = search.select(noise.floor, largest=1), base
     if chosen.ids:
         for step in ("one mechanism", "several mechanisms"):
@@ -125,7 +105,7 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             best, noise = refined[place], own[place]
             shapes = candidates.with_refined(problem, shapes, refined)
             ordered = [best, *(state for state in refined if state is not best)]
-            search = Search(Linear(problem, best, noise, shapes, form=form.columns(problem, ordered)))
+            search = Search(Linear(problem, best, noise, shapes, form=form.columns(problem, ordered)), least)
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) == len(before.ids):
                 break
@@ -134,17 +114,18 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     if sets:
         best = search.linear.state_of(sets[0].fit, sets[0].keys)
         best = calibrate.refine(problem, noise, best)
-    return decide(problem, nominal, base, noise, best, sets, search)
+    return decide(problem, nominal, base, noise, best, sets, search, random)
 
 
 def polished(found: Study, fine: Problem) -> Study:
     """The study with its explanation refitted at the recording's own rate: averaging flattens ripples."""
-    acts = tuple(act for act in found.best.acts if act not in fine.included)
+    acts = tuple(act for act in found.best.acts if act not in fine.included and act.id not in found.random)
     if not acts or len(fine.record) == len(found.problem.record):
         return found
     fine, _ = calibrate.without_outliers(fine, found.best)
     noise = noise_of(fine, found.best, generic.dictionary(fine.drivers))
     best = calibrate.calibrate(fine, noise, found.best, acts)
+    best = replace(best, acts=(*best.acts, *(act for act in found.best.acts if act.id in found.random)))
     return replace(found, best=best, state=best if found.state is found.best else found.state)
 
 
@@ -152,47 +133,3 @@ def unlikely(problem: Problem, noise: Noise, state: State) -> float:
     """Minus twice the log-likelihood of a state under its own noise, and ln n for each number that acts."""
     active = sum(value != 0.0 for act in state.acts for value in act.coefficients)
     return 2.0 * problem.rows * float(np.log(noise.innovation)) + active * float(np.log(problem.rows))
-
-
-def decide(
-    problem: Problem, nominal: State, base: State, noise: Noise, best: State, sets: list[Explanation], search: Search
-) -> Study:
-    """The verdict, from what is left after calibration and after the best explanation."""
-    seen = slice(0, problem.rows)
-    left = {
-        name: rms((problem.measured - problem.simulate(state))[seen])
-        for name, state in (("nominal", nominal), ("base", base), ("best", best))
-    }
-    floor = noise.floor
-    mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
-    share = 1.0 - max(left["best"] ** 2 - floor**2, 0.0) / max(mismatch**2, 1e-300)
-    remainder = float(np.sqrt(max(left["best"] ** 2 - floor**2, 0.0)))
-    if not sets:
-        verdict = "unknown" if mismatch > unknown_from(search, floor) else "consistent"
-        if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
-            verdict = "parameters"
-    elif not physics(sets[0].ids) or (share < EXPLAINED and remainder > LEAST_EFFECT * floor):
-        verdict = "unknown"
-    else:
-        verdict = "explained" if len(sets) == 1 else "ambiguous"
-    state = best if verdict in ("explained", "ambiguous") else base
-    return Study(problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch)
-
-
-def refuse_faint(found: Study, folder: Path) -> None:
-    """Raise BadInput where the motion hardly leaves the noise, so that any verdict would be a guess."""
-    problem, floor = found.problem, found.noise.floor
-    moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
-    if moved < LEAST_MOTION * floor:
-        gap = f"should move by {moved:.3g} and has a noise of {floor:.3g}: nothing can be told from it"
-        raise BadInput(folder, problem.system.channel, gap, "record strokes over more turns, or with a finer sensor")
-
-
-def physics(ids: tuple[str, ...]) -> bool:
-    """Whether a set names any physics of the library."""
-    return not all(id_.startswith("x_") for id_ in ids)
-
-
-def unknown_from(search: Search, floor: float) -> float:
-    """Mismatch that no noise makes: what the generic dictionary must see before it counts without a name."""
-    return 0.35 * floor

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from pipeline.diagnosis import panels
-from pipeline.diagnosis.engine import Study
+from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.panels import AFTER, BEFORE
 from pipeline.files import whole
 
@@ -28,7 +28,7 @@ def title(content: dict[str, Any]) -> str:
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it, whole or not at all."""
-    problem, drivers, floor = found.problem, found.problem.drivers, found.noise.floor
+    problem, drivers, floor = found.problem, found.problem.drivers, found.floor
     unit = problem.system.channel.rpartition("_")[2]
     simulated = {
         name: problem.simulate(state)

@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis.engine import Study, polished, rms, study
+from pipeline.diagnosis.engine import polished, study
+from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
 

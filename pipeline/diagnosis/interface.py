@@ -36,7 +36,8 @@ class Mechanism:
     `shapes` lists candidates for the parameters that enter nonlinearly (at least one, possibly empty; none when the
     recording cannot show the mechanism at all); `terms` gives the terms of one shape. `steps` > 1: the mechanism may
     act several times (sudden events), each with a shape of its own. `suggest` adds the shapes that a residual of
-    calibration makes plausible. An id that begins with `x_` is no physics of the library: alone it names nothing.
+    calibration makes plausible. `random` gives a shape where a residual shows an effect whose every move is chance.
+    An id that begins with `x_` is no physics of the library: alone it names nothing.
     """
 
     id: str
@@ -51,6 +52,7 @@ class Mechanism:
     steps: int = 1
     units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty
     suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []
+    random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from pipeline.diagnosis.drivers import LOAD_UNIT_N, Drivers
-from pipeline.diagnosis.engine import Study
+from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.search import Explanation
 from pipeline.kinematics import Array
@@ -69,7 +69,7 @@ def listed(found: Study) -> list[Explanation]:
 
 def ranking(axes: Axes, found: Study) -> None:
     """What explanations leave of the recording, in noise floors."""
-    rows, floor = listed(found), found.noise.floor
+    rows, floor = listed(found), found.floor
     named = found.sets[0].ids if found.sets and found.verdict in ("explained", "ambiguous") else None
     tied = {one.ids for one in found.sets} if named else set()
     colours = [AFTER if one.ids == named else TIED if one.ids in tied else OTHER for one in rows]

@@ -40,11 +40,17 @@ class Problem:
     measured: Array
     rows: int
     included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
+    without: frozenset[str] = frozenset()  # ids that no explanation may name
     _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
     def until(self, rows: int) -> "Problem":
         """The same problem of which a fit sees only the first rows."""
         return replace(self, rows=rows)
+
+    @property
+    def library(self) -> dict[str, Mechanism]:
+        """The mechanisms that an explanation may name, by id."""
+        return {id_: mechanism for id_, mechanism in mechanisms().items() if id_ not in self.without}
 
     @property
     def runs(self) -> int:

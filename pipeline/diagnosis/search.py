@@ -36,8 +36,8 @@ def apart(ids: tuple[str, ...]) -> bool:
 class Search:
     """Explanations on one linearisation, remembered."""
 
-    def __init__(self, linear: Linear) -> None:
-        self.linear = linear
+    def __init__(self, linear: Linear, least: float = 0.0) -> None:
+        self.linear, self.least = linear, least  # rms that a mechanism must take away at least
         self.penalty = float(np.log(linear.rows))
         self.free = {
             id_: max(sum(len({other.get(name) for other in shapes}) > 1 for name in shape) for shape in shapes)
@@ -130,7 +130,7 @@ class Search:
     def more(self, small: Explanation, large: Explanation, floor: float) -> bool:
         """Whether a larger explanation has physics that no bent formula of the smaller one makes up for."""
         if not small.ids:
-            enough = small.energy - large.energy >= (LEAST_EFFECT * floor) ** 2
+            enough = small.energy - large.energy >= max(LEAST_EFFECT * floor, self.least) ** 2
             return large.cost <= small.cost - LEAST_GAIN and enough
         if small.energy - large.energy < self.least_energy(floor):
             return False
@@ -139,7 +139,8 @@ class Search:
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""
         mismatch = float(np.sqrt(max(self.nothing.energy - floor**2, 0.0)))
-        return float(np.clip(MORE_SHARE * mismatch, MORE_EFFECT[0] * floor, MORE_EFFECT[1] * floor)) ** 2
+        needed = float(np.clip(MORE_SHARE * mismatch, MORE_EFFECT[0] * floor, MORE_EFFECT[1] * floor))
+        return max(needed, self.least) ** 2
 
     def select(self, floor: float, largest: int = LARGEST) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""

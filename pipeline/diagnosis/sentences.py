@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.diagnosis.engine import Study
+from pipeline.diagnosis.outcome import Study
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 

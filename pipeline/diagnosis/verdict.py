@@ -4,19 +4,22 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import generic, locate, nextrun
+from pipeline.diagnosis import chance, generic, locate, nextrun, protocol
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
-from pipeline.diagnosis.engine import Study, fine_floor, physics, rms
+from pipeline.diagnosis.engine import fine_floor
 from pipeline.diagnosis.intervals import Interval, intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
+from pipeline.diagnosis.outcome import Study, physics, rms
 from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
 DIGITS = 6
+RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
 
 
 def tidy(value: Any) -> Any:
@@ -36,9 +39,12 @@ def mismatch_signal(found: Study) -> tuple[Array, str]:
     before = problem.simulate(found.base)
     if found.verdict in ("explained", "ambiguous") or (found.sets and not physics(found.sets[0].ids)):
         driver = " and ".join(mechanisms()[id_].driver for id_ in found.sets[0].ids)
-        return problem.simulate(found.best) - before, driver
+        signal = problem.simulate(found.best) - before
+        if found.random:
+            signal = np.hypot(signal, chance.trace(problem, found.best, found.floor))
+        return signal, driver
     columns = generic.groups(problem.drivers)
-    linear = Linear(problem, found.base, white(found.noise.floor), {}, np.vstack(list(columns.values())))
+    linear = Linear(problem, found.base, white(found.floor), {}, np.vstack(list(columns.values())))
     table, target = linear.table[:-1], (problem.measured - before)[: problem.rows]
     whole = np.concatenate([linear.calibration, linear.extra])
     known = table[linear.calibration]
@@ -70,8 +76,12 @@ def _mechanisms(found: Study, fine: Problem, sizes: dict[str, Interval], unit: s
             continue
         mechanism = mechanisms()[act.id]
         effect = _effect(problem, found.best, act)
-        own_rate = rms(_effect(fine, found.best, act)) / (rms(effect) or 1.0)
-        size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
+        if act.id in found.random:
+            effect = chance.trace(problem, found.best, found.floor)
+            size = Interval(*(found.random_rms * end for end in (1.0, *RANDOM_ENDS)))
+        else:
+            own_rate = rms(_effect(fine, found.best, act)) / (rms(effect) or 1.0)
+            size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
         parameters: dict[str, dict[str, Any]] = {}
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
         for number, entry in enumerate(entries((act,), problem.drivers)):
@@ -108,17 +118,17 @@ def confidence(found: Study) -> float:
     return float(np.clip(found.share, 0.0, 1.0) / max(len(found.sets), 1))
 
 
-def next_experiment(found: Study, run: Run) -> str | None:
-    """What to record next, in words."""
+def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
+    """What to record next, in words and as legs."""
     if found.verdict == "unknown":
-        return nextrun.after_unknown(mismatch_signal(found)[1])
+        return nextrun.after_unknown(found.problem, run, mismatch_signal(found)[1])
     if found.verdict != "ambiguous":
         return None
     return nextrun.best(found.problem, run, found.noise, found.search, found.sets)
 
 
 def diagnosis(
-    found: Study, fine: Problem, heldout: dict[str, Any] | None, run: str | list[str], experiment: str | None
+    found: Study, fine: Problem, heldout: dict[str, Any] | None, runs: list[Run], experiment: nextrun.Proposal | None
 ) -> dict[str, Any]:
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = found.problem
@@ -147,20 +157,24 @@ def diagnosis(
         "zero" if problem.runs == 1 else f"zero_{number + 1}": float(zero)
         for number, zero in enumerate(found.state.zeros)
     }
-    content = {
-        "run": run,
+    content: dict[str, Any] = {
+        "run": runs[0].run,
         "verdict": found.verdict,
         "mismatch": mismatch,
         "mechanisms": _mechanisms(found, fine, sizes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
-        "next_experiment": experiment,
+        "next_experiment": experiment[0] if experiment else None,
+        "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **_interval(interval)} for name, interval in parameters.items()
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
         "simulation": entries(found.state.acts, problem.drivers),
+        "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*"),
     }
+    if problem.without:
+        content["without"] = sorted(problem.without)
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():

@@ -34,8 +34,8 @@ def diagnosed(conceal, tmp_path_factory) -> tuple[Path, dict, Path, dict]:
 def test_the_json_is_the_contracts(diagnosed) -> None:
     folder, _, here, content = diagnosed
     assert list(content) == [
-        "run", "verdict", "mismatch", "mechanisms", "alternatives", "next_experiment", "parameters", "fit",
-        "simulation",
+        "run", "verdict", "mismatch", "mechanisms", "alternatives", "next_experiment", "next_run", "parameters",
+        "fit", "simulation", "code",
     ]  # fmt: skip
     assert content["run"] == folder.name and content["verdict"] == "explained"
     assert set(content["mismatch"]) == {"rms_mm", "location", "driver"}
@@ -46,6 +46,23 @@ def test_the_json_is_the_contracts(diagnosed) -> None:
     assert set(content["parameters"]["radius_mm"]) == {"nominal", "value", "low", "high"}
     assert set(content["fit"]) == {"noise_floor_mm", "detectable_mm", "heldout"}
     assert (here / "diagnosis.png").stat().st_size > 10_000
+
+
+def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(diagnosed, tmp_path) -> None:
+    folder, _, _, first = diagnosed
+    done = command("pipeline.diagnose", folder, "--out", tmp_path, "--without", "creep", "--without", "thermal")
+    assert done.returncode == 0, done.stderr
+    content = json.loads((tmp_path / folder.name / "diagnosis.json").read_text())
+    named = {entry["id"] for entry in content["mechanisms"]} | {id_ for ids in content["alternatives"] for id_ in ids}
+    assert not named & {"creep", "thermal"} and content["without"] == ["creep", "thermal"]
+    assert content["code"] == first["code"] and len(content["code"]) == 16
+    assert first["next_run"] is None and content["verdict"] in ("unknown", "ambiguous", "explained")
+    if content["verdict"] != "explained":
+        legs = content["next_run"]["legs"]
+        assert all(set(leg) == {"seconds", "motor_turns", "load_n"} and leg["seconds"] > 0 for leg in legs)
+        assert " turns in " in content["next_experiment"]
+    unknown = command("pipeline.diagnose", folder, "--out", tmp_path / "none", "--without", "crep")
+    assert unknown.returncode == 2 and "crep is no mechanism" in unknown.stderr and not (tmp_path / "none").exists()
 
 
 def test_floor_and_held_out_error_are_the_noise(diagnosed) -> None:

@@ -40,8 +40,8 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     found = study(problem)
     rivals = found.search.all_of(1)[:3]
     assert any(problem.ports(found.search.linear.state.acts))
-    said = nextrun.best(problem, run, found.noise, found.search, rivals)
-    assert any(said.startswith(name) for name in nextrun.CANDIDATES)
+    said, legs = nextrun.best(problem, run, found.noise, found.search, rivals)
+    assert any(said.startswith(name) for name in nextrun.CANDIDATES) and all(leg[0] > 0 for leg in legs)
 
 
 def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:

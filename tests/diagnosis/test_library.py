@@ -9,7 +9,8 @@ import pytest
 import pipeline.diagnosis
 from pipeline.diagnosis.adopt import acts_from, entries
 from pipeline.diagnosis.library import mechanisms, systems
-from pipeline.diagnosis.nextrun import Rig, appended
+from pipeline.diagnosis.nextrun import appended
+from pipeline.diagnosis.protocol import Rig
 
 IDS = [
     *("plastic_elongation", "creep", "stiffening", "axial_elasticity", "thermal", "radius_compaction", "wear"),

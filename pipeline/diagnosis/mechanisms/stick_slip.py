@@ -1,10 +1,17 @@
 """Slow motion goes in jerks: what sticks is drawn along until it slips [C7]."""
 
 import numpy as np
+from scipy.ndimage import median_filter
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import sticking
+from pipeline.kinematics import Array
+
+AROUND, CLIP, FEWEST = 101, 5.0, 100
+STILL = 0.01  # of the highest rate
+LOUDER = 1.15  # times the steps at rest
+SURE = 6.0  # standard errors of the skewness
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -28,6 +35,29 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     return [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
 
 
+def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
+    """Jerks in a residual: what sticks falls behind slowly and slips ahead at once, so that its steps are skewed.
+
+    Steps count along the motion, in four classes of its speed; within one they must be skewed beyond chance, and
+    larger than at rest. The reach is that of a sawtooth of the size seen.
+    """
+    rate = np.abs(drivers.rate[: len(residual)])[1:]
+    still, moving = rate < STILL * rate.max(), rate > 3.0 * STILL * rate.max()
+    step, moved = np.diff(residual), np.diff(predicted)
+    step = step - median_filter(step, AROUND, mode="nearest")
+    spread = 1.4826 * float(np.median(np.abs(step)))
+    step = np.clip(step, -CLIP * spread, CLIP * spread) * np.sign(moved)
+    at_rest = float(np.std(step[still])) if still.sum() > FEWEST else 0.0
+    for part in np.array_split(np.flatnonzero(moving)[np.argsort(np.abs(moved[moving]), kind="stable")], 4):
+        if len(part) < FEWEST or np.std(step[part]) < LOUDER * at_rest:
+            continue
+        skew = float(np.mean(step[part] ** 3) / max(float(np.std(step[part])), 1e-300) ** 3)
+        if skew * np.sqrt(len(part) / 15.0) > SURE:
+            shape = {"reach_mm": float(f"{np.sqrt(6.0) * np.std(step[part]):.6g}"), "back_share": 0.0}
+            return shape | {"usual_rate": float(f"{np.median(rate[moving]):.6g}")}
+    return None
+
+
 MECHANISM = Mechanism(
     id="stick_slip",
     driver="slow motion",
@@ -38,4 +68,5 @@ MECHANISM = Mechanism(
     sentence="Slow motion goes in jerks of {size}.",
     shapes=shapes,
     terms=terms,
+    random=random,
 )

@@ -1,0 +1,58 @@
+"""Effects whose every move is chance: a recording shows that they are there, and how large; nothing predicts them."""
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.kinematics import Array
+
+LEAST_BESIDE = 0.7  # of the random effect's size, that another mechanism must take away: less is chance's own trend
+STILL = 0.01  # of the highest rate: slower is a rest
+LEAST_REST_S = 1.0
+
+
+def left(problem: Problem, state: State) -> Array:
+    """The residual of the samples that a fit sees."""
+    return (problem.measured - problem.simulate(state))[: problem.rows]
+
+
+def seen(problem: Problem, state: State) -> dict[str, Shape]:
+    """By mechanism, the shape of the random effect that a residual shows."""
+    residual, predicted = left(problem, state), problem.simulate(state)[: problem.rows]
+    found = {id_: mechanism.random(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()}
+    return {id_: shape for id_, shape in found.items() if shape is not None}
+
+
+def act(problem: Problem, id_: str, shape: Shape) -> Act:
+    """A random effect as it enters the simulator: named, and silent."""
+    return Act(id_, (shape,), (0.0,) * len(problem.terms(mechanisms()[id_], shape)))
+
+
+def floor_at_rest(problem: Problem, state: State, otherwise: float) -> float:
+    """Standard deviation of the residual within rests, each about its mean; `otherwise` where there are too few."""
+    residual, drivers = left(problem, state), problem.drivers
+    rate = np.abs(drivers.rate[: problem.rows])
+    still = rate < STILL * rate.max()
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(int)))
+    squares, count = 0.0, 0
+    for start, end in zip(edges[::2], edges[1::2], strict=True):
+        if (end - start) * drivers.step_s >= LEAST_REST_S and end - start > 10:
+            part = residual[start + 2 : end - 2]
+            squares += float(np.sum(np.square(part - part.mean())))
+            count += len(part) - 1
+    return min(float(np.sqrt(squares / count)), otherwise) if count > 50 else otherwise
+
+
+def size(problem: Problem, state: State) -> float:
+    """What a residual has beyond its floor at rest, rms."""
+    whole = float(np.std(left(problem, state)))
+    return float(np.sqrt(max(whole**2 - floor_at_rest(problem, state, whole) ** 2, 0.0)))
+
+
+def trace(problem: Problem, state: State, floor: float) -> Array:
+    """How large the residual is from second to second, its noise taken off: where a random effect was at work."""
+    width = max(int(1.0 / problem.drivers.step_s), 5)
+    power = uniform_filter1d(np.square(problem.measured - problem.simulate(state)), width)
+    return np.asarray(np.sqrt(np.maximum(power - floor**2, 0.0)))

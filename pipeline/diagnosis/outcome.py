@@ -1,0 +1,101 @@
+"""What a study found, and the verdict on it."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.diagnosis import chance
+from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.noise import Noise
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.search import LEAST_EFFECT, Explanation, Search
+from pipeline.errors import BadInput
+
+EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
+UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
+PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
+LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
+
+
+@dataclass(frozen=True)
+class Study:
+    """Everything that one pass over a recording found."""
+
+    problem: Problem
+    nominal: State
+    base: State
+    noise: Noise
+    verdict: str
+    state: State  # with what was named, or the base
+    best: State  # the best that the library offers, whatever the verdict
+    sets: list[Explanation]
+    search: Search
+    share: float  # of the mismatch's energy that the best explanation takes
+    mismatch: float  # rms after calibration, noise taken off
+    floor: float  # of the noise: at rest, where something random is at work in motion
+    random: dict[str, Shape]  # what was seen of mechanisms whose every move is chance
+    random_rms: float
+
+    @property
+    def best_ids(self) -> tuple[str, ...]:
+        """Ids of what the best explanation names."""
+        return tuple(act.id for act in self.best.acts if act not in self.problem.included)
+
+
+def rms(values: np.ndarray) -> float:
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def decide(
+    problem: Problem,
+    nominal: State,
+    base: State,
+    noise: Noise,
+    best: State,
+    sets: list[Explanation],
+    search: Search,
+    random: dict[str, Shape],
+) -> Study:
+    """The verdict, from what is left after calibration and after the best explanation."""
+    seen = slice(0, problem.rows)
+    left = {
+        name: rms((problem.measured - problem.simulate(state))[seen])
+        for name, state in (("nominal", nominal), ("base", base), ("best", best))
+    }
+    floor = chance.floor_at_rest(problem, best, noise.floor) if random else noise.floor
+    mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
+    remainder = float(np.sqrt(max(left["best"] ** 2 - noise.floor**2, 0.0)))
+    share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)
+    new = {id_: shape for id_, shape in random.items() if id_ not in {act.id for act in problem.included}}
+    if new:
+        sets = [replace(one, ids=tuple(sorted({*one.ids, *new}))) for one in sets or [search.nothing]]
+        best = replace(best, acts=best.acts + tuple(chance.act(problem, id_, shape) for id_, shape in new.items()))
+    if not sets:
+        verdict = "unknown" if not random and mismatch > UNKNOWN_FROM * floor else "consistent"
+        if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
+            verdict = "parameters"
+    elif not physics(sets[0].ids) or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor):
+        verdict = "unknown"
+    else:
+        verdict = "explained" if len(sets) == 1 else "ambiguous"
+    state = best if verdict in ("explained", "ambiguous") else base
+    jerks = float(np.sqrt(max(left["best"] ** 2 - floor**2, 0.0))) if new else 0.0
+    return Study(
+        problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks
+    )  # fmt: skip
+
+
+def refuse_faint(found: Study, folder: Path) -> None:
+    """Raise BadInput where the motion hardly leaves the noise, so that any verdict would be a guess."""
+    problem, floor = found.problem, found.floor
+    moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
+    if moved < LEAST_MOTION * floor:
+        gap = f"should move by {moved:.3g} and has a noise of {floor:.3g}: nothing can be told from it"
+        raise BadInput(folder, problem.system.channel, gap, "record strokes over more turns, or with a finer sensor")
+
+
+def physics(ids: tuple[str, ...]) -> bool:
+    """Whether a set names any physics of the library."""
+    return not all(id_.startswith("x_") for id_ in ids)
