@@ -23,6 +23,9 @@ PLAN = make_plan(RAW, SYNTHETIC)
 MATERIALS = list(PLAN.materials)
 TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
+PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "proof.md", "sizes.png"] + expand(
+    "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
+)
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
@@ -35,6 +38,7 @@ wildcard_constraints:
     model="[a-z_]+",
     split="within|later",
     seed="[0-9]+",
+    batch="batch-[0-9]+|without-[a-z_]+",
 
 
 rule all:
@@ -56,6 +60,11 @@ rule diagnosis:
         expand("reports/diagnosis/{run}/diagnosis.json", run=[run for runs in PLAN.materials.values() for run in runs]),
 
 
+rule proof:
+    input:
+        expand("reports/proof/{file}", file=PROOF_FILES),
+
+
 include: "pipeline/rules/record.smk"
 include: "pipeline/rules/ingest.smk"
 include: "pipeline/rules/strokes.smk"
@@ -64,17 +73,5 @@ include: "pipeline/rules/train.smk"
 include: "pipeline/rules/evaluate.smk"
 include: "pipeline/rules/report.smk"
 include: "pipeline/rules/diagnose.smk"
-
-
-onstart:
-    for run in PLAN.unfinished:
-        print(f"raw/{run}: left out, its recording is unfinished (python -m pipeline.capture --recover raw/{run})")
-
-
-onerror:
-    print(summary(Path("reports"), MATERIALS))
-    print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
-
-
-onsuccess:
-    print(summary(Path("reports"), MATERIALS))
+include: "pipeline/rules/proof.smk"
+include: "pipeline/rules/said.smk"
