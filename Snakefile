@@ -23,7 +23,7 @@ PLAN = make_plan(RAW, SYNTHETIC)
 MATERIALS = list(PLAN.materials)
 TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
-PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "proof.md", "sizes.png"] + expand(
+PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md", "sizes.png"] + expand(
     "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
 )
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]

@@ -21,6 +21,7 @@ class Planned:
     effects: tuple[str, ...] = ()
     kappas: tuple[float, ...] = ()
     without: str = ""  # the mechanism that the diagnosis must do without
+    baselines: bool = False  # whether they are asked as well
 
 
 def effect_names(open_set: bool) -> list[str]:
@@ -31,7 +32,7 @@ def effect_names(open_set: bool) -> list[str]:
 
 def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
     """Cases of one mix, nameless and seedless: `count` drawn ones, or `each` of every effect at every kappa."""
-    bare = Planned("", 0, mix["stratum"], mix["protocol"])
+    bare = Planned("", 0, mix["stratum"], mix["protocol"], baselines=mix.get("baselines", False))
     for kappa in mix.get("kappas", [None]):
         sized = bare if kappa is None else replace(bare, kappas=(float(kappa),))
         yield from [sized] * mix.get("count", 0)

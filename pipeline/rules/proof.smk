@@ -8,6 +8,14 @@ def cases_of(wildcards):
     return written(BATCHES[wildcards.batch])
 
 
+def compared(batch):
+    return [case.run for case in BATCHES[batch] if case.baselines]
+
+
+def compared_of(wildcards):
+    return compared(wildcards.batch)
+
+
 def without(wildcards):
     return wildcards.batch.removeprefix("without-") if wildcards.batch.startswith("without-") else ""
 
@@ -96,6 +104,36 @@ rule lookalikes:
         " > {log} 2>&1"
 
 
+rule baselines:
+    input:
+        f"{PROOF}/recordings/{{batch}}",
+    output:
+        directory(f"{PROOF}/baselines/{{batch}}"),
+    log:
+        f"{PROOF}/logs/baselines-{{batch}}.log",
+    params:
+        runs=compared_of,
+        code=fingerprint("pipeline.proof.compare", "pipeline.proof.baselines.*"),
+    message:
+        "ask the baselines about {wildcards.batch}"
+    shell:
+        "exec python -m pipeline.proof.compare {params.runs} --runs {input} --out {output} > {log} 2>&1"
+
+
+rule twins:
+    output:
+        "reports/proof/twins.csv",
+    log:
+        f"{PROOF}/logs/twins.log",
+    params:
+        effects=[f"--effect={name}" for name in config["proof"].get("twins", [])],
+        code=fingerprint("pipeline.proof.twins", "pipeline.rig.effects.*", "pipeline.diagnosis.*"),
+    message:
+        "measure what the library's twins leave of the rig's effects"
+    shell:
+        "exec python -m pipeline.proof.twins {params.effects} --out {output} > {log} 2>&1"
+
+
 # The only rule that opens the answers, and it runs when the last verdict is written.
 rule score:
     input:
@@ -103,7 +141,9 @@ rule score:
         expand(PROOF + "/verdicts/{batch}", batch=BATCHES),
         expand(PROOF + "/settled/{batch}", batch=BATCHES),
         expand(PROOF + "/lookalikes/{batch}.json", batch=BATCHES),
+        expand(PROOF + "/baselines/{batch}", batch=filter(compared, BATCHES)),
         expand(PROOF + "/sealed/{batch}.json", batch=BATCHES),
+        twins="reports/proof/twins.csv",
     output:
         expand("reports/proof/{file}", file=PROOF_FILES),
     log:
@@ -114,4 +154,5 @@ rule score:
     message:
         "open the answers and score the verdicts"
     shell:
-        "exec python -m pipeline.proof.score {params.batches} --place processed/proof --out reports/proof > {log} 2>&1"
+        "exec python -m pipeline.proof.score {params.batches} --place processed/proof --twins {input.twins}"
+        " --out reports/proof > {log} 2>&1"

@@ -79,7 +79,7 @@ def test_a_diagnosis_is_told_the_recordings_and_nothing_else(tmp_path):
 
 
 def test_the_small_proof(tmp_path):
-    """Eight cases on one core: about two minutes."""
+    """Eight cases on one core, ties and baselines included: two to three minutes."""
     snakemake(tmp_path, "proof")
     reports = tmp_path / "reports" / "proof"
     cases = pd.read_csv(reports / "cases.csv", keep_default_na=False)
@@ -93,8 +93,11 @@ def test_the_small_proof(tmp_path):
     assert "false alarm" in set(scores["metric"])
     for name in ("confusion.png", "confusion.pdf", "dose_response.png", "dose_response.pdf", "sizes.png"):
         assert (reports / name).stat().st_size > 5_000
+    beside = pd.read_csv(reports / "beside.csv", keep_default_na=False)
+    assert set(beside["method"]) >= {"diagnosis", "residual_sindy", "gaussian_process"} and len(set(beside["run"])) == 2
+    assert set(beside["effects"]) == {"creep", "backlash"}
     page = (reports / "proof.md").read_text()
-    assert "leaves no 3 noise floors" in page and "Goals and what was reached" in page
+    assert "leaves no 3 noise floors" in page and "| creep | 9" in page and "Goals and what was reached" in page
     recordings = tmp_path / "processed" / "proof" / "recordings"
     words = ("backlash", "creep", "stratum", "kappa", "floor_sway")
     for path in recordings.rglob("run.yaml"):

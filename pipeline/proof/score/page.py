@@ -30,6 +30,7 @@ GOALS = (
     ("90 % intervals of an effect's size", "87–95 %", "90 % interval holds the effect's size", "all"),
     ("CPU seconds a case, median of the batches", "≤ 20", "CPU seconds a case", "all"),
 )
+TOO_ALIKE = 0.03  # of an effect
 PLAIN = ("median", "worst", "overlap", "error over", "seconds", "size of the set")
 
 
@@ -75,6 +76,29 @@ def _mechanisms(cases: pd.DataFrame) -> str:
     return _table(("effect", *(f"kappa {kappa:g}" for kappa in sizes)), rows)
 
 
+def _beside(scores: pd.DataFrame) -> str:
+    """Every method on the same recordings: its scores side by side."""
+    parts = scores["stratum"].str.split(": ", n=1, expand=True)
+    some = scores.assign(method=parts[0], of_what=parts.get(1)).dropna(subset="of_what")
+    methods = list(dict.fromkeys(some["method"]))
+    rows = []
+    for (metric, what), same in some.groupby(["metric", "of_what"], sort=False):
+        by_method = {score["method"]: _said(score) for _, score in same.iterrows()}
+        cells = [" ".join(part for part in by_method[one][::2] if part) if one in by_method else "" for one in methods]
+        rows.append((f"{metric}, {what}", *cells))
+    return _table(("score", *methods), rows) if rows else "None was asked."
+
+
+def _twins(twins: pd.DataFrame) -> str:
+    """What the library's mechanism of the same name leaves of each of the rig's effects."""
+    shares = twins.groupby("effect")["share"].agg(["median", "min", "count"]).sort_values("min")
+    rows = []
+    for name, row in shares.iterrows():
+        close = "below 3 %: too alike" if row["min"] < TOO_ALIKE else ""
+        rows.append((str(name), f"{100 * row['median']:.2g} %", f"{100 * row['min']:.2g} %", close))
+    return _table(("effect", "left, median", "least", ""), rows)
+
+
 def _wrong(cases: pd.DataFrame) -> str:
     rows = []
     for _, case in cases[~cases["outcome"].isin(RIGHT)].iterrows():
@@ -86,10 +110,11 @@ def _wrong(cases: pd.DataFrame) -> str:
     return _table(("case", "stratum", "protocol", "hidden", "kappa", "verdict", "named (or)", "that is"), rows)
 
 
-def page(cases: pd.DataFrame, scores: pd.DataFrame) -> str:
+def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame) -> str:
     """The page as Markdown."""
     made, skipped = cases[cases["skipped"] == ""], cases[cases["skipped"] != ""]
-    everything = [(score["metric"], score["stratum"], *_said(score)) for _, score in scores.iterrows()]
+    own = scores[~scores["stratum"].str.contains(": ")]
+    everything = [(score["metric"], score["stratum"], *_said(score)) for _, score in own.iterrows()]
     reasons = [f"- {case['run']}: {case['skipped']}" for _, case in skipped.iterrows()]
     return "\n\n".join([
         "# The concealed proof",
@@ -101,6 +126,8 @@ def page(cases: pd.DataFrame, scores: pd.DataFrame) -> str:
         "![answers over the effect's size](dose_response.png)",
         "![named sizes over true ones](sizes.png)",
         "## Named exactly, by effect and size (rich protocol)", _mechanisms(made),
+        "## Beside other methods, on the same recordings", _beside(scores),
+        "## What the library's twins leave of the rig's effects, free of noise", _twins(twins),
         "## All scores", _table(("score", "of", "value", "95 % interval", "cases"), everything),
         "## Every case that is not right", _wrong(made),
         f"## Cases that could not be made: {len(skipped)} of {len(cases)}", "\n".join(reasons) or "None.",
