@@ -28,7 +28,7 @@ def _truth(answer: Mapping[str, Any]) -> tuple[frozenset[str], bool]:
 def _told(answer: Mapping[str, Any]) -> Row:
     """What was hidden."""
     asked = answer["asked"]
-    row = {"run": answer["run"], "stratum": "without" if asked["without"] else asked["stratum"]}
+    row = {"run": answer["run"], "seed": asked["seed"], "stratum": "without" if asked["without"] else asked["stratum"]}
     row |= {"protocol": asked["protocol"], "kappa": asked["kappas"][0] if asked["kappas"] else None}
     row |= {"effects": "+".join(asked["effects"]), "skipped": answer.get("skipped", "")}
     if "skipped" in answer:
@@ -45,6 +45,7 @@ def _judged(answer: Mapping[str, Any], verdict: Mapping[str, Any] | None, left: 
     row: Row = {"outcome": word, "right": word in RIGHT, "verdict": "refused" if verdict is None else said(verdict)}
     if verdict is None:
         return row
+    row["code"] = verdict.get("code", "")  # the fingerprint of the code that gave it
     sets = sets_of(verdict)
     row |= {"named": "+".join(sorted(sets[0])) if sets else "", "sets": len(sets)}
     row["alternatives"] = " | ".join("+".join(sorted(one)) for one in sets[1:])
@@ -67,7 +68,7 @@ def _measured(answer: Mapping[str, Any], verdict: Mapping[str, Any], run: Path) 
         row[f"heldout_{key}"] = held.get(key)
     if held.get("explained_mm"):
         row["heldout_ratio"] = held["explained_mm"] / answer["heldout_noise_mm"]
-        row["calibrated_ratio"] = held["calibrated_mm"] / answer["heldout_noise_mm"]
+        row["calibrated_ratio"] = held.get("calibrated_mm", float("nan")) / answer["heldout_noise_mm"]
     box = (verdict.get("mismatch") or {}).get("location")
     if box and answer["location"]:
         row["location_iou"] = overlap(run, box, answer["location"])

@@ -112,7 +112,11 @@ def scores(cases: pd.DataFrame, sizes: pd.DataFrame) -> pd.DataFrame:
     for stratum in ("open", "without"):
         some = made[made["stratum"] == stratum]
         rows += share("called unknown", stratum, some["outcome"] == "unknown as it should")
-        rows += share("named all the same", stratum, some["outcome"].isin(["wrong", "tie without the truth"]))
+        named = some["outcome"].isin(["wrong", "tie without the truth"])
+        rows += share("named all the same", stratum, named)
+        if stratum == "without":
+            parted = named & (some["separable"] == True)  # noqa: E712
+            rows += share("named all the same though the data part it", stratum, parted)
         rows += share("found nothing", stratum, some["outcome"] == "missed")
     rows += _ties(made)
     rows += _figures(made, sizes)

@@ -115,12 +115,14 @@ def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame) -> str:
     made, skipped = cases[cases["skipped"] == ""], cases[cases["skipped"] != ""]
     own = scores[~scores["stratum"].str.contains(": ")]
     everything = [(score["metric"], score["stratum"], *_said(score)) for _, score in own.iterrows()]
+    codes = ", ".join(f"`{code}`" for code in sorted(set(made["code"].dropna()))) if "code" in made else ""
     reasons = [f"- {case['run']}: {case['skipped']}" for _, case in skipped.iterrows()]
     return "\n\n".join([
         "# The concealed proof",
         f"{len(made)} concealed recordings of the synthetic rig, diagnosed before any answer was opened. Sizes are in"
         " noise floors after calibration (kappa). Intervals are exact (Clopper and Pearson; order statistics for"
         " medians). `docs/proof.md` says how it is sealed and what each score means.",
+        f"Seeds {cases['seed'].min()} to {cases['seed'].max()}; the verdicts' code: {codes}.",
         "## Goals and what was reached", _goals(scores),
         "![what was named instead of what](confusion.png)",
         "![answers over the effect's size](dose_response.png)",
