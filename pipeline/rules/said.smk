@@ -11,3 +11,5 @@ onerror:
 
 onsuccess:
     print(summary(Path("reports"), MATERIALS))
+    if Path("reports/proof/proof.md").is_file():
+        print("the concealed proof: reports/proof/proof.md")

@@ -101,10 +101,10 @@ def _twins(twins: pd.DataFrame) -> str:
 
 def _wrong(cases: pd.DataFrame) -> str:
     rows = []
-    for _, case in cases[~cases["outcome"].isin(RIGHT)].iterrows():
+    wrong = cases[~cases["outcome"].isin(RIGHT)].fillna({"named": "", "alternatives": ""})
+    for _, case in wrong.iterrows():
         kappa = "" if pd.isna(case["kappa"]) else f"{case['kappa']:g}"
-        beside = case["alternatives"] if isinstance(case["alternatives"], str) else ""
-        said = f"{case['named']} ({beside})" if beside else case["named"]
+        said = f"{case['named']} ({case['alternatives']})" if case["alternatives"] else case["named"]
         told = (case["run"], case["stratum"], case["protocol"], case["effects"], kappa, case["verdict"], said)
         rows.append(tuple(str(one) for one in (*told, case["outcome"])))
     return _table(("case", "stratum", "protocol", "hidden", "kappa", "verdict", "named (or)", "that is"), rows)
