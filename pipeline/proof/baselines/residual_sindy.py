@@ -11,6 +11,7 @@ from pipeline.proof.baselines.features import products, standard, table
 from pipeline.proof.baselines.learnt import Calibrated, Learnt
 
 THRESHOLDS = np.geomspace(0.02, 2.0, 14)  # of the residual's rms, on columns of unit spread
+RIDGE = 1e-2  # for each sample: keeps columns that look alike from cancelling each other, which would name at random
 SIGNED = {  # a term of which the sign tells two mechanisms apart: what falls behind, what runs ahead
     "high twist": ("jam", "overtwist"),
 }
@@ -69,7 +70,8 @@ def _sparse(table: Array, target: Array) -> Array:
         return best
     cost = samples * np.log(size**2)
     for threshold in THRESHOLDS * size:
-        model = SINDy(optimizer=STLSQ(threshold=threshold), feature_library=IdentityLibrary())
+        sparse = STLSQ(threshold=threshold, alpha=RIDGE * samples, unbias=False)
+        model = SINDy(optimizer=sparse, feature_library=IdentityLibrary())
         with warnings.catch_warnings():
             # that no term stays is an answer here, and costs what it costs
             warnings.filterwarnings("ignore", "Sparsity parameter is too big", UserWarning)
