@@ -5,9 +5,11 @@ from collections.abc import Iterator
 import pandas as pd
 
 from pipeline.proof.score import intervals
+from pipeline.proof.score.judge import RIGHT
 
 LARGE = 0.5  # noise floors from which on an effect must be named
 CHANCE = ("clamp_slip", "count_slip", "stick_slip")  # random events: no fit knows the next one
+FIRM_WRONG = ("wrong", "extra", "part", "false alarm")
 COLUMNS = ("metric", "stratum", "count", "of", "value", "low", "high")
 Score = tuple[str, str, float, int, float, float, float]
 
@@ -39,7 +41,7 @@ def mean(metric: str, stratum: str, values: pd.Series) -> Iterator[Score]:
 
 def _named(cases: pd.DataFrame, stratum: str) -> Iterator[Score]:
     """What became of cases whose truth has a name."""
-    firm_wrong = cases["outcome"].isin(["wrong", "extra", "part"])
+    firm_wrong = cases["outcome"].isin(FIRM_WRONG)
     both = cases["outcome"].isin(["exact", "extra"])
     tied = cases["verdict"] == "ambiguous"
     yield from share("named exactly", stratum, cases["outcome"] == "exact")
@@ -87,11 +89,9 @@ def _ties(cases: pd.DataFrame) -> Iterator[Score]:
         if f"after_{way}" in cases:
             done = cases[cases[f"after_{way}"].notna()]
             after = done[f"after_{way}"]
-            yield from share(f"tie settled rightly by {way}", "ties", after == "exact")
-            yield from share(f"tie settled wrongly by {way}", "ties", after.isin(["wrong", "extra", "part"]))
-            yield from share(
-                f"truth named or in the set after {way}", "ties", after.isin(["exact", "tie with the truth"])
-            )
+            yield from share(f"tie settled rightly by {way}", "ties", after.isin(set(RIGHT) - {"tie with the truth"}))
+            yield from share(f"tie settled wrongly by {way}", "ties", after.isin(FIRM_WRONG))
+            yield from share(f"truth named or in the set after {way}", "ties", after.isin(RIGHT))
             yield from mean(f"mean size of the set after {way}", "ties", done[f"sets_after_{way}"])
 
 
