@@ -51,7 +51,6 @@ WAVES, PERIODS_S = 4, (10.0, 60.0)
 # How far the strength of an effect wanders, rms: no formula of few numbers, whosever it is, may fit an effect without
 # remainder, and these would be fitted so (`python -m pipeline.proof.twins`). The others leave enough as they are.
 WANDERS = {
-    "axial_elasticity": 0.010,
     "backlash": 0.034,
     "clamp_slip": 0.019,
     "count_slip": 0.032,
@@ -150,7 +149,12 @@ def _shape(name: str, bench: Bench, protocol: Protocol, rng: np.random.Generator
         room = {"heating_k_per_j": 0.0, "room_k": uniform(4.0, 12.0), "warm_s": warm_s}
         return room | {"string_s": uniform(8.0, 30.0), "rig_s": uniform(60.0, 150.0), "expansion_mm_per_k": 0.02}
     rest: dict[str, Parameters] = {
-        "axial_elasticity": {"compliance_mm_per_n": 0.02, "toe_n": uniform(1.0, 3.0) * load_n},
+        "axial_elasticity": {
+            "compliance_mm_per_n": 0.02,
+            "toe_n": uniform(1.0, 3.0) * load_n,
+            "late": uniform(0.08, 0.12),
+            "late_s": uniform(4.0, 8.0),
+        },
         "backlash": {"turns": 0.2, "firmness": uniform(2.0, 4.0)},
         "eccentricity": {"run_out_mm": 0.1, "phase_rad": phase_rad, "joint": uniform(0.08, 0.2)},
         "end_stop": {"bumper": uniform(100.0, 400.0), "stretch_n_per_mm": bench.true.stiffness_n_per_mm},
