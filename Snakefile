@@ -25,6 +25,9 @@ MATERIALS = list(PLAN.materials)
 DIAGNOSED = [run for runs in PLAN.materials.values() for run in runs] + PLAN.others
 TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
+PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md", "sizes.png"] + expand(
+    "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
+)
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
@@ -39,6 +42,7 @@ wildcard_constraints:
     model="[a-z_]+",
     split="within|later",
     seed="[0-9]+",
+    batch="batch-[0-9]+|without-[a-z_]+",
 
 
 rule all:
@@ -61,6 +65,11 @@ rule diagnosis:
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
 
 
+rule proof:
+    input:
+        expand("reports/proof/{file}", file=PROOF_FILES),
+
+
 include: "pipeline/rules/record.smk"
 include: "pipeline/rules/ingest.smk"
 include: "pipeline/rules/strokes.smk"
@@ -69,17 +78,5 @@ include: "pipeline/rules/train.smk"
 include: "pipeline/rules/evaluate.smk"
 include: "pipeline/rules/report.smk"
 include: "pipeline/rules/diagnose.smk"
-
-
-onstart:
-    for run in PLAN.unfinished:
-        print(f"raw/{run}: left out, its recording is unfinished (python -m pipeline.capture --recover raw/{run})")
-
-
-onerror:
-    print(summary(Path("reports"), MATERIALS, DIAGNOSED))
-    print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
-
-
-onsuccess:
-    print(summary(Path("reports"), MATERIALS, DIAGNOSED))
+include: "pipeline/rules/proof.smk"
+include: "pipeline/rules/said.smk"

@@ -41,6 +41,8 @@ def part(module):
     return module.split(".")[1] if "." in module else ""
 
 
+# the proof's only modules that may use the diagnosis; of them `twins` alone sees both hands
+BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins")
 GROUND = {"errors", "files", "kinematics", "schemas", "run_yaml", "runs", "units", "wire"}
 
 
@@ -67,7 +69,23 @@ def test_the_ground_stands_on_nothing_but_the_ground():
 def test_neighbours_do_not_reach_into_each_other(one, others):
     for module in MODULES:
         if part(module) == one:
-            assert not {part(name) for name in reach(module)} & others, module
+            never = others - {"diagnosis"} if module.startswith(BESIDE_THE_DIAGNOSIS) else others
+            assert not {part(name) for name in reach(module)} & never, module
+    for module in MODULES:
+        if not module.startswith(BESIDE_THE_DIAGNOSIS):
+            assert not [name for name in reach(module) if name.startswith(BESIDE_THE_DIAGNOSIS)], module
+
+
+def test_who_conceals_and_who_diagnoses_share_nothing_but_the_ground():
+    concealing = {name for name in MODULES if part(name) in ("rig", "proof")}
+    opening = "pipeline.proof.score"  # which cuts recordings into strokes as every stage does
+    concealing = {name for name in concealing if not name.startswith((*BESIDE_THE_DIAGNOSIS, opening))}
+    diagnosing = {name for name in MODULES if part(name) in ("diagnosis", "diagnose", "simulate")}
+    common = concealing.union(*map(reach, concealing)) & diagnosing.union(*map(reach, diagnosing))
+    assert {part(name) for name in common} <= GROUND, common
+    for module in MODULES:
+        if module.startswith("pipeline.proof.baselines"):
+            assert not reach(module) & concealing, module
 
 
 def test_nobody_outside_the_rig_knows_its_effects():

@@ -30,7 +30,7 @@ def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Co
     for name in names:
         left = [np.zeros(len(bare_mm))]
         for _ in range(shapes):
-            of = draw_effect(name, bench, protocol, rng)
+            of = draw_effect(name, bench, protocol, rng, steady=True)
             kappa = measure(bench, protocol, {name: of(1.0)}, floor_mm)[0].kappa
             if kappa < 1.0 / MOST_STRENGTH:  # nothing of it shows on this protocol: what is left is rounding
                 continue

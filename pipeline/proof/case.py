@@ -5,16 +5,15 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
-import pandas as pd
 
 from pipeline.proof.bench import Bench, draw_bench, mismeasure
 from pipeline.proof.draws import NAMED, OPEN_SET, Parameters, draw_effect
 from pipeline.proof.location import location
-from pipeline.proof.nuisance import Nuisance, draw_nuisance, late_s, record
+from pipeline.proof.nuisance import Nuisance, Recorded, draw_nuisance, late_s, record
 from pipeline.proof.perform import perform
 from pipeline.proof.protocol import Kind, Protocol, draw_protocol
 from pipeline.proof.referee import Ruling, rule
-from pipeline.proof.size import OutOfReach, Size, measure, strength_for
+from pipeline.proof.size import OutOfReach, Size, measure, rms, strength_for
 
 Stratum = Literal["none", "parameters", "noise", "single", "pair", "open"]
 STRATA: tuple[Stratum, ...] = ("none", "parameters", "noise", "single", "pair", "open")
@@ -22,6 +21,7 @@ HIDES = {"single": 1, "pair": 2, "open": 1}  # effects in a case, by stratum; th
 ALWAYS = ("radius_compaction", "axial_elasticity", "eccentricity")  # every real string has a little of these
 ATTEMPTS = 8
 ALWAYS_KAPPA = 0.15  # and together they stay below this
+HELD_OUT = 0.30  # of the strokes, the last ones
 WITHIN, BEYOND = (0.0, 1.8), (1.0, 3.0)  # sigma of the measuring errors; so far off only in `parameters`
 
 
@@ -102,13 +102,20 @@ def _always(
     return always
 
 
-def performed(case: Case) -> pd.DataFrame:
+def performed(case: Case) -> Recorded:
     """The case's recording, with all its effects and nuisances."""
     late_rng, record_rng = (np.random.default_rng(child) for child in np.random.SeedSequence([case.seed, 1]).spawn(2))
     count = len(case.protocol.phases[0])
     late = late_s(case.nuisance, case.protocol.rate_hz, count, late_rng)
     said = perform(case.bench, case.protocol, case.effects | case.always, late)
     return record(said, case.nuisance, case.protocol.rate_hz, case.load_cell, case.thermocouple, record_rng)
+
+
+def heldout_noise_mm(recorded: Recorded) -> float:
+    """What the true noise-free displacement leaves of the last 30 % of strokes (at least one), outliers aside."""
+    strokes = int(recorded.stroke.max())
+    late = recorded.stroke > strokes - max(1, round(HELD_OUT * strokes))
+    return rms(recorded.error_mm[late & ~recorded.wild])
 
 
 def answer(case: Case, run: str) -> dict[str, Any]:
@@ -127,6 +134,7 @@ def answer(case: Case, run: str) -> dict[str, Any]:
         ],
         "together": size.told(),
         "noise_floor_mm": floor_mm,
+        "heldout_noise_mm": heldout_noise_mm(performed(case)),
         "location": location(clean, fit.residual_mm) if case.effects else None,
         "dimensions": {
             name: {"measured": getattr(bench.measured, name), "true": getattr(bench.true, name)}

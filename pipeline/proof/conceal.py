@@ -52,7 +52,7 @@ def main() -> None:
         case = draw_case(told.seed, told.stratum, told.protocol, told.effect, told.kappa or [1.0])
     except OutOfReach as error:
         raise BadInput(told.run, "--kappa", str(error), "choose another seed, effect or protocol") from None
-    write_run(case.bench.described(told.run, not case.load_cell), performed(case), told.raw / told.run)
+    write_run(case.bench.described(told.run, not case.load_cell), performed(case).table, told.raw / told.run)
     sealed = answer(case, told.run)
     write_text(told.answer, json.dumps(sealed, indent=1, default=plain) + "\n")
     hidden = ", ".join(f"{one['id']} of {one['kappa']:.2f} noise floors" for one in sealed["effects"])

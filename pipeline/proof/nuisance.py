@@ -73,6 +73,16 @@ def noise_mm(nuisance: Nuisance, rate_hz: float, count: int, rng: np.random.Gene
     return np.sqrt(nuisance.floor_mm**2 - nuisance.quantum_mm**2 / 12.0) * loud * mixed
 
 
+@dataclass(frozen=True)
+class Recorded:
+    """A recording, and of each of its samples what nobody can know who has only the recording."""
+
+    table: pd.DataFrame
+    error_mm: Array  # (rows,): what the displacement says less what it truly was
+    wild: NDArray[np.bool_]  # (rows,): outliers
+    stroke: NDArray[np.intp]  # (rows,): as commanded
+
+
 def record(
     performed: Performed,
     nuisance: Nuisance,
@@ -80,7 +90,7 @@ def record(
     load_cell: bool,
     thermocouple: bool,
     rng: np.random.Generator,
-) -> pd.DataFrame:
+) -> Recorded:
     """The recording: what was performed as such sensors and such a logger keep it."""
     count = len(performed.time_s)
     measured_mm = performed.displacement_mm + noise_mm(nuisance, rate_hz, count, rng)
@@ -96,7 +106,10 @@ def record(
         table["load_n"] = np.round(performed.load_n * (1.0 + 0.003 * rng.standard_normal(count)), 3)
     if thermocouple:
         table["temperature_c"] = np.round(performed.temperature_c + 0.05 * rng.standard_normal(count), 2)
-    return pd.DataFrame(table)[_kept(nuisance, count, rng)].reset_index(drop=True)
+    kept = _kept(nuisance, count, rng)
+    error_mm = table["displacement_mm"] - performed.displacement_mm
+    rows = pd.DataFrame(table)[kept].reset_index(drop=True)
+    return Recorded(rows, error_mm[kept], wild[kept], performed.stroke[kept])
 
 
 def _kept(nuisance: Nuisance, count: int, rng: np.random.Generator) -> NDArray[np.bool_]:

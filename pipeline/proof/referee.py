@@ -135,8 +135,8 @@ def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Proto
 
 
 def _does(name: str, parameters: Mapping[str, Any], bench: Bench, told: Commands, step_s: float) -> Array:
-    """What the effect does to the quantity that it acts on, of shape (steps,): rad, a factor, or mm."""
-    effect = effects.make(name, parameters)
+    """What the steady effect does to the quantity that it acts on, of shape (steps,): rad, a factor, or mm."""
+    effect = effects.make(name, {key: value for key, value in parameters.items() if key != "unsteady"})
     with_it = String(bench.true, [effect], step_s).live(told.motor_turns, told.load_n)
     without = String(bench.true, [], step_s).live(told.motor_turns, told.load_n)
     if effect.acts_on == "twist":

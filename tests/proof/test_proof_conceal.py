@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from pipeline.proof.plan import Planned, written
 from pipeline.recording import read_recording
 from pipeline.runs import read_run
 
@@ -49,3 +50,24 @@ def test_an_answer_is_never_laid_beside_the_recording(tmp_path):
     answer = str(tmp_path / "raw" / "case-1" / "answer.json")
     done = conceal(tmp_path, "--seed", "1", "--stratum", "none", "--run", "case-1", "--answer", answer)
     assert done.returncode == 2 and "seal it outside" in done.stderr
+
+
+def test_a_batch_seals_its_answers_elsewhere_and_says_what_it_could_not_make(tmp_path):
+    cases = [
+        Planned("case-1", 1, "none", "poor"),
+        Planned("case-2", 1, "single", "poor", ("axial_elasticity",), (1.0,)),
+    ]
+    command = [sys.executable, "-m", "pipeline.proof.conceal_batch", "--cases", written(cases), "--runs"]
+    beside = subprocess.run(
+        [*command, str(tmp_path / "runs"), "--answers", str(tmp_path / "runs" / "a.json")],
+        capture_output=True,
+        text=True,
+    )
+    assert beside.returncode == 2 and "seal it outside" in beside.stderr and not (tmp_path / "runs").exists()
+    sealed = tmp_path / "sealed.json"
+    done = subprocess.run([*command, str(tmp_path / "runs"), "--answers", str(sealed)], capture_output=True, text=True)
+    assert done.returncode == 0 and "1 recordings concealed" in done.stdout, done.stderr
+    assert [path.name for path in (tmp_path / "runs").iterdir()] == ["case-1"]
+    made, skipped = json.loads(sealed.read_text())
+    assert made["asked"]["stratum"] == "none" and made["effects"] == [] and 0.01 < made["heldout_noise_mm"] < 0.1
+    assert "leaves no 1 noise floors" in skipped["skipped"] and skipped["asked"]["effects"] == ["axial_elasticity"]

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pipeline.rig.effect import Effect
+from pipeline.rig.unsteady import Unsteady
 
 
 def names() -> list[str]:
@@ -18,11 +19,16 @@ def names() -> list[str]:
 
 
 def make(name: str, parameters: Mapping[str, Any]) -> Effect:
-    """A fresh effect of that name; raises ValueError for a name or a parameter that it does not know."""
+    """A fresh effect of that name; raises ValueError for a name or a parameter that it does not know.
+
+    Any effect can have the parameter `unsteady`, with the arguments of `pipeline.rig.unsteady.Unsteady`.
+    """
     if name not in names():
         raise ValueError(f"is not an effect of the rig; known are {', '.join(names())}")
     model: type[Effect] = importlib.import_module(f"{__name__}.{name}").Model
+    own = {key: value for key, value in parameters.items() if key != "unsteady"}
     try:
-        return model(**parameters)
+        effect = model(**own)
+        return Unsteady(effect, **parameters["unsteady"]) if "unsteady" in parameters else effect
     except TypeError as error:
         raise ValueError(f"has other parameters ({error})") from None

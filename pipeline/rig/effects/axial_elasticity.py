@@ -1,25 +1,34 @@
 """The string is longer under a larger load, first by drawing its crimp straight."""
 
+import math
+
 import numpy as np
 
 from pipeline.kinematics import Array
-from pipeline.rig.effect import Effect, Lived
+from pipeline.rig.effect import Effect, Lived, settle
 
 
 class Model(Effect):
     """Fibres that come to bear one after the other: of a stretch δ the share δ/(δ + toe) bears, F = δ²/(δ + toe)/c.
 
-    c is `compliance_mm_per_n`, and the toe is what the string gives under `toe_n`; δ is solved from the load.
+    c is `compliance_mm_per_n`, and the toe is what the string gives under `toe_n`; δ is solved from the load. The
+    share `late` of δ comes after it by the time constant `late_s`, an elastic after-effect; the first load is old.
     """
 
     acts_on = "length"
 
-    def __init__(self, compliance_mm_per_n: float = 0.03, toe_n: float = 4.0) -> None:
-        self.compliance_mm_per_n, self.toe_n = compliance_mm_per_n, toe_n
+    def __init__(
+        self, compliance_mm_per_n: float = 0.03, toe_n: float = 4.0, late: float = 0.0, late_s: float = 5.0
+    ) -> None:
+        self.compliance_mm_per_n, self.toe_n, self.late, self.late_s = compliance_mm_per_n, toe_n, late, late_s
+        self.state = np.array([np.nan])
 
     def run(self, lived: Lived) -> Array:
         """Lengthening in mm."""
         load_n, stretch_n = lived.load_n, lived.load_n + self.toe_n
         for _ in range(6):  # Newton on δ² = F (δ + toe), all in N
             stretch_n = stretch_n - (stretch_n**2 - load_n * (stretch_n + self.toe_n)) / (2.0 * stretch_n - load_n)
-        return np.asarray(self.compliance_mm_per_n * stretch_n)
+        if np.isnan(self.state[0]):
+            self.state[0] = stretch_n[0]
+        late_n = settle(stretch_n, -math.expm1(-lived.step_s / self.late_s), self.state)
+        return np.asarray(self.compliance_mm_per_n * ((1.0 - self.late) * stretch_n + self.late * late_n))

@@ -1,0 +1,48 @@
+"""Ask the diagnosis about the recordings of a folder, as a stranger would: by its command line, one process for all."""
+
+import argparse
+import json
+import os
+import resource
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.runs import find_runs
+
+REFUSED = 2  # exit status of the diagnosis when some run cannot be decided; the others are written
+
+
+def ask(runs: list[Path], out: Path, without: str = "", together: bool = False) -> dict[str, Any]:
+    """Diagnose runs into `out`; returns how it went. Raises RuntimeError when the diagnosis fails."""
+    command = [sys.executable, "-m", "pipeline.diagnose", *map(str, runs), "--out", str(out)]
+    command += ["--without", without] if without else []
+    command += ["--together"] if together else []
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    # it must end when this process does, not when Snakemake does
+    done = subprocess.run(command, env={**os.environ, "TWISTBENCH_PARENT": str(os.getpid())})
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode not in (0, REFUSED):
+        raise RuntimeError(f"the diagnosis ended with status {done.returncode}: {' '.join(command)}")
+    seconds = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return {"runs": [run.name for run in runs], "seconds": round(seconds, 2), "status": done.returncode}
+
+
+@program
+def main() -> None:
+    """Write OUT/<run>/diagnosis.json for every run of a folder, and OUT/asked.json."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.ask", description=__doc__)
+    parser.add_argument("runs", type=Path, help="folder of run folders")
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
+    told = parser.parse_args()
+    runs = list(find_runs(told.runs))
+    asked = ask(runs, told.out, told.without) if runs else {"runs": [], "seconds": 0.0, "status": 0}
+    write_text(told.out / "asked.json", json.dumps(asked) + "\n")
+
+
+if __name__ == "__main__":
+    main()

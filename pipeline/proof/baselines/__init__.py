@@ -1,0 +1,1 @@
+"""What others would do with the same recordings: methods beside which the diagnosis is scored, one file each."""

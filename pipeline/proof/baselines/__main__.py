@@ -1,0 +1,59 @@
+"""Run every baseline on recordings: whom it names, and its error on strokes that it has not seen."""
+
+import argparse
+import importlib
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+from threadpoolctl import threadpool_limits
+
+from pipeline.diagnosis import engine
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.ingest import read_samples
+from pipeline.proof.baselines.learnt import Method, calibrated, held_out_mm
+
+METHODS = ("residual_sindy", "frozen_fit", "gradient_boosting", "gaussian_process")
+
+
+def method(name: str) -> Method:
+    """A method by the name of its module."""
+    learn: Method = importlib.import_module(f"pipeline.proof.baselines.{name}").learn
+    return learn
+
+
+def baselines(folder: Path) -> dict[str, Any]:
+    """What every method says of one run folder; names come from the whole recording. Raises BadInput."""
+    run, samples = read_samples(folder)
+    problem, fine = engine.make_problem([run], [samples], [folder]), engine.at_own_rate([run], [samples])
+    whole = calibrated(problem)
+    found: dict[str, Any] = {"run": run.run}
+    for name in METHODS:
+        started = time.monotonic()
+        with threadpool_limits(1):  # so that seconds compare, and runs may go side by side
+            named = method(name)(whole).named
+            error_mm = held_out_mm(method(name), problem, fine)
+        error_mm = None if error_mm is None else float(f"{error_mm:.6g}")
+        seconds = round(time.monotonic() - started, 2)
+        found[name] = {"named": named, "heldout_mm": error_mm, "seconds": seconds}
+    return found
+
+
+@program
+def main() -> None:
+    """Command line."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.baselines", description=__doc__)
+    parser.add_argument("run_dir", type=Path, nargs="+")
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    for folder in told.run_dir:
+        found = baselines(folder)
+        write_text(told.out / folder.resolve().name / "baselines.json", json.dumps(found, indent=1) + "\n")
+        errors = (f"{name} {found[name]['named']} {found[name]['heldout_mm']} mm" for name in METHODS)
+        print(f"{found['run']}: {'; '.join(errors)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,36 @@
+"""Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if it beats nothing."""
+
+from pipeline.diagnosis import calibrate, candidates, engine, generic, outcome
+from pipeline.diagnosis.linear import Linear
+from pipeline.diagnosis.noise import white
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.search import Search
+from pipeline.kinematics import Array
+from pipeline.proof.baselines.frozen import frozen
+from pipeline.proof.baselines.learnt import Calibrated, Learnt
+
+
+def learn(seen: Calibrated) -> Learnt:
+    """One mechanism or none, its shape refined; the zero of the reading stays free, every dimension is frozen."""
+    problem = frozen(seen.problem, seen.state)
+    shapes = candidates.catalogue(problem, candidates.suggested(problem, seen.state))
+    physics = {id_: options for id_, options in shapes.items() if outcome.physics((id_,))}
+    floor = engine.noise_of(problem, seen.state, generic.dictionary(problem.drivers)).floor
+    noise = white(floor)
+    search = Search(Linear(problem, seen.state, noise, physics))
+    best = search.all_of(1)[0]
+    named: list[str] = []
+    state = seen.state
+    if best.cost < search.nothing.cost:
+        named = list(best.ids)
+        state = calibrate.refine(problem, noise, search.linear.state_of(best.fit, best.keys))
+
+    def adds_mm(other: Problem) -> Array:
+        return change_mm(other, seen.state, state)
+
+    return Learnt(named, adds_mm)
+
+
+def change_mm(problem: Problem, before: State, after: State) -> Array:
+    """What the reading of one simulator has more than another's, shape (samples,)."""
+    return problem.simulate(after) - problem.simulate(before)

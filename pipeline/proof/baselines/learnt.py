@@ -1,0 +1,58 @@
+"""What every baseline starts from and gives: a calibrated simulator's residual, and a correction of its reading."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pipeline.diagnosis import calibrate
+from pipeline.diagnosis.engine import rms
+from pipeline.diagnosis.heldout import first_held_out
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.record import wild
+from pipeline.kinematics import Array
+
+
+@dataclass(frozen=True)
+class Calibrated:
+    """A problem, of which a method sees the first `rows` samples, and the simulator calibrated on those."""
+
+    problem: Problem
+    state: State
+
+    @cached_property
+    def residual_mm(self) -> Array:
+        """Recording less simulator where a method may look, shape (rows,)."""
+        return np.asarray((self.problem.measured - self.problem.simulate(self.state))[: self.problem.rows])
+
+
+@dataclass(frozen=True)
+class Learnt:
+    """What a method makes of a residual: mechanisms by name (None: it names none), and mm to add to the reading."""
+
+    named: list[str] | None
+    adds_mm: Callable[[Problem], Array]
+
+
+Method = Callable[[Calibrated], Learnt]
+
+
+def calibrated(problem: Problem) -> Calibrated:
+    """The simulator calibrated on the rows that the problem shows, wild readings set aside as the diagnosis does."""
+    problem, _ = calibrate.without_outliers(problem, calibrate.base(problem))
+    return Calibrated(problem, calibrate.base(problem))
+
+
+def held_out_mm(method: Method, problem: Problem, fine: Problem) -> float | None:
+    """Rms error in mm on the last 30 % of strokes after learning from the others, or None when too few are left.
+
+    As the diagnosis measures it: at the recording's own rate, zero as calibrated, lonely wild readings left out.
+    """
+    row = first_held_out(problem)
+    if row is None:
+        return None
+    seen = calibrated(problem.until(row))
+    unseen = fine.record.time_s >= problem.record.time_s[row]
+    residual = fine.measured - fine.simulate(seen.state) - method(seen).adds_mm(fine)
+    return rms(residual[unseen & ~wild(residual)[0]])

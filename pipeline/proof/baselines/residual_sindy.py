@@ -1,0 +1,84 @@
+"""Sparse regression of the calibrated residual on drivers (PySINDy's STLSQ), the threshold chosen by BIC."""
+
+import warnings
+
+import numpy as np
+from pysindy import STLSQ, IdentityLibrary, SINDy
+
+from pipeline.diagnosis.problem import Problem
+from pipeline.kinematics import Array
+from pipeline.proof.baselines.features import products, standard, table
+from pipeline.proof.baselines.learnt import Calibrated, Learnt
+
+THRESHOLDS = np.geomspace(0.02, 2.0, 14)  # of the residual's rms, on columns of unit spread
+RIDGE = 1e-2  # for each sample: keeps columns that look alike from cancelling each other, which would name at random
+SIGNED = {  # a term of which the sign tells two mechanisms apart: what falls behind, what runs ahead
+    "high twist": ("jam", "overtwist"),
+}
+STANDS_FOR = {
+    "twist": "radius_compaction",
+    "twist squared": "radius_compaction",
+    "low twist": "slack",
+    "contraction at its end": "end_stop",
+    "direction": "backlash",
+    "direction x twist": "backlash",
+    "direction x load": "friction_hysteresis",
+    "direction when slow": "stick_slip",
+    "rate": "viscous_loss",
+    "rate x twist": "sensor_lag",
+    "acceleration": "load_swing",
+    "load": "axial_elasticity",
+    "load x twist": "shaft_windup",
+    "load x time": "creep",
+    "load x work": "stiffening",
+    "time": "sensor_drift",
+    "work": "plastic_elongation",
+    "travel": "plastic_elongation",
+    "travel x twist": "wear",
+    "sine of the turn": "eccentricity",
+    "cosine of the turn": "eccentricity",
+    "temperature": "thermal",
+    "heat": "thermal",
+}  # sudden events have no driver, and therefore no term
+
+
+def learn(seen: Calibrated) -> Learnt:
+    """The sparse model with the least BIC, named by its largest term; nothing when no term stays."""
+    problem, rows = seen.problem, seen.problem.rows
+    columns = products(problem.drivers)
+    names = list(columns)
+    mean, spread = standard(columns, rows)
+    zero = float(seen.residual_mm.mean())
+    weights = _sparse(table(columns, mean, spread)[:rows], seen.residual_mm - zero)
+
+    def adds_mm(other: Problem) -> Array:
+        return zero + table(products(other.drivers), mean, spread) @ weights
+
+    if not weights.any():
+        return Learnt([], adds_mm)
+    largest = int(np.argmax(np.abs(weights)))
+    name = names[largest]
+    found = SIGNED[name][int(weights[largest] > 0.0)] if name in SIGNED else STANDS_FOR[name]
+    return Learnt([found], adds_mm)
+
+
+def _sparse(table: Array, target: Array) -> Array:
+    """Weights of the columns, many of them zero; `target` has no mean."""
+    samples, size = len(target), float(np.sqrt(np.mean(np.square(target))))
+    best = np.zeros(table.shape[1])
+    if size == 0.0:
+        return best
+    cost = samples * np.log(size**2)
+    for threshold in THRESHOLDS * size:
+        sparse = STLSQ(threshold=threshold, alpha=RIDGE * samples, unbias=False)
+        model = SINDy(optimizer=sparse, feature_library=IdentityLibrary())
+        with warnings.catch_warnings():
+            # that no term stays is an answer here, and costs what it costs
+            warnings.filterwarnings("ignore", "Sparsity parameter is too big", UserWarning)
+            model.fit(table, t=1.0, x_dot=target[:, None])
+        weights = model.coefficients()[0]
+        left = float(np.mean(np.square(target - table @ weights)))
+        own = samples * np.log(left) + np.log(samples) * np.count_nonzero(weights)
+        if own < cost:
+            best, cost = weights, own
+    return np.asarray(best)

@@ -1,0 +1,28 @@
+"""Ask the baselines about those recordings of a folder that there are: some cases cannot be made."""
+
+import argparse
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from pipeline.errors import program
+
+
+@program
+def main() -> None:
+    """Write OUT/<run>/baselines.json for every run; raises CalledProcessError when a baseline fails."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.compare", description=__doc__)
+    parser.add_argument("names", nargs="+", metavar="run")
+    parser.add_argument("--runs", type=Path, required=True, help="folder of run folders")
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    told.out.mkdir(parents=True, exist_ok=True)
+    runs = [str(told.runs / name) for name in told.names if (told.runs / name).is_dir()]
+    if runs:
+        command = [sys.executable, "-m", "pipeline.proof.baselines", *runs, "--out", str(told.out)]
+        subprocess.run(command, check=True, env={**os.environ, "TWISTBENCH_PARENT": str(os.getpid())})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,54 @@
+"""Make a batch of concealed recordings in one process, and seal their answers in one file elsewhere."""
+
+import argparse
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, cast
+
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.proof.case import Case, Stratum, answer, draw_case, performed
+from pipeline.proof.conceal import plain, write_run
+from pipeline.proof.plan import Planned, read
+from pipeline.proof.protocol import Kind
+from pipeline.proof.size import OutOfReach
+
+
+def drawn(planned: Planned) -> Case:
+    """The case that a plan asks for; raises OutOfReach when its bench or protocol cannot have it."""
+    stratum, protocol = cast(Stratum, planned.stratum), cast(Kind, planned.protocol)
+    return draw_case(planned.seed, stratum, protocol, planned.effects, planned.kappas or (1.0,))
+
+
+def concealed(planned: Planned, runs: Path) -> dict[str, Any]:
+    """Write one case's run folder and return its answer; what cannot be made is an answer too, with its reason."""
+    asked = {"run": planned.run, "asked": asdict(planned)}
+    try:
+        case = drawn(planned)
+    except OutOfReach as error:
+        return asked | {"skipped": str(error)}
+    recorded = performed(case)
+    write_run(case.bench.described(planned.run, not case.load_cell), recorded.table, runs / planned.run)
+    return asked | answer(case, planned.run)
+
+
+@program
+def main() -> None:
+    """Write RUNS/<run>/ for every case, and the answers of all of them."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.conceal_batch", description=__doc__)
+    parser.add_argument("--cases", type=read, required=True, help="JSON, as pipeline.proof.plan writes it")
+    parser.add_argument("--runs", type=Path, required=True)
+    parser.add_argument("--answers", type=Path, required=True)
+    told = parser.parse_args()
+    if told.answers.resolve().is_relative_to(told.runs.resolve()):
+        raise BadInput(told.answers, "--answers", "lies where recordings are read", "seal it outside of --runs")
+    told.runs.mkdir(parents=True, exist_ok=True)
+    answers = [concealed(planned, told.runs) for planned in told.cases]
+    write_text(told.answers, json.dumps(answers, indent=1, default=plain) + "\n")
+    skipped = [f"{one['run']}: {one['skipped']}" for one in answers if "skipped" in one]
+    print("\n".join([f"{len(answers) - len(skipped)} recordings concealed", *skipped]))
+
+
+if __name__ == "__main__":
+    main()

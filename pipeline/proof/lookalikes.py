@@ -1,0 +1,46 @@
+"""After the verdicts: what each effect that was named instead of the truth leaves of it, when it copies it."""
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.proof.alike import copies, left_over
+from pipeline.proof.conceal_batch import drawn
+from pipeline.proof.draws import NAMED
+from pipeline.proof.plan import Planned, read
+
+
+def named_beside(verdict: dict[str, Any], truth: tuple[str, ...]) -> list[str]:
+    """Effects that a verdict names or cannot rule out, the true ones left out."""
+    sets = [[one["id"] for one in verdict.get("mechanisms", [])], *verdict.get("alternatives", [])]
+    return sorted({name for one in sets for name in one if name in NAMED} - {*truth})
+
+
+def left(planned: Planned, path: Path) -> dict[str, float]:
+    """By effect: noise floors that its best copy of a single hidden effect leaves, calibration free."""
+    if planned.stratum != "single" or not path.is_file():
+        return {}
+    names = named_beside(json.loads(path.read_text(encoding="utf-8")), planned.effects)
+    if not names:
+        return {}
+    case = drawn(planned)
+    return left_over(case, copies(case, names))
+
+
+@program
+def main() -> None:
+    """Write one JSON: by run, by effect, noise floors."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.lookalikes", description=__doc__)
+    parser.add_argument("--cases", type=read, required=True, help="JSON, as pipeline.proof.plan writes it")
+    parser.add_argument("--verdicts", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    found = {one.run: left(one, told.verdicts / one.run / "diagnosis.json") for one in told.cases}
+    write_text(told.out, json.dumps({run: by for run, by in found.items() if by}, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,74 @@
+"""Which cases the concealed proof is made of: every mix of the configuration, spread over a block of seeds."""
+
+import json
+import random
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+EFFECTS = Path(__file__).parent.parent / "rig" / "effects"  # by their files' names: the DAG's plan imports no rig
+
+
+@dataclass(frozen=True)
+class Planned:
+    """What a case is asked to be; the seed draws the rest. Its run's name says nothing of it."""
+
+    run: str
+    seed: int
+    stratum: str
+    protocol: str
+    effects: tuple[str, ...] = ()
+    kappas: tuple[float, ...] = ()
+    without: str = ""  # the mechanism that the diagnosis must do without
+    baselines: bool = False  # whether they are asked as well
+
+
+def effect_names(open_set: bool) -> list[str]:
+    """Effects that the rig has: those of the contract, or those outside of it."""
+    names = sorted(path.stem for path in EFFECTS.glob("[!_]*.py"))
+    return [name for name in names if name.startswith("x_") == open_set]
+
+
+def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
+    """Cases of one mix, nameless and seedless: `count` drawn ones, or `each` of every effect at every kappa."""
+    bare = Planned("", 0, mix["stratum"], mix["protocol"], baselines=mix.get("baselines", False))
+    for kappa in mix.get("kappas", [None]):
+        sized = bare if kappa is None else replace(bare, kappas=(float(kappa),))
+        yield from [sized] * mix.get("count", 0)
+        if "each" in mix:
+            for name in mix.get("effects") or effect_names(mix["stratum"] == "open"):
+                without = name if mix.get("without") else ""
+                yield from [replace(sized, effects=(name,), without=without)] * mix["each"]
+
+
+def plan(settings: Mapping[str, Any]) -> list[Planned]:
+    """All cases: seeds are one block from `seed` on, and the order is drawn, so that no number tells a stratum."""
+    wanted = [case for mix in settings["mixes"] for case in _of_mix(mix)]
+    random.Random(settings["seed"]).shuffle(wanted)
+    first = settings["seed"]
+    return [replace(case, run=f"case-{first + at}", seed=first + at) for at, case in enumerate(wanted)]
+
+
+def batches(settings: Mapping[str, Any]) -> dict[str, list[Planned]]:
+    """Cases by batch: what one process makes or diagnoses; those with the same mechanism missing go together."""
+    found: dict[str, list[Planned]] = {}
+    cases = plan(settings)
+    usual, size = [case for case in cases if not case.without], settings["batch"]
+    for first in range(0, len(usual), size):
+        found[f"batch-{first // size:03d}"] = usual[first : first + size]
+    for case in cases:
+        if case.without:
+            found.setdefault(f"without-{case.without}", []).append(case)
+    return found
+
+
+def written(cases: list[Planned]) -> str:
+    """Cases as JSON, for a command line."""
+    return json.dumps([asdict(case) for case in cases], separators=(",", ":"))
+
+
+def read(text: str) -> list[Planned]:
+    """Cases from such JSON."""
+    told = json.loads(text)
+    return [Planned(**{**one, "effects": tuple(one["effects"]), "kappas": tuple(one["kappas"])}) for one in told]

@@ -1,0 +1,38 @@
+"""Open the answers and score the verdicts: sealed answers, verdicts and recordings → `reports/proof/`."""
+
+import argparse
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.proof.score import beside
+from pipeline.proof.score.cases import gather
+from pipeline.proof.score.figures import draw
+from pipeline.proof.score.metrics import scores
+from pipeline.proof.score.page import page
+
+
+@program
+def main() -> None:
+    """Write the tables, the page and the figures."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.score", description=__doc__)
+    parser.add_argument("batches", nargs="+")
+    parser.add_argument("--place", type=Path, required=True, help="processed/proof")
+    parser.add_argument("--twins", type=Path, required=True, help="what the library leaves of the rig's effects")
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    cases, sizes = gather(told.place, told.batches)
+    besides = beside.gather(cases, told.place, told.batches)
+    scored = pd.concat([scores(cases, sizes), beside.scores(besides)], ignore_index=True)
+    for name, table in (("cases", cases), ("sizes", sizes), ("beside", besides), ("scores", scored)):
+        write_text(told.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
+    write_text(told.out / "proof.md", page(cases, scored, pd.read_csv(told.twins)))
+    made = cases[cases["skipped"] == ""]
+    draw(made, sizes, told.out)
+    print(made["outcome"].value_counts().to_string())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,123 @@
+"""The table of cases: what was hidden, what was said, and how far that is right; one row a case."""
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from pipeline.proof.score.judge import RIGHT, outcome, said, sets_of
+from pipeline.proof.score.overlap import overlap
+
+TIE = 0.2  # noise floors: what copies the truth to less than this cannot be told from it
+DIMENSIONS = {"radius_mm": "radius", "separator_mm": "separator", "torsion_zone_mm": "zone"}
+Row = dict[str, Any]
+
+
+def _json(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+
+
+def _truth(answer: Mapping[str, Any]) -> tuple[frozenset[str], bool]:
+    """Names that are right, and whether none of the library's is."""
+    nameless = answer["asked"]["stratum"] == "open" or bool(answer["asked"]["without"])
+    return frozenset(one["id"] for one in answer["effects"]), nameless
+
+
+def _told(answer: Mapping[str, Any]) -> Row:
+    """What was hidden."""
+    asked = answer["asked"]
+    row = {"run": answer["run"], "seed": asked["seed"], "stratum": "without" if asked["without"] else asked["stratum"]}
+    row |= {"protocol": asked["protocol"], "kappa": asked["kappas"][0] if asked["kappas"] else None}
+    row |= {"effects": "+".join(asked["effects"]), "skipped": answer.get("skipped", "")}
+    if "skipped" in answer:
+        return row
+    row["effects"] = "+".join(one["id"] for one in answer["effects"])
+    row |= {"raw_mm": answer["together"]["raw_mm"], "hidden_share": answer["together"]["hidden_share"]}
+    return row | {"noise_floor_mm": answer["noise_floor_mm"], "heldout_noise_mm": answer["heldout_noise_mm"]}
+
+
+def _judged(answer: Mapping[str, Any], verdict: Mapping[str, Any] | None, left: Mapping[str, float]) -> Row:
+    """What was said, and one word for it."""
+    truth, nameless = _truth(answer)
+    word = outcome(verdict, truth, nameless)
+    row: Row = {"outcome": word, "right": word in RIGHT, "verdict": "refused" if verdict is None else said(verdict)}
+    if verdict is None:
+        return row
+    row["code"] = verdict.get("code", "")  # the fingerprint of the code that gave it
+    sets = sets_of(verdict)
+    row |= {"named": "+".join(sorted(sets[0])) if sets else "", "sets": len(sets)}
+    row["alternatives"] = " | ".join("+".join(sorted(one)) for one in sets[1:])
+    # of a tie: whether the data part the truth from everything else that stands in it
+    beside = [left[name] for one in sets if one != truth for name in one if name in left]
+    row["least_left_over"] = min(beside) if beside else None
+    row["separable"] = bool(min(beside) >= TIE) if beside else None
+    return row
+
+
+def _measured(answer: Mapping[str, Any], verdict: Mapping[str, Any], run: Path) -> Row:
+    """The figures that a verdict gives, beside the true ones."""
+    row: Row = {}
+    for key, short in DIMENSIONS.items():
+        found = verdict.get("parameters", {}).get(key)
+        if found:
+            row[f"{short}_inside"] = found["low"] <= answer["dimensions"][key]["true"] <= found["high"]
+    held = verdict["fit"].get("heldout") or {}
+    for key in ("nominal_mm", "calibrated_mm", "explained_mm"):
+        row[f"heldout_{key}"] = held.get(key)
+    if held.get("explained_mm"):
+        row["heldout_ratio"] = held["explained_mm"] / answer["heldout_noise_mm"]
+        row["calibrated_ratio"] = held.get("calibrated_mm", float("nan")) / answer["heldout_noise_mm"]
+    box = (verdict.get("mismatch") or {}).get("location")
+    if box and answer["location"]:
+        row["location_iou"] = overlap(run, box, answer["location"])
+    return row
+
+
+def _settled(answer: Mapping[str, Any], folder: Path) -> Row:
+    """What became of a tie after the proposed run, and after more of the same."""
+    row: Row = {}
+    for way in ("proposed", "same"):
+        if (folder / way).is_dir():
+            again = _json(folder / way / "diagnosis.json")
+            row[f"after_{way}"] = outcome(again, *_truth(answer))
+            row[f"sets_after_{way}"] = len(sets_of(again)) if again else None
+    return row
+
+
+def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
+    left = _json(place / "lookalikes" / f"{batch}.json") or {}
+    asked = _json(place / "verdicts" / batch / "asked.json")
+    for answer in _json(place / "sealed" / f"{batch}.json"):
+        row, sizes = _told(answer), []
+        run = answer["run"]
+        if not row["skipped"]:
+            verdict = _json(place / "verdicts" / batch / run / "diagnosis.json")
+            row |= {"seconds": asked["seconds"] / len(asked["runs"])}
+            row |= _judged(answer, verdict, left.get(run, {}))
+            if verdict is not None:
+                row |= _measured(answer, verdict, place / "recordings" / batch / run)
+                row |= _settled(answer, place / "settled" / batch / run)
+            if verdict is not None and row["outcome"] == "exact":
+                sizes = list(_sizes(answer, verdict))
+        yield row, sizes
+
+
+def _sizes(answer: Mapping[str, Any], verdict: Mapping[str, Any]) -> Iterator[Row]:
+    """True and named size of every effect of a verdict that names exactly the truth."""
+    named = {one["id"]: one["rms_mm"] for one in verdict["mechanisms"]}
+    for one in answer["effects"]:
+        found = named[one["id"]]
+        row = {"run": answer["run"], "effect": one["id"], "stratum": answer["asked"]["stratum"]}
+        row |= {"protocol": answer["protocol"], "kappa": one["kappa"], "true_mm": one["raw_mm"]}
+        row |= {"value_mm": found["value"], "low_mm": found["low"], "high_mm": found["high"]}
+        yield row | {"inside": found["low"] <= one["raw_mm"] <= found["high"]}
+
+
+def gather(place: Path, batches: Iterable[str]) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Tables of all cases and of all sizes; the answers are opened here."""
+    rows = [pair for batch in batches for pair in _batch(place, batch)]
+    cases = pd.DataFrame([row for row, _ in rows]).sort_values("run", ignore_index=True)
+    columns = ("run", "effect", "stratum", "protocol", "kappa", "true_mm", "value_mm", "low_mm", "high_mm", "inside")
+    return cases, pd.DataFrame([one for _, sizes in rows for one in sizes], columns=list(columns))

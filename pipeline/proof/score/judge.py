@@ -1,0 +1,43 @@
+"""How a verdict stands to the truth: one word for each case."""
+
+from collections.abc import Mapping
+from typing import Any
+
+QUIET = ("consistent", "parameters")
+RIGHT = ("exact", "tie with the truth", "quiet", "unknown as it should")
+OUTCOMES = (*RIGHT, "extra", "part", "wrong", "tie without the truth", "missed", "unknown", "false alarm", "refused")
+Verdict = Mapping[str, Any]  # a diagnosis.json
+
+
+def sets_of(verdict: Verdict) -> list[frozenset[str]]:
+    """Every set of mechanisms that a verdict names or cannot rule out, the best one first."""
+    best = frozenset(one["id"] for one in verdict.get("mechanisms", []))
+    return [best, *(frozenset(one) for one in verdict.get("alternatives", []))] if best else []
+
+
+def said(verdict: Verdict) -> str:
+    """The verdict's word; one that names only what the library does not hold counts as `unknown`."""
+    sets = sets_of(verdict)
+    only_own = bool(sets) and all(name.startswith("x_") for one in sets for name in one)
+    return "unknown" if only_own else str(verdict["verdict"])
+
+
+def outcome(verdict: Verdict | None, truth: frozenset[str], nameless: bool) -> str:
+    """One of OUTCOMES; `truth` is empty for a control, and `nameless` what no name of the library is right for."""
+    if verdict is None:
+        return "refused"
+    word, sets = said(verdict), sets_of(verdict)
+    if not truth and not nameless:
+        return "quiet" if word in QUIET else "false alarm"
+    if word in QUIET:
+        return "missed"
+    if word == "unknown":
+        return "unknown as it should" if nameless else "unknown"
+    if word == "ambiguous":
+        return "tie with the truth" if truth in sets and not nameless else "tie without the truth"
+    if nameless:
+        return "wrong"
+    named = sets[0] if sets else frozenset()
+    if named == truth:
+        return "exact"
+    return "extra" if named > truth else "part" if named and named < truth else "wrong"

@@ -1,0 +1,123 @@
+"""From the table of cases to the scores, each with its exact 95 % interval."""
+
+from collections.abc import Iterator
+
+import pandas as pd
+
+from pipeline.proof.score import intervals
+from pipeline.proof.score.judge import RIGHT
+
+LARGE = 0.5  # noise floors from which on an effect must be named
+CHANCE = ("clamp_slip", "count_slip", "stick_slip")  # random events: no fit knows the next one
+FIRM_WRONG = ("wrong", "extra", "part", "false alarm")
+COLUMNS = ("metric", "stratum", "count", "of", "value", "low", "high")
+Score = tuple[str, str, float, int, float, float, float]
+
+
+def share(metric: str, stratum: str, hits: pd.Series) -> Iterator[Score]:
+    """Share of true values; nothing when there are none at all."""
+    hits = hits.dropna().astype(bool)
+    if len(hits):
+        count = int(hits.sum())
+        yield metric, stratum, count, len(hits), count / len(hits), *intervals.share(count, len(hits))
+
+
+def middle(metric: str, stratum: str, values: pd.Series, best: str = "least") -> Iterator[Score]:
+    """Median of values, and the worst of them as a score of its own."""
+    values = values.dropna().astype(float)
+    if len(values):
+        yield metric, stratum, len(values), len(values), float(values.median()), *intervals.median(values.tolist())
+        worst = float(values.max() if best == "least" else values.min())
+        yield f"{metric}, worst", stratum, len(values), len(values), worst, worst, worst
+
+
+def mean(metric: str, stratum: str, values: pd.Series) -> Iterator[Score]:
+    """Mean of values with its bootstrap interval."""
+    values = values.dropna().astype(float)
+    if len(values):
+        bounds = intervals.mean(values.tolist())
+        yield metric, stratum, len(values), len(values), float(values.mean()), *bounds
+
+
+def _named(cases: pd.DataFrame, stratum: str) -> Iterator[Score]:
+    """What became of cases whose truth has a name."""
+    firm_wrong = cases["outcome"].isin(FIRM_WRONG)
+    both = cases["outcome"].isin(["exact", "extra"])
+    tied = cases["verdict"] == "ambiguous"
+    yield from share("named exactly", stratum, cases["outcome"] == "exact")
+    yield from share("named or tied with the truth", stratum, cases["right"])
+    yield from share("named wrongly", stratum, firm_wrong)
+    yield from share("all of the truth named", stratum, both)
+    yield from share("ambiguous", stratum, tied)
+    yield from share("ambiguous though the data part it", stratum, tied & (cases["separable"] == True))  # noqa: E712
+    yield from share("found nothing", stratum, cases["outcome"] == "missed")
+    yield from share("called unknown", stratum, cases["outcome"] == "unknown")
+    yield from share("refused", stratum, cases["outcome"] == "refused")
+
+
+def _controls(cases: pd.DataFrame) -> Iterator[Score]:
+    controls = cases[cases["stratum"].isin(["none", "parameters", "noise"])]
+    for stratum, some in [*controls.groupby("stratum"), ("controls", controls)]:
+        yield from share("false alarm", str(stratum), some["outcome"] == "false alarm")
+        yield from share("refused", str(stratum), some["outcome"] == "refused")
+
+
+def _figures(cases: pd.DataFrame, sizes: pd.DataFrame) -> Iterator[Score]:
+    """Intervals, places and held-out errors."""
+    for short in ("radius", "separator", "zone"):
+        if f"{short}_inside" in cases:
+            for stratum, some in [*cases.groupby("stratum"), ("all", cases)]:
+                yield from share(f"90 % interval holds the {short}", str(stratum), some[f"{short}_inside"])
+    for stratum, some in [*sizes.groupby("stratum"), ("all", sizes)]:
+        yield from share("90 % interval holds the effect's size", str(stratum), some["inside"])
+    effects = cases[cases["stratum"].isin(["single", "pair", "open"])]
+    if "location_iou" in cases:
+        for protocol, some in effects.groupby("protocol"):
+            yield from middle("location overlap", f"{protocol}", some["location_iou"], best="most")
+            yield from share("location overlap at least 0.8", f"{protocol}", some["location_iou"].dropna() >= 0.8)
+    if "heldout_ratio" in cases:
+        chance = cases["effects"].str.split("+").map(lambda names: bool({*names} & {*CHANCE}))
+        for stratum, some in cases[~chance].groupby("stratum"):
+            yield from middle("held-out error over the oracle's", str(stratum), some["heldout_ratio"])
+            yield from middle("calibrated held-out error over the oracle's", str(stratum), some["calibrated_ratio"])
+    yield from middle("CPU seconds a case", "all", cases["seconds"])
+
+
+def _ties(cases: pd.DataFrame) -> Iterator[Score]:
+    """Ties whose proposed run was carried out: how many it settled, and how many more of the same would have."""
+    for way in ("proposed", "same"):
+        if f"after_{way}" in cases:
+            done = cases[cases[f"after_{way}"].notna()]
+            after = done[f"after_{way}"]
+            yield from share(f"tie settled rightly by {way}", "ties", after.isin(set(RIGHT) - {"tie with the truth"}))
+            yield from share(f"tie settled wrongly by {way}", "ties", after.isin(FIRM_WRONG))
+            yield from share(f"truth named or in the set after {way}", "ties", after.isin(RIGHT))
+            yield from mean(f"mean size of the set after {way}", "ties", done[f"sets_after_{way}"])
+
+
+def scores(cases: pd.DataFrame, sizes: pd.DataFrame) -> pd.DataFrame:
+    """One row a score; columns COLUMNS. `count` of `of` cases where it is a share."""
+    made = cases[cases["skipped"] == ""]
+    rows: list[Score] = list(share("case could not be made", "all", cases["skipped"] != ""))
+    rows += _controls(made)
+    for protocol, single in made[made["stratum"] == "single"].groupby("protocol"):
+        large = single[single["kappa"] >= LARGE]
+        for kappa, some in single.groupby("kappa"):
+            rows += _named(some, f"single, {protocol}, kappa {kappa:g}")
+        rows += _named(large, f"single, {protocol}, kappa at least {LARGE:g}")
+        ties = single[single["right"] & (single["sets"] > 0)]
+        rows += mean("mean size of the set", f"single, {protocol}", ties["sets"])
+    pairs = made[made["stratum"] == "pair"]
+    rows += _named(pairs, "pair") if len(pairs) else []
+    for stratum in ("open", "without"):
+        some = made[made["stratum"] == stratum]
+        rows += share("called unknown", stratum, some["outcome"] == "unknown as it should")
+        named = some["outcome"].isin(["wrong", "tie without the truth"])
+        rows += share("named all the same", stratum, named)
+        if stratum == "without":
+            parted = named & (some["separable"] == True)  # noqa: E712
+            rows += share("named all the same though the data part it", stratum, parted)
+        rows += share("found nothing", stratum, some["outcome"] == "missed")
+    rows += _ties(made)
+    rows += _figures(made, sizes)
+    return pd.DataFrame(rows, columns=list(COLUMNS))

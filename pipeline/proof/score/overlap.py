@@ -1,0 +1,34 @@
+"""How far two boxes of twist × strokes × phase are the same place: the samples in both over those in either."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from pipeline.kinematics import Array
+from pipeline.strokes import label
+
+EDGE_TURNS = 1e-3  # what rounding moves an edge by
+
+
+def inside(box: Mapping[str, Any], turns: Array, stroke: NDArray[Any], phase: NDArray[Any]) -> NDArray[np.bool_]:
+    """Samples of a recording that a box holds; all of shape (samples,). What is before stroke 1 belongs to it."""
+    low, high = box["motor_turns"]
+    first, last = box["strokes"]
+    number = np.maximum(stroke, 1)
+    held = (turns >= low - EDGE_TURNS) & (turns <= high + EDGE_TURNS)
+    held &= (number >= max(first, 1)) & (number <= max(last, 1))
+    return np.asarray(held if box["phase"] == "all" else held & (phase == box["phase"]))
+
+
+def overlap(run: Path, one: Mapping[str, Any], other: Mapping[str, Any]) -> float:
+    """Intersection over union of two boxes on the samples of a recording."""
+    table = pd.read_parquet(run / "recording.parquet", columns=["time_s", "motor_turns"])
+    time_s, turns = table["time_s"].to_numpy(), table["motor_turns"].to_numpy()
+    stroke, phase = label(time_s, turns)
+    held = [inside(box, turns, stroke, phase) for box in (one, other)]
+    either = int((held[0] | held[1]).sum())
+    return float((held[0] & held[1]).sum() / either) if either else 0.0

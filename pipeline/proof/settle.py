@@ -1,0 +1,29 @@
+"""Ask the diagnosis again about what was tied: the recording and the one made after it, together."""
+
+import argparse
+import json
+from pathlib import Path
+
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.proof.ask import ask
+
+
+@program
+def main() -> None:
+    """Write OUT/<run>/<way>/diagnosis.json for every continued run, and OUT/settled.json."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.proof.settle", description=__doc__)
+    parser.add_argument("--runs", type=Path, required=True, help="folder of the first run folders")
+    parser.add_argument("--more", type=Path, required=True, help="folder of <run>/<way>/<run>-more/")
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
+    told = parser.parse_args()
+    asked = {}
+    for more in sorted(told.more.glob("*/*/*-more")):
+        run, way = more.parts[-3:-1]
+        asked[f"{run}/{way}"] = ask([told.runs / run, more], told.out / run / way, told.without, together=True)
+    write_text(told.out / "settled.json", json.dumps(asked, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

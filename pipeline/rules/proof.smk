@@ -1,0 +1,158 @@
+from pipeline.proof.plan import batches, written
+
+BATCHES = batches(config["proof"])
+PROOF = "processed/proof"
+
+
+def cases_of(wildcards):
+    return written(BATCHES[wildcards.batch])
+
+
+def compared(batch):
+    return [case.run for case in BATCHES[batch] if case.baselines]
+
+
+def compared_of(wildcards):
+    return compared(wildcards.batch)
+
+
+def without(wildcards):
+    return wildcards.batch.removeprefix("without-") if wildcards.batch.startswith("without-") else ""
+
+
+# What is hidden goes two ways: the recordings to whoever diagnoses, the answers to the score alone.
+rule conceal:
+    output:
+        runs=directory(f"{PROOF}/recordings/{{batch}}"),
+        answers=f"{PROOF}/sealed/{{batch}}.json",
+    log:
+        f"{PROOF}/logs/conceal-{{batch}}.log",
+    params:
+        cases=cases_of,
+        code=fingerprint("pipeline.proof.conceal_batch", "pipeline.rig.effects.*"),
+    message:
+        "conceal {wildcards.batch}"
+    shell:
+        "exec python -m pipeline.proof.conceal_batch --cases {params.cases:q}"
+        " --runs {output.runs} --answers {output.answers} > {log} 2>&1"
+
+
+rule verdict:
+    input:
+        f"{PROOF}/recordings/{{batch}}",
+    output:
+        directory(f"{PROOF}/verdicts/{{batch}}"),
+    log:
+        f"{PROOF}/logs/verdict-{{batch}}.log",
+    params:
+        without=without,
+        code=fingerprint("pipeline.proof.ask", "pipeline.diagnose", "pipeline.diagnosis.*"),
+    message:
+        "diagnose {wildcards.batch}"
+    shell:
+        "exec python -m pipeline.proof.ask {input} --out {output} --without={params.without} > {log} 2>&1"
+
+
+rule carry_on:
+    input:
+        f"{PROOF}/verdicts/{{batch}}",
+    output:
+        directory(f"{PROOF}/more/{{batch}}"),
+    log:
+        f"{PROOF}/logs/carry_on-{{batch}}.log",
+    params:
+        cases=cases_of,
+        code=fingerprint("pipeline.proof.addon", "pipeline.rig.effects.*"),
+    message:
+        "carry out what the ties of {wildcards.batch} ask for"
+    shell:
+        "exec python -m pipeline.proof.addon --cases {params.cases:q} --verdicts {input} --out {output} > {log} 2>&1"
+
+
+rule settle:
+    input:
+        runs=f"{PROOF}/recordings/{{batch}}",
+        more=f"{PROOF}/more/{{batch}}",
+    output:
+        directory(f"{PROOF}/settled/{{batch}}"),
+    log:
+        f"{PROOF}/logs/settle-{{batch}}.log",
+    params:
+        without=without,
+        code=fingerprint("pipeline.proof.settle", "pipeline.diagnose", "pipeline.diagnosis.*"),
+    message:
+        "diagnose the ties of {wildcards.batch} again"
+    shell:
+        "exec python -m pipeline.proof.settle --runs {input.runs} --more {input.more} --out {output}"
+        " --without={params.without} > {log} 2>&1"
+
+
+rule lookalikes:
+    input:
+        f"{PROOF}/verdicts/{{batch}}",
+    output:
+        f"{PROOF}/lookalikes/{{batch}}.json",
+    log:
+        f"{PROOF}/logs/lookalikes-{{batch}}.log",
+    params:
+        cases=cases_of,
+        code=fingerprint("pipeline.proof.lookalikes", "pipeline.rig.effects.*"),
+    message:
+        "ask the rig what can look like what in {wildcards.batch}"
+    shell:
+        "exec python -m pipeline.proof.lookalikes --cases {params.cases:q} --verdicts {input} --out {output}"
+        " > {log} 2>&1"
+
+
+rule baselines:
+    input:
+        f"{PROOF}/recordings/{{batch}}",
+    output:
+        directory(f"{PROOF}/baselines/{{batch}}"),
+    log:
+        f"{PROOF}/logs/baselines-{{batch}}.log",
+    params:
+        runs=compared_of,
+        code=fingerprint("pipeline.proof.compare", "pipeline.proof.baselines.*"),
+    message:
+        "ask the baselines about {wildcards.batch}"
+    shell:
+        "exec python -m pipeline.proof.compare {params.runs} --runs {input} --out {output} > {log} 2>&1"
+
+
+rule twins:
+    output:
+        "reports/proof/twins.csv",
+    log:
+        f"{PROOF}/logs/twins.log",
+    params:
+        effects=[f"--effect={name}" for name in config["proof"].get("twins", [])],
+        code=fingerprint("pipeline.proof.twins", "pipeline.rig.effects.*", "pipeline.diagnosis.*"),
+    message:
+        "measure what the library's twins leave of the rig's effects"
+    shell:
+        "exec python -m pipeline.proof.twins {params.effects} --out {output} > {log} 2>&1"
+
+
+# The only rule that opens the answers, and it runs when the last verdict is written.
+rule score:
+    input:
+        expand(PROOF + "/recordings/{batch}", batch=BATCHES),
+        expand(PROOF + "/verdicts/{batch}", batch=BATCHES),
+        expand(PROOF + "/settled/{batch}", batch=BATCHES),
+        expand(PROOF + "/lookalikes/{batch}.json", batch=BATCHES),
+        expand(PROOF + "/baselines/{batch}", batch=filter(compared, BATCHES)),
+        expand(PROOF + "/sealed/{batch}.json", batch=BATCHES),
+        twins="reports/proof/twins.csv",
+    output:
+        expand("reports/proof/{file}", file=PROOF_FILES),
+    log:
+        f"{PROOF}/logs/score.log",
+    params:
+        batches=list(BATCHES),
+        code=fingerprint("pipeline.proof.score"),
+    message:
+        "open the answers and score the verdicts"
+    shell:
+        "exec python -m pipeline.proof.score {params.batches} --place processed/proof --twins {input.twins}"
+        " --out reports/proof > {log} 2>&1"

@@ -1,0 +1,127 @@
+"""The baselines: what each names, that none looks at the strokes held out, and what is written."""
+
+import json
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis.engine import at_own_rate, make_problem, rms
+from pipeline.diagnosis.heldout import first_held_out
+from pipeline.diagnosis.library import mechanisms
+from pipeline.ingest import read_samples
+from pipeline.proof.baselines import __main__ as command
+from pipeline.proof.baselines.features import products
+from pipeline.proof.baselines.frozen import frozen
+from pipeline.proof.baselines.learnt import Calibrated, Learnt, calibrated, held_out_mm
+from pipeline.proof.baselines.residual_sindy import SIGNED, STANDS_FOR
+from pipeline.proof.case import draw_case, performed
+from pipeline.proof.conceal import write_run
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A recording in which friction hides, three noise floors of it."""
+    path = tmp_path_factory.mktemp("raw") / "friction"
+    case = draw_case(5, "single", "rich", ["friction_hysteresis"], [3.0])
+    write_run(case.bench.described("friction", not case.load_cell), performed(case), path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def problem(folder):
+    run, samples = read_samples(folder)
+    return make_problem([run], [samples], [folder])
+
+
+@pytest.fixture(scope="module")
+def seen(problem):
+    return calibrated(problem)
+
+
+def leaving(seen, residual_mm):
+    """The same calibration of a recording that leaves this residual."""
+    measured = seen.problem.simulate(seen.state) + residual_mm
+    return Calibrated(replace(seen.problem, measured=measured), seen.state)
+
+
+def test_every_term_of_the_sparse_regression_stands_for_a_mechanism(problem):
+    warm = replace(problem.drivers, temperature_c=problem.drivers.elapsed_s)
+    terms = {*products(replace(problem.drivers, temperature_c=None)), *products(warm)}
+    assert terms == {*STANDS_FOR, *SIGNED}
+    assert {*STANDS_FOR.values()}.union(*SIGNED.values()) <= set(mechanisms())
+
+
+@pytest.mark.parametrize(
+    ("term", "weight", "name"),
+    [
+        ("direction x load", 0.05, "friction_hysteresis"),
+        ("high twist", 0.05, "overtwist"),
+        ("high twist", -0.05, "jam"),
+        ("cosine of the turn", 0.1, "eccentricity"),
+    ],
+)
+def test_sparse_regression_names_the_driver_that_a_residual_follows(seen, term, weight, name):
+    noise = 0.02 * np.random.default_rng(0).standard_normal(len(seen.problem.record))
+    learnt = command.method("residual_sindy")(leaving(seen, weight * products(seen.problem.drivers)[term] + noise))
+    assert learnt.named == [name]
+
+
+@pytest.mark.parametrize("name", ["residual_sindy", "frozen_fit"])
+def test_white_noise_has_no_name(seen, name):
+    noise = 0.02 * np.random.default_rng(0).standard_normal(len(seen.problem.record))
+    assert command.method(name)(leaving(seen, noise)).named == []
+
+
+def test_a_frozen_fit_moves_no_dimension_and_names_what_is_left(seen):
+    drivers = seen.problem.drivers
+    slip_mm = np.where(drivers.elapsed_s > 0.4 * drivers.elapsed_s[-1], 0.5, 0.0)
+    noise = 0.02 * np.random.default_rng(0).standard_normal(len(slip_mm))
+    slipped = leaving(seen, slip_mm + noise)
+    learnt = command.method("frozen_fit")(slipped)
+    assert learnt.named == ["clamp_slip"]
+    adds_mm = learnt.adds_mm(seen.problem)
+    assert rms(adds_mm - slip_mm) < 0.05 * rms(slip_mm)
+    assert frozen(seen.problem, seen.state).movable == []
+
+
+@pytest.mark.parametrize("name", command.METHODS)
+def test_no_method_looks_at_the_strokes_held_out(problem, name):
+    row = first_held_out(problem)
+    part = calibrated(problem.until(row))
+    later = np.arange(len(problem.record)) >= row
+    other = replace(part.problem, measured=part.problem.measured + 5.0 * later)
+    learn = command.method(name)
+    same, changed = (learn(one).adds_mm(problem) for one in (part, replace(part, problem=other)))
+    assert same.shape == (len(problem.record),)
+    np.testing.assert_array_equal(same, changed)
+
+
+def test_trees_interpolate_what_a_calibration_leaves(seen):
+    learnt = command.method("gradient_boosting")(seen)
+    assert learnt.named is None
+    assert rms(seen.residual_mm - learnt.adds_mm(seen.problem)) < 0.5 * rms(seen.residual_mm)
+
+
+def test_without_a_correction_the_error_is_the_calibrated_simulators(folder, problem):
+    run, samples = read_samples(folder)
+    fine = at_own_rate([run], [samples])
+    nothing = Learnt(None, lambda other: np.zeros(len(other.record)))
+    base_mm = held_out_mm(lambda seen: nothing, problem, fine)
+    off_mm = held_out_mm(lambda seen: replace(nothing, adds_mm=lambda other: np.ones(len(other.record))), problem, fine)
+    assert 0.0 < base_mm < 0.5 < off_mm
+
+
+def test_the_command_writes_what_each_method_says(folder, tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["baselines", str(folder), "--out", str(tmp_path)])
+    with pytest.raises(SystemExit) as left:
+        command.main()
+    assert not left.value.code
+    found = json.loads((tmp_path / "friction" / "baselines.json").read_text())
+    assert found.pop("run") == "friction"
+    assert set(found) == set(command.METHODS)
+    for name, said in found.items():
+        assert set(said) == {"named", "heldout_mm", "seconds"}
+        assert said["heldout_mm"] > 0.0
+        assert (said["named"] is None) == (name in ("gradient_boosting", "gaussian_process"))

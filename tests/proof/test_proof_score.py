@@ -1,0 +1,90 @@
+"""The score's words and numbers, on verdicts and tables made by hand."""
+
+import pandas as pd
+import pytest
+
+from pipeline.proof.score import intervals
+from pipeline.proof.score.judge import outcome
+from pipeline.proof.score.metrics import scores
+from pipeline.proof.score.overlap import overlap
+
+
+def verdict(word, named=(), *alternatives):
+    return {"verdict": word, "mechanisms": [{"id": name} for name in named], "alternatives": [*alternatives]}
+
+
+@pytest.mark.parametrize(
+    ("said", "truth", "nameless", "wanted"),
+    [
+        (verdict("consistent"), "", False, "quiet"),
+        (verdict("parameters"), "", False, "quiet"),
+        (verdict("unknown"), "", False, "false alarm"),
+        (verdict("explained", ["creep"]), "", False, "false alarm"),
+        (verdict("explained", ["creep"]), "creep", False, "exact"),
+        (verdict("explained", ["creep", "wear"]), "creep", False, "extra"),
+        (verdict("explained", ["creep"]), "creep wear", False, "part"),
+        (verdict("explained", ["wear"]), "creep", False, "wrong"),
+        (verdict("explained", ["creep", "jam"]), "creep wear", False, "wrong"),
+        (verdict("ambiguous", ["wear"], ["creep"]), "creep", False, "tie with the truth"),
+        (verdict("ambiguous", ["wear"], ["creep", "jam"]), "creep", False, "tie without the truth"),
+        (verdict("consistent"), "creep", False, "missed"),
+        (verdict("unknown"), "creep", False, "unknown"),
+        (verdict("explained", ["x_sway"]), "creep", False, "unknown"),
+        (verdict("explained", ["x_sway"]), "x_floor_sway", True, "unknown as it should"),
+        (verdict("unknown"), "x_floor_sway", True, "unknown as it should"),
+        (verdict("explained", ["creep"]), "x_floor_sway", True, "wrong"),
+        (verdict("ambiguous", ["creep"], ["wear"]), "eccentricity", True, "tie without the truth"),
+        (verdict("parameters"), "x_floor_sway", True, "missed"),
+        (None, "creep", False, "refused"),
+    ],
+)
+def test_one_word_for_each_case(said, truth, nameless, wanted):
+    assert outcome(said, frozenset(truth.split()), nameless) == wanted
+
+
+def test_intervals_are_exact():
+    assert intervals.share(0, 300)[1] == pytest.approx(0.01222, abs=1e-4)  # 1 - 0.025 ** (1 / 300)
+    assert intervals.share(8, 10) == pytest.approx((0.4439, 0.9748), abs=1e-4)
+    assert intervals.share(5, 5)[1] == 1.0
+    assert intervals.median([3.0, 1.0, 2.0]) == (1.0, 3.0)
+    assert intervals.median(range(1, 101)) == (40, 61)
+
+
+def test_the_overlap_counts_samples_in_both_over_samples_in_either(tmp_path):
+    turns = [*range(0, 20), *range(20, 0, -1)] * 3
+    table = pd.DataFrame({"time_s": [0.1 * at for at in range(len(turns))], "motor_turns": [float(t) for t in turns]})
+    table.to_parquet(tmp_path / "recording.parquet")
+    box = {"motor_turns": [0.0, 20.0], "strokes": [1, 3], "phase": "all"}
+    assert overlap(tmp_path, box, box) == 1.0
+    assert overlap(tmp_path, box, {**box, "strokes": [1, 1]}) == pytest.approx(1 / 3, abs=0.02)
+    assert overlap(tmp_path, {**box, "strokes": [0, 2]}, {**box, "strokes": [3, 3]}) == 0.0
+
+
+def row(outcome, stratum="none", **more):
+    told = {"run": "case", "stratum": stratum, "protocol": "rich", "kappa": None, "effects": "", "skipped": ""}
+    right = outcome in ("quiet", "exact", "tie with the truth")
+    return (
+        told | {"outcome": outcome, "right": right, "verdict": "", "separable": None, "sets": 0, "seconds": 5.0} | more
+    )
+
+
+def test_scores_count_what_they_say():
+    rows = [row("quiet")] * 9 + [row("false alarm")]
+    effect = {"stratum": "single", "effects": "creep", "kappa": 1.0}
+    rows += [row("exact", sets=1, heldout_ratio=1.1, calibrated_ratio=5.0, **effect)] * 3
+    rows += [row("wrong", sets=1, heldout_ratio=1.3, calibrated_ratio=5.0, **effect)]
+    rows += [row("tie with the truth", **{**effect, "verdict": "ambiguous", "separable": True, "sets": 3})]
+    rows += [{**row("", **effect), "skipped": "no room"}]
+    sizes = pd.DataFrame({"stratum": ["single"] * 3, "inside": [True, True, False]})
+    found = scores(pd.DataFrame(rows), sizes).set_index(["metric", "stratum"])
+    large = "single, rich, kappa at least 0.5"
+    assert found.loc[("false alarm", "controls"), ["count", "of"]].tolist() == [1, 10]
+    assert found.loc[("named exactly", large), ["count", "of"]].tolist() == [3, 5]
+    assert found.loc[("named wrongly", large), "count"] == 1
+    assert found.loc[("ambiguous though the data part it", large), "count"] == 1
+    assert found.loc[("case could not be made", "all"), "count"] == 1
+    assert found.loc[("90 % interval holds the effect's size", "all"), ["count", "of"]].tolist() == [2, 3]
+    ratio = found.loc[("held-out error over the oracle's", "single")]
+    assert ratio["value"] == pytest.approx(1.1) and ratio["of"] == 4
+    shares = found[[name[0] == "false alarm" for name in found.index]]
+    assert ((shares["low"] <= shares["value"]) & (shares["value"] <= shares["high"])).all()
