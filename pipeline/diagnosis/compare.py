@@ -1,10 +1,14 @@
 """Compare by Cox's idea: an explanation beats another if the gap between them is as large as its truth implies."""
 
+import numpy as np
+
 from pipeline.diagnosis.search import Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
 LEAST_GAP = 10.0
 SHARE = 0.4  # of the expected gap that must be seen
+FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
+REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
 
 
 def price(search: Search, one: Explanation) -> float:
@@ -30,4 +34,24 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
     whole = nothing - min(rival.fit.misfit for rival in rivals)
     close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
     left = [rival for rival in close if not any(beats(search, other, rival) for other in close if other is not rival)]
-    return sorted(left or [chosen], key=lambda one: one.cost)
+    sets = sorted(left or [chosen], key=lambda one: one.cost)
+    simpler = without_flaw(search, sets[0], rivals, floor)
+    return [simpler, *sets] if simpler else sets
+
+
+def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], floor: float) -> Explanation | None:
+    """The explanation without its last mechanism, where that one may be no more than a flaw of another's formula.
+
+    So it may where it takes away little, and where another in its place would take away nearly as much.
+    """
+    if len(one.ids) < 2:
+        return None
+    smaller = [search.explain(tuple(other for other in one.ids if other != id_)) for id_ in one.ids]
+    small = min(smaller, key=lambda other: other.cost)
+    bent, whole = search.bent(small), search.bent(one)
+    mismatch = float(np.sqrt(max(search.nothing.energy - floor**2, 0.0)))
+    if bent.energy - whole.energy > (FLAW * mismatch) ** 2:
+        return None
+    needed = REPLACED * (bent.cost - whole.cost)
+    others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]
+    return small if any(bent.cost - search.bent(rival).cost >= needed for rival in others) else None
