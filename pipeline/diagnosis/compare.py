@@ -35,6 +35,9 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
     close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
     left = [rival for rival in close if not any(beats(search, other, rival) for other in close if other is not rival)]
     sets = sorted(left or [chosen], key=lambda one: one.cost)
+    larger = search.forward(floor)
+    if chosen.ids not in {one.ids for one in sets} and len(larger.ids) > len(chosen.ids):
+        return [chosen, larger]  # the chosen one holds its ground only if its formula may bend
     simpler = without_flaw(search, sets[0], rivals, floor)
     return [simpler, *sets] if simpler else sets
 

@@ -142,7 +142,7 @@ class Search:
         needed = float(np.clip(MORE_SHARE * mismatch, MORE_EFFECT[0] * floor, MORE_EFFECT[1] * floor))
         return max(needed, self.least) ** 2
 
-    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
+    def forward(self, floor: float, largest: int = LARGEST) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""
         chosen = self.nothing
         for size in range(1, largest + 1):
@@ -153,6 +153,11 @@ class Search:
             if best is None:
                 break
             chosen = best
+        return chosen
+
+    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
+        """What going forward chooses, without the mechanism that going backward does not miss."""
+        chosen = self.forward(floor, largest)
         for id_ in chosen.ids if len(chosen.ids) > 1 else ():
             smaller = self.explain(tuple(other for other in chosen.ids if other != id_))
             if not self.more(smaller, chosen, floor):
