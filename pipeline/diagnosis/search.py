@@ -15,6 +15,7 @@ MORE_SHARE, MORE_EFFECT = 0.12, (0.15, 0.4)  # its size: of the whole mismatch's
 LARGEST = 3
 PARTNERS = 8
 TRIED = 4  # of the best larger explanations
+SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class Search:
         return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(columns).energy)
 
     def _best(self, id_: str, given: tuple[Key, ...]) -> tuple[Key, ...]:
-        """The best shapes of a mechanism beside given ones; sudden events are added one by one."""
+        """The best shapes of a mechanism beside given ones; sudden events are added one by one, all of one sign."""
         chosen: tuple[Key, ...] = ()
         cost = np.inf
         for _ in range(mechanisms()[id_].steps):
@@ -67,11 +68,22 @@ class Search:
             costs = misfits + self.penalty * (active + free)
             for _, number in chosen:
                 costs[number] = np.inf
-            number = int(np.argmin(costs))
+            for number in np.argsort(costs, kind="stable")[: SIGNS_TRIED if chosen else 1]:
+                more = (*chosen, (id_, int(number)))
+                if not chosen or costs[number] >= cost - LEAST_GAIN or self._one_sign(given, more):
+                    break
+            else:
+                break
             if costs[number] >= cost - (LEAST_GAIN if chosen else 0.0):
                 break
-            chosen, cost = (*chosen, (id_, number)), float(costs[number])
+            chosen, cost = more, float(costs[number])
         return chosen
+
+    def _one_sign(self, given: tuple[Key, ...], events: tuple[Key, ...]) -> bool:
+        """Whether events of one mechanism all go one way, as what drives them does."""
+        fit = self.linear.fit_quickly(self.linear.columns_of((*given, *events)))
+        signs = np.sign(fit.coefficients[-sum(len(self.linear.index[key]) for key in events) :])
+        return bool(np.all(signs >= 0) or np.all(signs <= 0))
 
     def explain(self, ids: tuple[str, ...]) -> Explanation:
         """The best explanation by exactly these mechanisms."""
