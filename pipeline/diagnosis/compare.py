@@ -6,7 +6,7 @@ from pipeline.diagnosis.search import Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
 LEAST_GAP = 10.0
-SHARE = 0.4  # of the expected gap that must be seen
+SHARE, CLEAR = 0.4, 0.85  # of the expected gap: what must be seen at least, and what leaves no doubt
 FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
 REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
 
@@ -17,12 +17,20 @@ def price(search: Search, one: Explanation) -> float:
 
 
 def beats(search: Search, one: Explanation, other: Explanation) -> bool:
-    """Whether the recording tells `one` from `other`."""
-    seen = price(search, other) - price(search, one)
-    if seen <= LEAST_GAP:
-        return False
-    expected = search.linear.gap(one.fit, other.fit.columns)
-    return expected > LEAST_GAP and seen > SHARE * expected
+    """Whether the recording tells `one` from `other`.
+
+    The gap must be what the truth of `one` implies; where it is less, it must remain if both formulas may bend.
+    """
+    for first, second in ((one, other), (search.bent(one), search.bent(other))):
+        seen = price(search, second) - price(search, first)
+        if seen <= LEAST_GAP:
+            return False
+        expected = search.linear.gap(first.fit, second.fit.columns)
+        if expected <= LEAST_GAP or seen <= SHARE * expected:
+            return False
+        if seen >= CLEAR * expected:
+            return True
+    return True
 
 
 def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:

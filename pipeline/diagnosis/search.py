@@ -11,7 +11,7 @@ from pipeline.diagnosis.linear import Fit, Key, Linear
 LEAST_GAIN = 10.0
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
 LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas of the others can do
-MORE_SHARE, MORE_EFFECT = 0.12, (0.15, 0.4)  # its size: of the whole mismatch's rms, within noise floors
+MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 LARGEST = 3
 PARTNERS = 8
 TRIED = 4  # of the best larger explanations
