@@ -34,15 +34,15 @@ def beats(search: Search, one: Explanation, other: Explanation) -> bool:
 
 
 def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
-    """Every explanation as small as the chosen one that no other beats, the best first."""
+    """Every explanation as small as the chosen one that the best one does not beat, the best first."""
     if not chosen.ids:
         return []
     nothing = search.nothing.fit.misfit
     rivals = search.all_of(len(chosen.ids))
     whole = nothing - min(rival.fit.misfit for rival in rivals)
     close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
-    left = [rival for rival in close if not any(beats(search, other, rival) for other in close if other is not rival)]
-    sets = sorted(left or [chosen], key=lambda one: one.cost)
+    best = min(close, key=lambda one: price(search, one), default=chosen)
+    sets = sorted((one for one in close if not beats(search, best, one)), key=lambda one: one.cost) or [chosen]
     larger = search.forward(floor)
     if chosen.ids not in {one.ids for one in sets} and len(larger.ids) > len(chosen.ids):
         return [chosen, larger]  # the chosen one holds its ground only if its formula may bend
