@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.diagnosis.search import Explanation, Search
+from pipeline.diagnosis.search import EXPLAINED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
 LEAST_GAP = 10.0
@@ -33,19 +33,25 @@ def beats(search: Search, one: Explanation, other: Explanation) -> bool:
     return True
 
 
+def explains(search: Search, one: Explanation, floor: float) -> bool:
+    """Whether an explanation takes enough of the mismatch to be one."""
+    return one.energy - floor**2 <= (1.0 - EXPLAINED) * (search.nothing.energy - floor**2)
+
+
 def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
     """Every explanation as small as the chosen one that the best one does not beat, the best first."""
     if not chosen.ids:
         return []
+    larger = search.forward(floor)
+    if len(larger.ids) > len(chosen.ids):
+        holds = explains(search, chosen, floor)  # which it does only if its formula may bend
+        return [chosen, larger] if holds else [larger]
     nothing = search.nothing.fit.misfit
     rivals = search.all_of(len(chosen.ids))
     whole = nothing - min(rival.fit.misfit for rival in rivals)
     close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
     best = min(close, key=lambda one: price(search, one), default=chosen)
     sets = sorted((one for one in close if not beats(search, best, one)), key=lambda one: one.cost) or [chosen]
-    larger = search.forward(floor)
-    if chosen.ids not in {one.ids for one in sets} and len(larger.ids) > len(chosen.ids):
-        return [chosen, larger]  # the chosen one holds its ground only if its formula may bend
     simpler = without_flaw(search, sets[0], rivals, floor)
     return [simpler, *sets] if simpler else sets
 
@@ -61,7 +67,7 @@ def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], fl
     small = min(smaller, key=lambda other: other.cost)
     bent, whole = search.bent(small), search.bent(one)
     mismatch = float(np.sqrt(max(search.nothing.energy - floor**2, 0.0)))
-    if bent.energy - whole.energy > (FLAW * mismatch) ** 2:
+    if bent.energy - whole.energy > (FLAW * mismatch) ** 2 or not explains(search, small, floor):
         return None
     needed = REPLACED * (bent.cost - whole.cost)
     others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]

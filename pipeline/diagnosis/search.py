@@ -9,6 +9,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Fit, Key, Linear
 
 LEAST_GAIN = 10.0
+EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
 LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas of the others can do
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
