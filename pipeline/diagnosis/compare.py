@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from pipeline.diagnosis.search import EXPLAINED, Explanation, Search
+from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
 LEAST_GAP = 10.0
 SHARE, CLEAR = 0.4, 0.85  # of the expected gap: what must be seen at least, and what leaves no doubt
 FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
+COMPLETED = 0.8  # of what an explanation leaves: a larger one that takes so much of it explains to the noise
 REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
 
 
@@ -53,7 +54,27 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
     best = min(close, key=lambda one: price(search, one), default=chosen)
     sets = sorted((one for one in close if not beats(search, best, one)), key=lambda one: one.cost) or [chosen]
     simpler = without_flaw(search, sets[0], rivals, floor)
-    return [simpler, *sets] if simpler else sets
+    found = [*to_the_noise(search, chosen, floor), *([simpler] if simpler else []), *sets]
+    core = search.explain(tuple(set.intersection(*(set(one.ids) for one in sets))))
+    bare = core.ids and core.ids not in [one.ids for one in found] and explains(search, core, floor)
+    return [*found, core] if bare else found  # where any other will do beside it, none may be needed
+
+
+def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
+    """Larger explanations that leave noise where the chosen one leaves more, which only a bent formula could mend.
+
+    Whether a formula is wrong or a weak mechanism is missing, the recording cannot tell.
+    """
+    if any(id_.startswith("x_") for id_ in chosen.ids):
+        return []  # what has no physics may leave something
+    left = chosen.energy - floor**2
+    complete = [
+        one
+        for one in search.all_of(len(chosen.ids) + 1)[:TRIED]
+        if chosen.energy - one.energy >= max(COMPLETED * left, (LEAST_EFFECT * floor) ** 2)
+        and one.cost <= chosen.cost - LEAST_MORE
+    ]
+    return [one for one in complete if one is complete[0] or not beats(search, complete[0], one)]
 
 
 def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], floor: float) -> Explanation | None:
