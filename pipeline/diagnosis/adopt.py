@@ -7,6 +7,8 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.problem import Act
 from pipeline.errors import BadInput
 
+DIGITS = 6
+
 
 def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
     """One entry a shape: its id and, by name, the shape's values and the coefficients that are not zero."""
@@ -17,8 +19,9 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
             terms = mechanism.terms(drivers, shape)
             values = act.coefficients[at : at + len(terms)]
             at += len(terms)
-            held = {term.name: float(f"{value:.8g}") for term, value in zip(terms, values, strict=True) if value != 0.0}
-            found.append({"id": act.id, "parameters": {**shape, **held}})
+            held = {term.name: value for term, value in zip(terms, values, strict=True) if value != 0.0}
+            parameters = {name: float(f"{value:.{DIGITS}g}") for name, value in {**shape, **held}.items()}
+            found.append({"id": act.id, "parameters": parameters})
     return found
 
 

@@ -8,6 +8,7 @@ from pipeline.diagnosis.problem import Problem, State
 from pipeline.kinematics import Array
 
 SIGMA = 0.1  # of the effect, in each of the ways below
+MEMORIES = (0.02, 0.08, 0.25)  # half-widths of plays, of the range of motion: how an effect may turn at reversals
 
 
 def effect(problem: Problem, state: State, id_: str) -> Array:
@@ -16,10 +17,31 @@ def effect(problem: Problem, state: State, id_: str) -> Array:
     return problem.simulate(state) - problem.simulate(rest)
 
 
-def factors(drivers: Drivers) -> Array:
-    """Smooth factors of an effect, each about 1 at most: over twist, time, load and rate; shape (factors, samples)."""
-    rate = np.abs(drivers.rate)
-    found = [hats(drivers.turns, 6), hats(drivers.elapsed_s, 5), rate[None] / max(float(rate.max()), 1e-9)]
+def bumps(signal: Array, weight: Array, count: int) -> Array:
+    """Piecewise linear bumps over a signal, knots where the weight is: equal shares of it between two knots."""
+    order = np.argsort(signal, kind="stable")
+    share = np.cumsum(weight[order])
+    if share[-1] <= 0.0:
+        return np.zeros((0, len(signal)))
+    knots = np.unique(np.interp(np.linspace(0.01, 0.99, count) * share[-1], share, signal[order]))
+    if len(knots) < 2:
+        return np.zeros((0, len(signal)))
+    return np.array([np.interp(signal, knots, row) for row in np.eye(len(knots))])
+
+
+def factors(drivers: Drivers, acting: Array) -> Array:
+    """Smooth factors of an effect, each about 1 at most, shape (factors, samples).
+
+    Over twist, time, load, rate and direction, and finest where the effect is at work.
+    """
+    rate, energy = np.abs(drivers.rate), np.square(acting)
+    found = [
+        hats(drivers.turns, 6),
+        bumps(drivers.turns, energy, 6),
+        bumps(drivers.elapsed_s, energy, 5),
+        rate[None] / max(float(rate.max()), 1e-9),
+        *(drivers.directed(width * drivers.span)[None] for width in MEMORIES),
+    ]
     if drivers.loaded:
         found.append(hats(drivers.load, 3))
     return np.vstack(found)
@@ -28,9 +50,9 @@ def factors(drivers: Drivers) -> Array:
 def columns(problem: Problem, states: list[State]) -> dict[str, Array]:
     """By mechanism, what one sigma of each deviation from its formula adds to the reading; the first state counts."""
     found: dict[str, Array] = {}
-    ways = factors(problem.drivers)
     for state in states:
         for act in state.acts:
             if act not in problem.included and act.id not in found:
-                found[act.id] = SIGMA * effect(problem, state, act.id) * ways
+                acting = effect(problem, state, act.id)
+                found[act.id] = SIGMA * acting * factors(problem.drivers, acting)
     return found

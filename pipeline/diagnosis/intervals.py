@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.diagnosis import generic
+from pipeline.diagnosis import form, generic
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Key, Linear
 from pipeline.diagnosis.noise import Noise
@@ -14,7 +14,7 @@ from pipeline.kinematics import Array
 Z90 = 1.6448536269514722
 FORM_SCALES = np.geomspace(0.01, 3.0, 24)  # noise floors: candidates of the random effect's size per column
 LEAST_FORM = 0.02
-FORM_SHARE = 0.012  # of an effect: what no formula of the library gets right
+FORM_SHARE = 0.02  # of an effect: what no formula of the library gets right
 CONTINUOUS, STEP = 5, 1e-3  # values among the candidates that make a shape parameter continuous; relative step
 
 
@@ -58,16 +58,22 @@ def bends(problem: Problem, state: State, act: Act) -> Array:
 
 
 def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, Interval], dict[str, Interval]]:
-    """Intervals of every movable parameter and of the size (rms) of every act, by name and by id."""
+    """Intervals of every movable parameter and of the size of every act, by name and by id.
+
+    The size is the rms of the prediction with the act less the prediction without it, all else held, its constant
+    part included. The act's formula may be wrong by smooth factors, which calibration may hide in part.
+    """
     acts = tuple(act for act in state.acts if act not in problem.included)
     smooth = generic.dictionary(problem.drivers)
     scale = np.sqrt(np.mean(np.square(smooth[:, : problem.rows]), axis=1))
     smooth = smooth[scale > 0] / scale[scale > 0][:, None] * noise.floor
+    deviations = form.columns(problem, [state])
     shaped = [bends(problem, state, act) for act in acts]
+    shaped = [np.vstack([bent, deviations[act.id]]) for act, bent in zip(acts, shaped, strict=True)]
     extra = np.ascontiguousarray(np.vstack([*shaped, smooth]))
     linear = Linear(problem, state, noise, {act.id: list(act.shapes) for act in acts}, extra)
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
-    known, form = len(linear.calibration), linear.extra[sum(map(len, shaped)) :]
+    known, free = len(linear.calibration), linear.extra[sum(map(len, shaped)) :]
     own = np.concatenate([linear.columns_of(keys), linear.extra[: sum(map(len, shaped))]])
     coefficients = np.concatenate([np.array(linear.at)[:known], *(np.array(act.coefficients) for act in acts)])
     coefficients = np.concatenate([coefficients, np.zeros(len(own) - len(coefficients))])
@@ -83,12 +89,12 @@ def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, I
         prior[part] = np.square(np.maximum(sizes, 1e-12) / effect)
     plain = linear.gram[np.ix_(own, own)]
     gram = plain + np.diag(prior + 1e-12 * np.diag(plain))
-    cross, inner = linear.gram[np.ix_(form, own)], linear.gram[np.ix_(form, form)]
+    cross, inner = linear.gram[np.ix_(free, own)], linear.gram[np.ix_(free, free)]
     own_moment = linear.moment[own] - plain @ coefficients
-    form_moment = linear.moment[form] - cross @ coefficients
+    form_moment = linear.moment[free] - cross @ coefficients
     solved = np.linalg.solve(gram, cross.T)
     size = max(_form_scale(inner - cross @ solved, form_moment - solved.T @ own_moment), LEAST_FORM)
-    whole = np.linalg.inv(np.block([[gram, cross.T], [cross, inner + np.eye(len(form)) / size**2]]))
+    whole = np.linalg.inv(np.block([[gram, cross.T], [cross, inner + np.eye(len(free)) / size**2]]))
     covariance = whole[: len(own), : len(own)]
     shift = (whole @ np.concatenate([own_moment, form_moment]))[: len(own)]
 

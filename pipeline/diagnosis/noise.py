@@ -33,13 +33,18 @@ def autocovariance(signal: Array, lags: int) -> Array:
     return np.array([signal[: n - k] @ signal[k:] for k in range(lags + 1)]) / n
 
 
+def in_blocks(signal: Array, lags: int) -> list[Array]:
+    """A signal cut into blocks that are well longer than its memory."""
+    return np.array_split(signal, max(min(BLOCKS, len(signal) // (2 * (lags + 1))), 1))
+
+
 def trimmed(signal: Array, lags: int, trim: float) -> Array:
     """Mean autocovariance of the quieter blocks: a share `trim` of the loudest is left out, for they hold surprises."""
     if trim == 0.0:
         return autocovariance(signal, lags)
-    blocks = np.array([autocovariance(block, lags) for block in np.array_split(signal, BLOCKS)])
+    blocks = np.array([autocovariance(block, lags) for block in in_blocks(signal, lags)])
     order = np.argsort(blocks[:, 0], kind="stable")
-    return np.asarray(blocks[order[: round(BLOCKS * (1.0 - trim))]].mean(axis=0))
+    return np.asarray(blocks[order[: max(round(len(blocks) * (1.0 - trim)), 1)]].mean(axis=0))
 
 
 def from_covariance(covariance: Array) -> Noise:
@@ -105,6 +110,6 @@ def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
     Noise that grows loud for a while does so in its innovations; something that happened does not.
     """
     innovations = whiten(own[None], noise.ar, first)[0]
-    spreads = [1.4826 * float(np.median(np.abs(block))) for block in np.array_split(innovations, BLOCKS)]
+    spreads = [1.4826 * float(np.median(np.abs(block))) for block in in_blocks(innovations, len(noise.ar))]
     factor = max(float(np.sqrt(np.mean(np.square(spreads)))) / noise.innovation, 1.0)
     return Noise(noise.floor * factor, noise.ar, noise.innovation * factor)

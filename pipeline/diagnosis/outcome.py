@@ -9,10 +9,9 @@ from pipeline.diagnosis import chance
 from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.search import LEAST_EFFECT, Explanation, Search
+from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, Explanation, Search
 from pipeline.errors import BadInput
 
-EXPLAINED = 0.8  # of the mismatch's energy: less is no explanation
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
 LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics

@@ -84,7 +84,7 @@ def ranking(axes: Axes, found: Study) -> None:
 
 def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, unit: str) -> None:
     """Error on strokes that no fit has seen, with the noise floor."""
-    axes.set_title("error on strokes no fit has seen")
+    axes.set_title("error on unseen strokes")
     if not held:
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])

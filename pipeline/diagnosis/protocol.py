@@ -11,7 +11,8 @@ from pipeline.run_yaml import Run
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
 LOADS = {"motor_turns": "load_n", "motor_deg": "torque_nm"}  # of the drivers that work against one
-LEAST_TOLD_S = 1.0
+LEAST_TOLD_S, LEAST_TOLD = 1.0, 0.02  # shorter pauses, and smaller changes of a load, go without words
+LAST = 50  # samples that tell the load at the end
 
 
 class Rig:
@@ -21,9 +22,9 @@ class Rig:
         speed = np.abs(np.gradient(record.motion, record.time_s))
         self.low, self.high = (float(value) for value in np.percentile(record.motion, [0.5, 99.5]))
         self.speed = float(np.median(speed[speed > 0.2 * np.percentile(speed, 99)]))
-        self.load = float(np.median(record.load))
+        self.load = float(f"{np.median(record.load):.3g}")
         self.stroke_s = (self.high - self.low) / max(self.speed, 1e-9)
-        self.at, self.under = float(record.motion[-1]), float(record.load[-1])
+        self.at, self.under = float(record.motion[-1]), float(f"{np.median(record.load[-LAST:]):.3g}")
 
     def place(self, share: float) -> float:
         """Motion at a share of the range."""
@@ -108,7 +109,7 @@ def in_words(legs: list[Leg], start: float, run: Run) -> str:
     said, at, load = [], start, None
     for seconds, to, force in legs:
         under = ""
-        if load_name and (load is None or abs(force - load) > 1e-9 * abs(force)):
+        if load_name and (load is None or abs(force - load) > LEAST_TOLD * abs(force)):
             under = f" under {force:.3g} {schemas.unit_of(load_name)}"
         if abs(to - at) > 1e-6 * max(abs(to), abs(at)):
             said.append(f"{'wind' if to > at else 'unwind'} to {to:.3g} {unit} in {seconds:.3g} s{under}")

@@ -13,7 +13,7 @@ from pipeline.run_yaml import Run
 
 WORKING_SAMPLES = 15_000
 BETWEEN_RUNS_S = 60.0
-OUTLIER = 6.0  # robust spreads of a residual from its neighbours
+OUTLIER, LOCAL = 6.0, 8.0  # spreads of a residual, of all and of its neighbours, that make a reading wild
 PHASES = ("winding", "hold", "unwinding", "rest")
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 
@@ -50,7 +50,8 @@ def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
     gap = residual - median_filter(residual, 7, mode="nearest")
     spread = 1.4826 * float(np.median(np.abs(gap)))
     usual = median_filter(np.abs(gap), 9, mode="nearest")
-    return (np.abs(gap) > OUTLIER * spread) & (usual < 2.5 * spread), gap
+    quiet = usual < np.maximum(2.5 * spread, np.abs(gap) / LOCAL)
+    return (np.abs(gap) > OUTLIER * spread) & quiet, gap
 
 
 def despiked(signal: Array) -> Array:

@@ -9,12 +9,14 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Fit, Key, Linear
 
 LEAST_GAIN = 10.0
+EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
 LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas of the others can do
-MORE_SHARE, MORE_EFFECT = 0.12, (0.15, 0.4)  # its size: of the whole mismatch's rms, within noise floors
+MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 LARGEST = 3
 PARTNERS = 8
 TRIED = 4  # of the best larger explanations
+SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
 
 
 @dataclass(frozen=True)
@@ -57,7 +59,7 @@ class Search:
         return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(columns).energy)
 
     def _best(self, id_: str, given: tuple[Key, ...]) -> tuple[Key, ...]:
-        """The best shapes of a mechanism beside given ones; sudden events are added one by one."""
+        """The best shapes of a mechanism beside given ones; sudden events are added one by one, all of one sign."""
         chosen: tuple[Key, ...] = ()
         cost = np.inf
         for _ in range(mechanisms()[id_].steps):
@@ -67,11 +69,22 @@ class Search:
             costs = misfits + self.penalty * (active + free)
             for _, number in chosen:
                 costs[number] = np.inf
-            number = int(np.argmin(costs))
+            for number in np.argsort(costs, kind="stable")[: SIGNS_TRIED if chosen else 1]:
+                more = (*chosen, (id_, int(number)))
+                if not chosen or costs[number] >= cost - LEAST_GAIN or self._one_sign(given, more):
+                    break
+            else:
+                break
             if costs[number] >= cost - (LEAST_GAIN if chosen else 0.0):
                 break
-            chosen, cost = (*chosen, (id_, number)), float(costs[number])
+            chosen, cost = more, float(costs[number])
         return chosen
+
+    def _one_sign(self, given: tuple[Key, ...], events: tuple[Key, ...]) -> bool:
+        """Whether events of one mechanism all go one way, as what drives them does."""
+        fit = self.linear.fit_quickly(self.linear.columns_of((*given, *events)))
+        signs = np.sign(fit.coefficients[-sum(len(self.linear.index[key]) for key in events) :])
+        return bool(np.all(signs >= 0) or np.all(signs <= 0))
 
     def explain(self, ids: tuple[str, ...]) -> Explanation:
         """The best explanation by exactly these mechanisms."""
@@ -142,7 +155,7 @@ class Search:
         needed = float(np.clip(MORE_SHARE * mismatch, MORE_EFFECT[0] * floor, MORE_EFFECT[1] * floor))
         return max(needed, self.least) ** 2
 
-    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
+    def forward(self, floor: float, largest: int = LARGEST) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""
         chosen = self.nothing
         for size in range(1, largest + 1):
@@ -153,6 +166,11 @@ class Search:
             if best is None:
                 break
             chosen = best
+        return chosen
+
+    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
+        """What going forward chooses, without the mechanism that going backward does not miss."""
+        chosen = self.forward(floor, largest)
         for id_ in chosen.ids if len(chosen.ids) > 1 else ():
             smaller = self.explain(tuple(other for other in chosen.ids if other != id_))
             if not self.more(smaller, chosen, floor):

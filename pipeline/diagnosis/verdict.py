@@ -18,7 +18,7 @@ from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
-DIGITS = 6
+DIGITS = 5  # more of them would be rounding, which processors do each in their own way
 RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
 
 
@@ -178,5 +178,5 @@ def diagnosis(
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():
-        tidied["parameters"][name]["value"] = float(f"{interval.value:.12g}")
+        tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
     return tidied
