@@ -67,7 +67,8 @@ def separation(
     for i, one in enumerate(sets):
         columns = linear.columns_of(chosen[i])
         truth = Fit(columns, one.fit.coefficients, 0.0, 0.0, 0)
-        gaps += [linear.gap(truth, linear.columns_of(keys)) for j, keys in enumerate(chosen) if j != i]
+        rivals = [keys for keys, other in zip(chosen, sets, strict=True) if not set(one.ids) <= set(other.ids)]
+        gaps += [linear.gap(truth, linear.columns_of(keys)) for keys in rivals]  # a larger one can always copy it
     return min(gaps)
 
 
