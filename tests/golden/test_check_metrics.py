@@ -1,10 +1,11 @@
 """The check of the published metrics passes on them and fails on a regression."""
 
+import json
 import shutil
 from pathlib import Path
 
 import pytest
-from golden.check_metrics import PUBLISHED, complaints
+from golden.check_metrics import PUBLISHED, complaints, misdiagnosis
 
 
 @pytest.fixture
@@ -46,3 +47,22 @@ def test_a_missing_row_is_named(reports):
     path = reports / "synthetic" / "table_1.csv"
     path.write_text("\n".join(path.read_text(encoding="utf-8").splitlines()[:-1]), encoding="utf-8")
     assert "its rows are not the published ones" in "\n".join(complaints(reports))
+
+
+@pytest.mark.parametrize(
+    ("named", "explained_mm", "says"),
+    [
+        (["creep", "radius_compaction"], 0.031, ""),
+        (["creep", "jam"], 0.031, "the rig has no jam"),
+        (["creep"], 0.05, "it leaves 0.05 mm"),
+        ([], 0.03, "although the rig has effects"),
+    ],
+)
+def test_a_wrong_diagnosis_is_named(tmp_path, named, explained_mm, says):
+    fit = {"noise_floor_mm": 0.03, "heldout": {"explained_mm": explained_mm}}
+    content = {"verdict": "unknown", "mechanisms": [{"id": name} for name in named], "fit": fit}
+    path = tmp_path / "diagnosis" / "synthetic-01" / "diagnosis.json"
+    path.parent.mkdir(parents=True)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    found = misdiagnosis(tmp_path)
+    assert says in "\n".join(found) and len(found) == bool(says)
