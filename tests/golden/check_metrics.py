@@ -1,7 +1,8 @@
 """Compare the main job's tables with the published ones, and its diagnosis with the rig that it is of.
 
-`python tests/golden/check_metrics.py reports` exits with 1 when a number leaves its band. Bands are relative: the recording is the same to the bit, so the models
-without randomness get 0.5 %; the trained ones get what processors of other makes and other builds of torch may cost.
+`python tests/golden/check_metrics.py reports` exits with 1 when a number leaves its band. Bands are relative: the
+recording is the same to the bit, so the models without randomness get 0.5 %; the trained ones get what processors of
+other makes and other builds of torch may cost.
 """
 
 import csv
@@ -11,12 +12,7 @@ from pathlib import Path
 
 PUBLISHED = Path(__file__).parent / "published"
 EXACT, TRAINED, TRAINED_MAXIMUM = 0.005, 0.15, 0.35
-EFFECTS = {
-    "radius_compaction",
-    "plastic_elongation",
-    "friction_hysteresis",
-    "creep",
-}  # of pipeline/rig/setups/paper.yaml
+EFFECTS = {"radius_compaction", "plastic_elongation", "friction_hysteresis", "creep"}  # of rig/setups/paper.yaml
 LEAVES = 1.3  # noise floors
 PAPER_RMS, PAPER_WORST = 0.05, 0.10  # of the traditional model's 18 numbers from the paper's
 sys.path.insert(0, str(Path(__file__).parents[2]))
