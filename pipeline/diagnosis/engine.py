@@ -107,11 +107,13 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             ordered = [best, *(state for state in refined if state is not best)]
             search = Search(Linear(problem, best, noise, shapes, form=form.columns(problem, ordered)), least)
             before, chosen = chosen, search.select(noise.floor)
-            if len(chosen.ids) == len(before.ids):
+            if len(chosen.ids) in (0, len(before.ids)):
                 break
     say("comparing")
     sets = compare.unbeaten(search, chosen, noise.floor)
-    if sets:
+    if not sets:
+        best = base
+    else:
         best = search.linear.state_of(sets[0].fit, sets[0].keys)
         best = calibrate.refine(problem, noise, best)
     return decide(problem, nominal, base, noise, best, sets, search, random)

@@ -5,6 +5,7 @@ import pytest
 
 from pipeline.diagnosis import nextrun
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.search import Search
 from pipeline.ingest import read_samples
 
 
@@ -49,3 +50,16 @@ def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
     sway = samples.assign(displacement_mm=samples["displacement_mm"] + 0.1 * np.sin(4.1 * samples["time_s"]))
     found = study(make_problem([run], [sway]))
     assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
+
+
+def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
+    select, calls = Search.select, []
+
+    def fickle(self, floor, largest=3):
+        calls.append(floor)
+        return select(self, floor, largest) if len(calls) == 1 else self.nothing
+
+    monkeypatch.setattr(Search, "select", fickle)
+    run, samples = read_samples(conceal("creep")[0])
+    found = study(make_problem([run], [samples]))
+    assert len(calls) == 2 and found.sets == [] and found.best is found.base and found.verdict == "unknown"
