@@ -25,9 +25,6 @@ MATERIALS = list(PLAN.materials)
 DIAGNOSED = [run for runs in PLAN.materials.values() for run in runs] + PLAN.others
 TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
-PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md", "sizes.png"] + expand(
-    "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
-)
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
@@ -63,11 +60,6 @@ rule tables:
 rule diagnosis:
     input:
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
-
-
-rule proof:
-    input:
-        expand("reports/proof/{file}", file=PROOF_FILES),
 
 
 include: "pipeline/rules/record.smk"

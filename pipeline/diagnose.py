@@ -15,6 +15,7 @@ from pipeline.diagnosis import engine, figures, heldout, library, outcome, sente
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
+from pipeline.run_yaml import Run
 
 Result = TypeVar("Result")
 
@@ -36,11 +37,10 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     for run, folder in zip(runs, folders, strict=True):
         if run.actuator != runs[0].actuator:
             raise BadInput(folder, "actuator", f"is {run.actuator}, not {runs[0].actuator}", "diagnose them apart")
-        alike = [{k: v for k, v in one.rig.items() if k != "load_n"} for one in (run, runs[0])]
-        if alike[0] != alike[1]:
-            raise BadInput(
-                folder, "rig", "has other dimensions than the first run's", "diagnose the runs of each rig apart"
-            )
+        for field in ("rig", "string", "tolerance", "simulation"):
+            if described(run, field) != described(runs[0], field):
+                mend = "diagnose the runs of each string on each rig apart"
+                raise BadInput(folder, field, f"is not that of {runs[0].run}", mend)
     problem = engine.make_problem(runs, tables, folders, without=without)
     found = engine.study(problem, say)
     outcome.refuse_faint(found, folders[0])
@@ -58,6 +58,14 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     words = sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
     write_text(out / "verdict.txt", words + "\n")
     return words
+
+
+def described(run: Run, field: str) -> Any:
+    """What `run.yaml` says of a thing that runs of one rig must share: the load and the strokes before may differ."""
+    value = getattr(run, field)
+    if field == "rig":
+        return {key: one for key, one in value.items() if key != "load_n"}
+    return value.model_copy(update={"strokes_before": 0}) if field == "string" and value else value
 
 
 def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
@@ -79,6 +87,8 @@ def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[
         if note:
             write_text(out / folder.resolve().name / "verdict.txt", f"{folder.name}: not decided: {error}\n")
         return f"error: {error}", note
+    except Exception:  # a fault of ours in one run must not cost the others
+        return f"error: {folder}: the diagnosis failed, please report it:\n{traceback.format_exc()}", False
 
 
 @program
@@ -96,7 +106,7 @@ def main() -> int:
         "--note-refusals", action="store_true", help="write why a run is refused as its verdict.txt, and exit with 0"
     )
     arguments = parser.parse_args()
-    folders: list[Path] = arguments.run_dir
+    folders: list[Path] = [folder if folder.name else folder.resolve() for folder in arguments.run_dir]
     without = frozenset(arguments.without)
     for id_ in sorted(without - set(library.mechanisms())):
         raise BadInput("arguments", "--without", f"{id_} is no mechanism", f"use {', '.join(library.mechanisms())}")

@@ -35,7 +35,7 @@ def read_run(folder: Path | str) -> Run:
     path = Path(folder) / "run.yaml"
     try:
         text = path.read_text(encoding="utf-8")
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         raise BadInput(path, "run.yaml", "is missing", "write it: python -m pipeline.new_run shows how") from None
     except UnicodeDecodeError:
         raise BadInput(path, "run.yaml", "is not UTF-8 text", "save it as UTF-8") from None

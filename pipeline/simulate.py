@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +22,32 @@ TARE_S = 1.0
 
 def state_of(content: dict[str, Any], problem: Problem, path: Path) -> State:
     """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
-    given = content.get("parameters", {})
-    values = [float(given.get(one.name, {}).get("value", one.nominal)) for one in problem.parameters]
-    acts = acts_from(content.get("simulation", []), problem.drivers, str(path))
+    values = [value_of(content, one.name, path, one.nominal) for one in problem.parameters]
+    acts = acts_from(content["simulation"], problem.drivers, str(path))
     return State(np.array(values), np.zeros(problem.runs), acts)
+
+
+def value_of(content: dict[str, Any], name: str, path: Path, otherwise: float) -> float:
+    """Value of a parameter in a diagnosis; raises BadInput when it is no number."""
+    entry = content["parameters"].get(name, {"value": otherwise})
+    value = entry.get("value") if isinstance(entry, dict) else None
+    if not isinstance(value, int | float) or not np.isfinite(value):
+        raise BadInput(
+            path, f"parameters.{name}", f"is {entry!r}, without a value", "give a diagnosis.json as it was made"
+        )
+    return float(value)
+
+
+def read_diagnosis(path: Path) -> dict[str, Any]:
+    """Content of a `diagnosis.json`; raises BadInput for anything else."""
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise BadInput(path, "file", f"cannot be read ({error})", "give a diagnosis.json") from None
+    for field, kind in (("parameters", dict), ("simulation", list)):
+        if not isinstance(content, dict) or not isinstance(content.get(field), kind):
+            raise BadInput(path, field, "is missing or is not what a diagnosis gives", "give a diagnosis.json")
+    return dict(content)
 
 
 def tare(predicted: Array, measured: Array, time_s: Array) -> float:
@@ -42,16 +65,16 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
     run, samples = read_samples(arguments.run_dir)
-    try:
-        content = json.loads(arguments.simulation.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise BadInput(arguments.simulation, "file", f"cannot be read ({error})", "give a diagnosis.json") from None
+    content = read_diagnosis(arguments.simulation)
     problem = at_own_rate([run], [samples])
     predicted = problem.simulate(state_of(content, problem, arguments.simulation))
     unit = problem.system.channel.rpartition("_")[2]
-    zero = content.get("parameters", {}).get(f"zero_{unit}", {}).get("value")
-    same = content.get("run") == run.run and zero is not None
-    predicted = predicted + (float(zero) if same else tare(predicted, problem.measured, problem.record.time_s))
+    if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
+        predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)
+    else:
+        predicted = predicted + tare(predicted, problem.measured, problem.record.time_s)
+    if isinstance(content.get("run"), list) and content["run"][0] != run.run:
+        print(f"warning: {arguments.simulation} counts time from the start of {content['run'][0]}", file=sys.stderr)
     table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})
     schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
     print(f"{run.run}: {len(table)} samples simulated")

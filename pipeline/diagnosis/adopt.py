@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import numpy as np
+
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.problem import Act
@@ -25,12 +27,28 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
     return found
 
 
-def acts_from(content: list[dict[str, Any]], drivers: Drivers, where: str = "run.yaml") -> tuple[Act, ...]:
-    """The acts that a list of entries describes; raises BadInput for an id or a parameter that is not known."""
+def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
+    """Id and parameters of an entry; raises BadInput where it is not what a diagnosis gives."""
+    mend = "paste the entry as a diagnosis gives it"
+    if not isinstance(entry, dict) or not set(entry) <= {"id", "parameters"}:
+        raise BadInput(where, field, f"is {entry!r}, not an id with its parameters", mend)
+    id_, given = entry.get("id"), entry.get("parameters", {})
+    if not isinstance(id_, str) or not isinstance(given, dict):
+        raise BadInput(where, field, f"is {entry!r}, not an id with its parameters", mend)
+    for name, value in given.items():
+        if not isinstance(value, int | float) or isinstance(value, bool) or not np.isfinite(value):
+            raise BadInput(where, f"{field}.parameters.{name}", f"is {value!r}, not a number", mend)
+    return id_, given
+
+
+def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[Act, ...]:
+    """The acts that a list of entries describes; raises BadInput for whatever is not known in it."""
     found = []
+    if not isinstance(content, list):
+        raise BadInput(where, "simulation", f"is {content!r}, not a list", "paste the list of a diagnosis.json")
     for number, entry in enumerate(content):
         field = f"simulation[{number}]"
-        id_, given = entry.get("id"), entry.get("parameters", {})
+        id_, given = checked(entry, field, where)
         if id_ not in mechanisms():
             mend = f"use one of {', '.join(mechanisms())}"
             raise BadInput(where, f"{field}.id", f"{id_!r} is not a mechanism of the library", mend)
@@ -39,7 +57,7 @@ def acts_from(content: list[dict[str, Any]], drivers: Drivers, where: str = "run
         options = mechanism.shapes(drivers) or [dict.fromkeys(mechanism.units, 0.0)]
         names = [set(shape) for shape in options] or [set()]
         fitting = [keys for keys in names if keys <= set(given)]
-        if not isinstance(given, dict) or not fitting:
+        if not fitting:
             raise BadInput(where, f"{field}.parameters", f"lacks one of {', '.join(sorted(names[0]))}", mend)
         keys = max(fitting, key=len)
         order = next((list(shape) for shape in options if set(shape) == keys), sorted(keys))

@@ -9,12 +9,11 @@ import pandas as pd
 
 from pipeline.diagnosis import calibrate, candidates, chance, compare, form, generic
 from pipeline.diagnosis.adopt import acts_from
-from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.library import systems
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.outcome import Study, decide, rms
-from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
 from pipeline.diagnosis.search import Search
 from pipeline.errors import BadInput
@@ -36,22 +35,20 @@ def make_problem(
 
     No explanation of it may name the mechanisms in `without`.
     """
+    where = (folders or [Path(runs[0].run)])[0]
+    system = systems().get(runs[0].actuator)
+    if system is None:
+        mend = f"diagnosed are {', '.join(systems())}"
+        raise BadInput(where, "actuator", f"{runs[0].actuator} has no simulator here yet", mend)
     record = joined(runs, tables, most)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
-    where = (folders or [Path(runs[0].run)])[0]
     if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
         problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
         raise BadInput(where, "recording", problem, "record at least three strokes, with a pause, at 10 Hz or more")
-    system = systems()[runs[0].actuator]
     drivers = system.drivers(record, runs[0])
     parameters = tuple(system.parameters(runs[0]))
-    included = adopted(runs[0], drivers)
+    included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
     return Problem(system, record, drivers, parameters, record.measured, len(record), included, without)
-
-
-def adopted(run: Run, drivers: Drivers) -> tuple[Act, ...]:
-    """What `simulation:` of run.yaml says that the simulator already includes."""
-    return acts_from(run.simulation, drivers)
 
 
 def at_own_rate(runs: list[Run], tables: list[pd.DataFrame]) -> Problem:

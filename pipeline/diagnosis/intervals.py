@@ -41,24 +41,33 @@ def _form_scale(gram: Array, moment: Array) -> float:
     return float(max(FORM_SCALES, key=likelihood))
 
 
+def continuous(problem: Problem, act: Act) -> list[tuple[int, str]]:
+    """Shape parameters of an act that were fitted, not chosen from a few: the number of the shape, and the name."""
+    candidates = mechanisms()[act.id].shapes(problem.drivers)
+    return [
+        (number, name)
+        for number, shape in enumerate(act.shapes)
+        for name in shape
+        if len({other[name] for other in candidates if set(other) == set(shape)}) >= CONTINUOUS
+    ]
+
+
 def bends(problem: Problem, state: State, act: Act) -> Array:
     """How the prediction moves with each continuous shape parameter of an act, per half of its value."""
-    candidates = mechanisms()[act.id].shapes(problem.drivers)
     before, found = problem.simulate(state), []
-    for number, shape in enumerate(act.shapes):
-        for name, value in shape.items():
-            if len({other[name] for other in candidates if set(other) == set(shape)}) < CONTINUOUS:
-                continue
-            moved = tuple(
-                {**old, name: value * (1.0 + STEP)} if i == number else old for i, old in enumerate(act.shapes)
-            )
-            acts = tuple(replace(act, shapes=moved) if other is act else other for other in state.acts)
-            found.append((problem.simulate(replace(state, acts=acts)) - before) * (0.5 / STEP))
+    for number, name in continuous(problem, act):
+        moved = tuple({**old, name: old[name] * (1.0 + STEP * (i == number))} for i, old in enumerate(act.shapes))
+        acts = tuple(replace(act, shapes=moved) if other is act else other for other in state.acts)
+        found.append((problem.simulate(replace(state, acts=acts)) - before) * (0.5 / STEP))
     return np.array(found).reshape(len(found), len(before))
 
 
-def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, Interval], dict[str, Interval]]:
-    """Intervals of every movable parameter and of the size of every act, by name and by id.
+def intervals(
+    problem: Problem, state: State, noise: Noise
+) -> tuple[dict[str, Interval], dict[str, Interval], dict[tuple[str, int, str], float]]:
+    """Intervals of every movable parameter, by name, and of the size of every act, by id; half-widths of its shape.
+
+    The latter are shares of the value, by the act's id, the shape's number and the parameter's name.
 
     The size is the rms of the prediction with the act less the prediction without it, all else held, its constant
     part included. The act's formula may be wrong by smooth factors, which calibration may hide in part.
@@ -109,6 +118,7 @@ def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, I
         weights[problem.runs + place] = 1.0
         parameters[problem.parameters[index].name] = interval(float(state.values[index]), weights)
     sizes_: dict[str, Interval] = {}
+    shapes: dict[tuple[str, int, str], float] = {}
     for act, bent, (part, effect) in zip(acts, shaped, effects, strict=True):
         rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
         rms = float(np.sqrt(np.mean(np.square((problem.simulate(state) - problem.simulate(rest))[: problem.rows]))))
@@ -116,7 +126,9 @@ def intervals(problem: Problem, state: State, noise: Noise) -> tuple[dict[str, I
         weights = np.zeros(len(own))
         weights[part] = linear.table[own[part]] @ effect / norm
         weights[at : at + len(bent)] = bent[:, : problem.rows] @ effect / norm
+        for place, (number, name) in enumerate(continuous(problem, act), start=at):
+            shapes[act.id, number, name] = 0.5 * Z90 * float(np.sqrt(covariance[place, place]))
         at += len(bent)
         found = interval(rms, weights, FORM_SHARE)
         sizes_[act.id] = Interval(found.value, max(found.low, 0.0), found.high)
-    return parameters, sizes_
+    return parameters, sizes_, shapes

@@ -33,6 +33,13 @@ def autocovariance(signal: Array, lags: int) -> Array:
     return np.array([signal[: n - k] @ signal[k:] for k in range(lags + 1)]) / n
 
 
+def resolution(readings: Array) -> float:
+    """Smallest step between readings, in their unit; 0 where hardly any reading comes twice."""
+    fine = 1e-7 * max(float(np.ptp(readings)), 1e-300)
+    levels = np.unique(np.round(readings / fine))
+    return float(np.diff(levels).min() * fine) if 1 < len(levels) < len(readings) / 4 else 0.0
+
+
 def in_blocks(signal: Array, lags: int) -> list[Array]:
     """A signal cut into blocks that are well longer than its memory."""
     return np.array_split(signal, max(min(BLOCKS, len(signal) // (2 * (lags + 1))), 1))

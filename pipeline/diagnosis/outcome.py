@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.diagnosis import chance
+from pipeline.diagnosis import chance, form
 from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem, State
@@ -14,6 +14,7 @@ from pipeline.errors import BadInput
 
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
+CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
 LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
 
 
@@ -63,7 +64,11 @@ def decide(
         name: rms((problem.measured - problem.simulate(state))[seen])
         for name, state in (("nominal", nominal), ("base", base), ("best", best))
     }
-    floor = chance.floor_at_rest(problem, best, noise.floor) if random else noise.floor
+    floor, jerks = noise.floor, 0.0
+    if random:
+        quiet = chance.floor_at_rest(problem, best, noise.floor)
+        jerks = float(np.sqrt(max(left["best"] ** 2 - quiet**2, 0.0)))
+        floor, random = (quiet, random) if jerks >= LEAST_EFFECT * quiet else (floor, {})
     mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
     remainder = float(np.sqrt(max(left["best"] ** 2 - noise.floor**2, 0.0)))
     share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)
@@ -75,15 +80,26 @@ def decide(
         verdict = "unknown" if not random and mismatch > UNKNOWN_FROM * floor else "consistent"
         if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
             verdict = "parameters"
-    elif not physics(sets[0].ids) or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor):
+    elif (
+        not physics(sets[0].ids)
+        or cancels(problem, best)
+        or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor)
+    ):
         verdict = "unknown"
     else:
         verdict = "explained" if len(sets) == 1 else "ambiguous"
     state = best if verdict in ("explained", "ambiguous") else base
-    jerks = float(np.sqrt(max(left["best"] ** 2 - floor**2, 0.0))) if new else 0.0
+    jerks *= bool(new)
     return Study(
         problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks
     )  # fmt: skip
+
+
+def cancels(problem: Problem, state: State) -> bool:
+    """Whether the named effects are far larger than what they do together: such a balance is no explanation."""
+    effects = [form.effect(problem, state, act.id) for act in state.acts if act not in problem.included]
+    together = float(np.std(np.sum(effects, axis=0))) if len(effects) > 1 else np.inf
+    return max((float(np.std(effect)) for effect in effects), default=0.0) > CANCELS * together
 
 
 def refuse_faint(found: Study, folder: Path) -> None:

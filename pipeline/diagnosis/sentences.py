@@ -29,7 +29,7 @@ def sentences(content: dict[str, Any], unit: str, moved: dict[str, float]) -> st
         "unknown": "the mismatch is real, and nothing in the library explains it.",
     }[content["verdict"]]
     lines = [f"{run}: {content['verdict']}: {said}"]
-    if content["mismatch"]:
+    if content["mismatch"] and content["verdict"] != "parameters":
         place, driver = content["mismatch"]["location"], content["mismatch"]["driver"]
         lines.append(
             f"  mismatch {content['mismatch'][f'rms_{unit}']:.3g} {unit} rms (noise {floor:.3g}), "

@@ -23,7 +23,7 @@ RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits
 
 
 def tidy(value: Any) -> Any:
-    """A JSON value with its numbers rounded to six digits, so that it reads well and repeats exactly."""
+    """A JSON value with its numbers rounded to five digits, so that it reads well and repeats exactly."""
     if isinstance(value, dict):
         return {key: tidy(entry) for key, entry in value.items()}
     if isinstance(value, list | tuple):
@@ -69,7 +69,9 @@ def _effect(problem: Problem, state: State, act: Act) -> Array:
     return problem.simulate(state) - problem.simulate(rest)
 
 
-def _mechanisms(found: Study, fine: Problem, sizes: dict[str, Interval], unit: str) -> list[dict[str, Any]]:
+def _mechanisms(
+    found: Study, fine: Problem, sizes: dict[str, Interval], shapes: dict[tuple[str, int, str], float], unit: str
+) -> list[dict[str, Any]]:
     problem, listed = found.problem, []
     for act in found.best.acts:
         if act in problem.included:
@@ -88,7 +90,9 @@ def _mechanisms(found: Study, fine: Problem, sizes: dict[str, Interval], unit: s
             units = {term.name: term.unit for term in problem.terms(mechanism, act.shapes[number])}
             for name, value in entry["parameters"].items():
                 label = name if number == 0 else f"{name}_{number + 1}"
-                ends = sorted(value * factor for factor in relative) if name in units else [value, value]
+                half = shapes.get((act.id, number, name), 0.0)  # none where it was chosen from a few
+                factors = relative if name in units else (1.0 - half, 1.0 + half)
+                ends = sorted(value * factor for factor in factors)
                 parameters[label] = {
                     "value": value,
                     "low": ends[0],
@@ -133,7 +137,7 @@ def diagnosis(
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = found.problem
     unit = problem.system.channel.rpartition("_")[2]
-    parameters, sizes = intervals(problem, found.state, found.noise)
+    parameters, sizes, shapes = intervals(problem, found.state, found.noise)
     named = found.verdict in ("explained", "ambiguous")
     mismatch = None
     if found.verdict != "consistent":
@@ -161,7 +165,7 @@ def diagnosis(
         "run": runs[0].run,
         "verdict": found.verdict,
         "mismatch": mismatch,
-        "mechanisms": _mechanisms(found, fine, sizes, unit) if named else [],
+        "mechanisms": _mechanisms(found, fine, sizes, shapes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
         "next_experiment": experiment[0] if experiment else None,
         "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,

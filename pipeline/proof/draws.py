@@ -8,6 +8,7 @@ import numpy as np
 from pipeline.kinematics import RAD_PER_TURN, Array
 from pipeline.proof.bench import Bench
 from pipeline.proof.protocol import Protocol
+from pipeline.proof.wander import WANDERS, wander
 from pipeline.rig import effects
 
 Parameters = dict[str, Any]
@@ -47,25 +48,6 @@ GROWS = {
     "x_string_tangling": ("scatter",),
 }
 EITHER_SIGN = ("sensor_drift", "thermal", "wear")  # a zero drifts up or down, a fibre may shrink, a worn one may fuzz
-WAVES, PERIODS_S = 4, (10.0, 60.0)
-# How far the strength of an effect wanders, rms: no formula of few numbers, whosever it is, may fit an effect without
-# remainder, and these would be fitted so (`python -m pipeline.proof.twins`). The others leave enough as they are.
-WANDERS = {
-    "backlash": 0.034,
-    "clamp_slip": 0.019,
-    "count_slip": 0.032,
-    "end_stop": 0.035,
-    "jam": 0.036,
-    "overtwist": 0.034,
-    "plastic_elongation": 0.010,
-    "radius_compaction": 0.036,
-    "sensor_drift": 0.017,
-    "sensor_lag": 0.044,
-    "shaft_windup": 0.030,
-    "slack": 0.020,
-    "viscous_loss": 0.015,
-    "wear": 0.030,
-}
 MOST = {"share": 0.95, "lag_s": 0.5, "turns": 2.0}  # beyond which it would be another thing
 
 
@@ -76,7 +58,7 @@ def draw_effect(
     shape = _shape(name, bench, protocol, rng)
     sign = float(rng.choice([-1.0, 1.0])) if name in EITHER_SIGN else 1.0
     if name in WANDERS and not steady:
-        shape["unsteady"] = _wander(WANDERS[name], rng)
+        shape["unsteady"] = wander(WANDERS[name], rng)
 
     def of(strength: float) -> Parameters:
         parameters = dict(shape)
@@ -90,14 +72,6 @@ def draw_effect(
         return parameters
 
     return of
-
-
-def _wander(rms_share: float, rng: np.random.Generator) -> Parameters:
-    """How an effect's strength wanders: so far, in waves of PERIODS_S each."""
-    periods_s = np.exp(rng.uniform(np.log(PERIODS_S[0]), np.log(PERIODS_S[1]), WAVES))
-    phases_rad = rng.uniform(0.0, 2.0 * np.pi, WAVES)
-    share = rms_share * float(np.sqrt(2.0 / WAVES))
-    return {"shares": [share] * WAVES, "periods_s": periods_s.tolist(), "phases_rad": phases_rad.tolist()}
 
 
 def _damage(bench: Bench, protocol: Protocol, squared: Callable[[Array, Array], Array]) -> Array:

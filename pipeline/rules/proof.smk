@@ -2,6 +2,14 @@ from pipeline.proof.plan import batches, written
 
 BATCHES = batches(config["proof"])
 PROOF = "processed/proof"
+PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md", "sizes.png"] + expand(
+    "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
+)
+
+
+rule proof:
+    input:
+        expand("reports/proof/{file}", file=PROOF_FILES),
 
 
 def cases_of(wildcards):

@@ -15,6 +15,14 @@ import pandas as pd
 import pytest
 import yaml
 
+from pipeline import diagnose
+from pipeline.diagnosis.adopt import acts_from
+from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.noise import resolution
+from pipeline.errors import BadInput
+from pipeline.ingest import read_samples
+from pipeline.simulate import read_diagnosis, state_of
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -172,3 +180,60 @@ def test_two_runs_of_one_rig_are_diagnosed_together(diagnosed, tmp_path) -> None
 def string_of(folder: Path) -> dict:
     """The string of a run."""
     return yaml.safe_load((folder / "run.yaml").read_text())["string"]
+
+
+SIMULATION = [
+    ([{"id": "creep", "parameters": None}], "simulation[0]"),
+    ([{"id": ["creep"], "parameters": {}}], "simulation[0]"),
+    (["creep"], "simulation[0]"),
+    ({"id": "creep"}, "simulation"),
+    ([{"id": "backlash", "parameters": {"half_width_turns": "x"}}], "simulation[0].parameters.half_width_turns"),
+    ([{"id": "backlash", "parameters": {"half_width_turns": float("nan")}}], "simulation[0].parameters.half_width"),
+    ([{"id": "backlash", "parameters": {}, "bar": 1}], "simulation[0]"),
+]
+
+
+@pytest.mark.parametrize(("entries", "field"), SIMULATION)
+def test_what_is_no_simulation_is_refused_with_its_place(problem, entries, field) -> None:
+    with pytest.raises(BadInput) as error:
+        acts_from(entries, problem.drivers, "raw/a/run.yaml")
+    assert error.value.file == "raw/a/run.yaml" and error.value.field.startswith(field)
+
+
+@pytest.mark.parametrize(
+    ("content", "field"),
+    [
+        ([], "parameters"),
+        ({}, "parameters"),
+        ({"parameters": {}, "simulation": {}}, "simulation"),
+        ({"parameters": {"radius_mm": {"value": None}}, "simulation": []}, "parameters.radius_mm"),
+        ({"parameters": {"radius_mm": 3}, "simulation": []}, "parameters.radius_mm"),
+    ],
+)
+def test_what_is_no_diagnosis_is_not_simulated(content, field, problem, tmp_path) -> None:
+    path = tmp_path / "diagnosis.json"
+    path.write_text(json.dumps(content))
+    with pytest.raises(BadInput) as error:
+        state_of(read_diagnosis(path), problem, path)
+    assert error.value.field == field
+
+
+def test_what_cannot_be_diagnosed_is_named_and_the_rest_is(conceal, tmp_path, monkeypatch) -> None:
+    good, _ = conceal()
+    mass = edited(good, tmp_path / "mass", actuator="moving_mass")
+    other = edited(good, tmp_path / "other", string=string_of(good) | {"radius_mm": 0.7})
+    done = command("pipeline.diagnose", mass, good / "run.yaml", "--out", tmp_path / "out")
+    assert done.returncode == 2 and "Traceback" not in done.stderr
+    done = command("pipeline.diagnose", good, other, "--together", "--out", tmp_path / "out")
+    assert done.returncode == 2 and "other: string: is not that of" in done.stderr
+    monkeypatch.setattr(diagnose, "read_samples", lambda folder: 1 / 0)
+    said, fine = diagnose._one(good, tmp_path / "out", frozenset(), note=True)
+    assert not fine and "ZeroDivisionError" in said and not (tmp_path / "out").exists()
+
+
+def test_a_coarse_sensor_does_not_stick(conceal) -> None:
+    run, samples = read_samples(conceal(rich=False)[0])
+    said = samples["displacement_mm"].to_numpy()
+    coarse = samples.assign(displacement_mm=np.round(said / 0.1) * 0.1)
+    assert resolution(coarse["displacement_mm"].to_numpy()) == pytest.approx(0.1, rel=1e-3)
+    assert study(make_problem([run], [coarse])).verdict in ("consistent", "parameters")

@@ -5,6 +5,7 @@ from scipy.ndimage import median_filter
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.noise import resolution
 from pipeline.diagnosis.recursions import sticking
 from pipeline.kinematics import Array
 
@@ -12,6 +13,7 @@ AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate
 LOUDER = 1.15  # times the steps at rest
 SURE = 6.0  # standard errors of the skewness
+COARSE = 0.75  # of the sensor's resolution: rounding alone makes steps of half of it, skewed along slow motion
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -38,8 +40,8 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
     """Jerks in a residual: what sticks falls behind slowly and slips ahead at once, so that its steps are skewed.
 
-    Steps count along the motion, in four classes of its speed; within one they must be skewed beyond chance, and
-    larger than at rest. The reach is that of a sawtooth of the size seen.
+    Steps count along the motion, in four classes of its speed; within one they must be skewed beyond chance, larger
+    than at rest, and larger than the sensor's resolution makes them. The reach is that of a sawtooth of the size seen.
     """
     rate = np.abs(drivers.rate[: len(residual)])[1:]
     still, moving = rate < STILL * rate.max(), rate > 3.0 * STILL * rate.max()
@@ -47,11 +49,15 @@ def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
     step = step - median_filter(step, AROUND, mode="nearest")
     spread = 1.4826 * float(np.median(np.abs(step)))
     step = np.clip(step, -CLIP * spread, CLIP * spread) * np.sign(moved)
+    grain = resolution(residual + predicted)
     at_rest = float(np.std(step[still])) if still.sum() > FEWEST else 0.0
     for part in np.array_split(np.flatnonzero(moving)[np.argsort(np.abs(moved[moving]), kind="stable")], 4):
-        if len(part) < FEWEST or np.std(step[part]) < LOUDER * at_rest:
+        if len(part) < FEWEST:
             continue
-        skew = float(np.mean(step[part] ** 3) / max(float(np.std(step[part])), 1e-300) ** 3)
+        moving_on = float(np.std(step[part]))
+        if moving_on <= max(LOUDER * at_rest, float(np.hypot(at_rest, COARSE * grain))):
+            continue
+        skew = float(np.mean(step[part] ** 3)) / moving_on**3
         if skew * np.sqrt(len(part) / 15.0) > SURE:
             shape = {"reach_mm": float(f"{np.sqrt(6.0) * np.std(step[part]):.6g}"), "back_share": 0.0}
             return shape | {"usual_rate": float(f"{np.median(rate[moving]):.6g}")}
