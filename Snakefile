@@ -72,3 +72,8 @@ include: "pipeline/rules/report.smk"
 include: "pipeline/rules/diagnose.smk"
 include: "pipeline/rules/proof.smk"
 include: "pipeline/rules/said.smk"
+
+
+rule proof:
+    input:
+        expand("reports/proof/{file}", file=PROOF_FILES),

@@ -7,11 +7,6 @@ PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md",
 )
 
 
-rule proof:
-    input:
-        expand("reports/proof/{file}", file=PROOF_FILES),
-
-
 def cases_of(wildcards):
     return written(BATCHES[wildcards.batch])
 
