@@ -15,6 +15,8 @@ from pipeline.capture.stream import record
 from pipeline.errors import BadInput, program
 from pipeline.runs import read_run
 
+GAPS_TOLD = 5
+
 
 def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
     """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written."""
@@ -52,6 +54,16 @@ def tell(info: dict[str, Any], folder: Path) -> None:
         f"{folder}: {info['exit_status']}, {samples['received']} samples; frames: {frames['sent']} sent = "
         f"{frames['received']} received + {frames['lost']} lost, {frames['bad']} bad"
     )
+    for gap in info["gaps"][:GAPS_TOLD]:
+        where = "before the first sample" if gap["after_s"] is None else f"after {gap['after_s']:g} s"
+        strokes = ", ".join(map(str, gap["strokes"])) or "none"
+        print(
+            f"{folder}: {gap['frames']} frame{'s' * (gap['frames'] > 1)} lost {where}; strokes it may touch: {strokes}"
+        )
+    if len(info["gaps"]) > GAPS_TOLD:
+        print(f"{folder}: and in {len(info['gaps']) - GAPS_TOLD} more places, see capture.json")
+    if samples["out_of_order"]:
+        print(f"{folder}: samples came out of order ({samples['out_of_order']} times), so their clock runs backwards")
     if info["fault"]:
         print(f"{folder}: {info['fault']}; what had come is kept")
     try:

@@ -34,15 +34,18 @@ def sync_folder(folder: Path) -> None:
 
 
 class Log:
-    """The recording of a new run: made on opening, locked while open."""
+    """The recording of a new run: made on opening, locked while open; raises BadInput when it cannot be made."""
 
     def __init__(self, folder: Path) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
         try:
+            folder.mkdir(parents=True, exist_ok=True)
             self._file = os.open(folder / NAME, flags, 0o644)
         except FileExistsError:
             raise BadInput(folder, NAME, "is there already", "choose a new run name") from None
+        except OSError as error:
+            mend = "make room there, or choose a folder in which you may write"
+            raise BadInput(folder, NAME, f"cannot be made ({error.strerror})", mend) from None
         fcntl.flock(self._file, fcntl.LOCK_EX)
         sync_folder(folder)
         self._synced_s = time.monotonic()

@@ -113,7 +113,7 @@ def test_capture_json_accounts_for_every_frame(recorded, simulated):
     frames = said["frames"]
     assert frames["sent"] == frames["received"] == len(simulated.samples) + len(simulated.events) + 2
     assert frames["lost"] == frames["bad"] == 0
-    assert said["samples"] == {"sent": len(simulated.samples), "received": len(simulated.samples)}
+    assert said["samples"] == {"sent": (count := len(simulated.samples)), "received": count, "out_of_order": 0}
     assert said["hello"]["device"] == "twistbench synthetic rig"
     assert said["started_utc"] <= said["ended_utc"]
 
