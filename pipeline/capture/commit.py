@@ -55,11 +55,19 @@ def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> 
 
     Raises BadInput when it cannot be written.
     """
-    path = folder / NAME
-    data = path.read_bytes()
-    info = account(data, read_recording(data), began, ended, outcome)
+    data = (folder / NAME).read_bytes()
+    return seal(folder, NAME, account(data, read_recording(data), began, ended, outcome))
+
+
+def seal(folder: Path, name: str, info: dict[str, Any], csv: str | None = None) -> dict[str, Any]:
+    """Write capture.json, after `csv` as recording.csv if given, and let nobody write to recording `name` any more.
+
+    Raises BadInput when they cannot be written.
+    """
     try:
-        path.chmod(0o444)
+        (folder / name).chmod(0o444)
+        if csv is not None:
+            write_text(folder / "recording.csv", csv)
         write_text(folder / "capture.json", json.dumps(info, indent=1, ensure_ascii=False) + "\n")
         sync_folder(folder)
     except OSError as error:
