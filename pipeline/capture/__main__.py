@@ -64,7 +64,7 @@ def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
     asked = Asked()
     check_folder(folder)
     with Port(name, baud) as port:
-        hello, beginning = greet(port, name)
+        hello, beginning = greet(port, name, baud)
         check_rate(hello, baud, name)
         print(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, ", end="")
         print(", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels), flush=True)

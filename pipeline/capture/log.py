@@ -63,6 +63,12 @@ class Log:
         os.fdatasync(self._file)
         self._synced_s = time.monotonic()
 
+    @property
+    def free_bytes(self) -> int:
+        """Room on its disk."""
+        state = os.fstatvfs(self._file)
+        return state.f_bavail * state.f_frsize
+
     def close(self) -> None:
         """Release it."""
         os.close(self._file)

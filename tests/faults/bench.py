@@ -109,7 +109,9 @@ class Bench:
             text = text.replace(rig.name, "PORT")
         text = text.replace(f"{self.folder}/raw", "raw").replace(f"{self.folder}/", "")
         lines = [
-            line for line in text.splitlines() if line and not re.search("recorded, |^scripted rig, |run.yaml", line)
+            line
+            for line in text.splitlines()
+            if line and not re.search("recorded, |^scripted rig, |run.yaml: run.yaml: is missing", line)
         ]
         return " / ".join(line.removeprefix("error: ") for line in lines)
 

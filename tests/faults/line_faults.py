@@ -3,7 +3,7 @@
 import time
 
 from bench import Bench, Row, check, complete, refused, row
-from scripted_device import SAMPLES, frames, hello
+from scripted_device import SAMPLES, frames, hello, received
 
 from pipeline.wire import Kind, encode, read_recording
 
@@ -151,6 +151,54 @@ def garbage(bench: Bench) -> Row:
     return refused(bench, host, arrived="4980 bytes, no frame")
 
 
+def wrong_baud(bench: Bench) -> Row:
+    """The device sends at half the host's baud rate: every bit is read twice."""
+    rig = bench.rig()
+    host = bench.capture(rig.name, bench.run())
+    rig.hear(Kind.GREET)
+    slow = received(b"".join(frames()), faster=2)
+    rig.say(slow)
+    assert host.wait() == 2 and "lower baud rate" in host.said
+    return refused(bench, host, arrived=f"{len(slow)} bytes, no frame")
+
+
+def prints_text(bench: Bench) -> Row:
+    """The rig prints lines and speaks no protocol."""
+    rig = bench.rig()
+    host = bench.capture(rig.name, bench.run())
+    rig.hear(Kind.GREET)
+    rig.say(b"12.5,0.25,1.75\r\n" * 50)
+    assert host.wait() == 2 and "--text" in host.said
+    return refused(bench, host, arrived="50 lines of text")
+
+
+def frozen(bench: Bench) -> Row:
+    """The displacement sensor never changes while the motor turns."""
+    return _warned(bench, frames(rise=0), "has not changed")
+
+
+def wrong_way(bench: Bench) -> Row:
+    """The displacement falls while the motor winds."""
+    return _warned(bench, frames(rise=-7), "falls while the motor winds")
+
+
+def _warned(bench: Bench, said: list[bytes], sentence: str) -> Row:
+    rig = bench.rig()
+    host = bench.capture(rig.name, bench.run())
+    rig.begin(said)
+    rig.say(*said[1:-1])
+    until_s = time.monotonic() + 3.0
+    while sentence not in host.said:  # before the END: while it records
+        assert time.monotonic() < until_s
+        time.sleep(0.02)
+    rig.say(said[-1])
+    rig.hear(Kind.ACK)
+    assert host.wait() == 0
+    check(bench, said)
+    assert bench.recorded() == b"".join(said) and host.said.count(sentence) == 1
+    return row(bench, host)
+
+
 def silent(bench: Bench) -> Row:
     """The port is silent."""
     host = bench.capture(bench.rig().name, bench.run())
@@ -179,6 +227,10 @@ FAULTS = {
     "END never acknowledged": end_unacknowledged,
     "END never sent": end_missing,
     "garbage on the port": garbage,
+    "wrong baud rate": wrong_baud,
+    "text instead of frames": prints_text,
+    "frozen displacement": frozen,
+    "displacement the wrong way": wrong_way,
     "silent port": silent,
     "another protocol version": wrong_version,
 }

@@ -25,19 +25,37 @@ def hello(nonce: str = "00000001", rate_hz: float = RATE_HZ) -> Hello:
     return Hello("scripted rig", "1.0", nonce, rate_hz, 2, CHANNELS)
 
 
-def frames(count: int = SAMPLES, first_us: int = 0, step_us: int = STEP_US, nonce: str = "00000001") -> list[bytes]:
+def frames(
+    count: int = SAMPLES, first_us: int = 0, step_us: int = STEP_US, nonce: str = "00000001", rise: int = 7
+) -> list[bytes]:
     """A whole recording: HELLO, `count` samples, an EVENT before each sample of MARKS, END; by their numbers."""
     said = [encode(Kind.HELLO, 0, hello(nonce).pack())]
     samples = np.zeros(count, hello().sample_type)
     samples["t_us"] = (first_us + np.arange(count, dtype=np.int64) * step_us) % 2**32
     samples["motor_turns"] = np.arange(count)
-    samples["displacement_mm"] = np.arange(count) * 7 % 30_000
+    samples["displacement_mm"] = np.arange(count) * rise % 30_000 if rise > 0 else np.arange(count) * rise
     stamps, payloads, size = samples["t_us"].tolist(), samples.tobytes(), samples.itemsize
     for number in range(count):
         if number in MARKS:
             said.append(encode(Kind.EVENT, len(said), EVENT.pack(stamps[number], *MARKS[number])))
         said.append(encode(Kind.SAMPLE, len(said), payloads[number * size : (number + 1) * size]))
     return [*said, encode(Kind.END, len(said), END.pack(count, Reason.COMPLETE))]
+
+
+def received(data: bytes, faster: int) -> bytes:
+    """What a UART reads at `faster` times the sender's baud rate."""
+    bits = [1, 1]
+    for byte in data:
+        bits += [0, *((byte >> at) & 1 for at in range(8)), 1]
+    wave = [bit for bit in bits for _ in range(faster)]
+    found, at = bytearray(), 0
+    while at + 10 <= len(wave):
+        if wave[at]:
+            at += 1
+            continue
+        found.append(sum(wave[at + 1 + bit] << bit for bit in range(8)))
+        at += 10
+    return bytes(found)
 
 
 class Rig:
