@@ -39,6 +39,11 @@ class Asked:
         self.times += 1
 
 
+def plain(text: str) -> str:
+    """A device's text without what a terminal would obey."""
+    return "".join(character if character.isprintable() else "?" for character in text)
+
+
 def capture_lines(name: str, folder: Path, baud: int, columns: tuple[str, ...]) -> dict[str, Any]:
     """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
     asked = Asked()
@@ -66,8 +71,8 @@ def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
     with Port(name, baud) as port:
         hello, beginning = greet(port, name, baud)
         check_rate(hello, baud, name)
-        print(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, ", end="")
-        print(", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels), flush=True)
+        channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
+        print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
         asked.listen()
         log = Log(folder)
         try:

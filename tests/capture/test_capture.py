@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pipeline.capture.__main__ import plain
 from pipeline.capture.handshake import check_rate
 from pipeline.errors import BadInput
 from pipeline.rig.device import Device
@@ -242,3 +243,7 @@ def test_a_line_that_is_too_slow_is_refused(simulated):
     check_rate(simulated.hello, 115_200, "port")
     with pytest.raises(BadInput, match="115200"):
         check_rate(fast, 115_200, "port")
+
+
+def test_a_devices_text_cannot_command_the_terminal():
+    assert plain("rig \x1b]0;x\x07\x1b[2J\nµm\u202e") == "rig ?]0;x??[2J?µm?"
