@@ -5,7 +5,9 @@
 """
 
 import argparse
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,6 +17,7 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.recorded import Recorded, in_order, read_recorded, tare_mm
 from pipeline.run_yaml import TOLERANCE
+from pipeline.runs import capture_info
 
 TRAINING_POINTS = 5000  # as in the paper
 HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes
@@ -23,6 +26,7 @@ BLOCK_LEAST_SAMPLES = 10
 HOLD_OUT = 4  # one block in so many
 WHICH_OF_FOUR = np.array([0, 2, 1, 3])  # in the first group of four blocks, the second, …
 LATER_LEAST_STROKES = 4
+LOSSES_LISTED = 1000  # capture.json lists no more: what comes after the last one may be touched too
 MOVING = ("winding", "unwinding")
 
 Numbers = NDArray[np.int64]
@@ -46,12 +50,34 @@ def held_out(block: Numbers, stroke: Numbers) -> Mask:
     return np.asarray(block % HOLD_OUT == (first + stroke - 1) % HOLD_OUT)
 
 
-def points_of(recorded: Recorded, strokes_before: int, offset_mm: float) -> pd.DataFrame:
-    """The moving points of a run, with stroke number, phase, block and the string's dimensions."""
+def touched(strokes: pd.DataFrame, info: dict[str, Any]) -> frozenset[int]:
+    """Strokes of a run, by their numbers in it, in whose movement samples are missing by its capture.json."""
+    gaps = [*info.get("gaps", []), *info.get("holes", [])]
+    after = np.array([gap["after_samples"] for gap in gaps], np.int64)
+    moving = strokes[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0)]
+    lossy = [
+        int(stroke)
+        for stroke, first, last in zip(moving["stroke"], moving["first_sample"], moving["last_sample"], strict=True)
+        if ((first <= after) & (after <= last + 1)).any() or (len(gaps) >= LOSSES_LISTED and last >= after.max())
+    ]
+    return frozenset(lossy)
+
+
+def points_of(
+    recorded: Recorded, strokes_before: int, offset_mm: float, left_out: frozenset[int] = frozenset()
+) -> pd.DataFrame:
+    """The moving points of a run, with stroke number, phase, block and the string's dimensions.
+
+    Raises BadInput when every stroke is left out.
+    """
     run, samples = recorded.run, recorded.samples
     assert run.string is not None
     parts = []
     stretches = recorded.strokes[recorded.strokes["phase"].isin(MOVING) & (recorded.strokes["stroke"] > 0)]
+    stretches = stretches[~stretches["stroke"].isin(left_out)]
+    if stretches.empty:
+        mend = "record it again, or keep them: python -m pipeline.dataset --keep-lossy"
+        raise BadInput(run.run, "strokes", "samples are missing in every one", mend)
     for (stroke, phase), group in stretches.groupby(["stroke", "phase"], sort=True):
         rows = np.concatenate(
             [np.arange(a, b + 1) for a, b in zip(group["first_sample"], group["last_sample"], strict=True)]
@@ -94,8 +120,8 @@ def _split(test: Mask, eligible: Mask) -> NDArray[np.str_]:
     return np.where(_thinned(test, HELD_OUT_POINTS), "test", np.where(train, "train", ""))
 
 
-def make_dataset(recorded: list[Recorded]) -> pd.DataFrame:
-    """Points of all runs of a material; columns of `schemas.DATASET`.
+def make_dataset(recorded: list[Recorded], left_out: Mapping[str, frozenset[int]] | None = None) -> pd.DataFrame:
+    """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
 
     Runs of the same string continue each other's stroke numbers and share its tare.
     """
@@ -108,7 +134,7 @@ def make_dataset(recorded: list[Recorded]) -> pd.DataFrame:
         for one in runs:
             assert one.run.string is not None
             done = max(done, one.run.string.strokes_before)
-            parts.append(points_of(one, done, offset_mm))
+            parts.append(points_of(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset())))
             done += int(one.strokes["stroke"].max())
     points = pd.concat(parts, ignore_index=True)
 
@@ -129,8 +155,17 @@ def main() -> None:
     parser.add_argument("run_dirs", type=Path, nargs="+")
     parser.add_argument("--processed", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     arguments = parser.parse_args()
-    dataset = make_dataset([read_recorded(folder, arguments.processed) for folder in arguments.run_dirs])
+    recorded = [read_recorded(folder, arguments.processed) for folder in arguments.run_dirs]
+    left_out: dict[str, frozenset[int]] = {}
+    for folder, one in zip(arguments.run_dirs, recorded, strict=True):
+        lossy = touched(one.strokes, capture_info(folder))
+        if lossy:
+            print(f"{one.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": ")
+            print("kept all the same" if arguments.keep_lossy else "left out")
+            left_out[one.run.run] = frozenset() if arguments.keep_lossy else lossy
+    dataset = make_dataset(recorded, left_out)
     if not {"train", "test"} <= set(dataset["within"]):
         mend = "record more strokes, or more samples a stroke"
         raise BadInput(arguments.out, "within", "there are too few points to hold some out and learn from others", mend)

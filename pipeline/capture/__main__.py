@@ -9,34 +9,76 @@ from typing import Any
 
 from pipeline.capture.commit import commit, recover
 from pipeline.capture.handshake import check_rate, greet
-from pipeline.capture.log import NAME, Log, check_folder
+from pipeline.capture.lines import names
+from pipeline.capture.log import LINES, NAME, Log, check_folder
 from pipeline.capture.port import Port
+from pipeline.capture.printed import await_header, commit_lines, follow, recover_lines, tell_lines
 from pipeline.capture.stream import record
 from pipeline.errors import BadInput, program
 from pipeline.runs import read_run
 
+GAPS_TOLD = 5
+
+
+class Asked:
+    """How often the person has asked to stop, by Ctrl-C or SIGTERM."""
+
+    def __init__(self) -> None:
+        self.times = 0
+
+    def __call__(self) -> int:
+        """So many times."""
+        return self.times
+
+    def listen(self) -> None:
+        """From here on signals are counted."""
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self._ask)
+
+    def _ask(self, number: int, frame: FrameType | None) -> None:
+        self.times += 1
+
+
+def plain(text: str) -> str:
+    """A device's text without what a terminal would obey."""
+    return "".join(character if character.isprintable() else "?" for character in text)
+
+
+def capture_lines(name: str, folder: Path, baud: int, columns: tuple[str, ...]) -> dict[str, Any]:
+    """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
+    asked = Asked()
+    check_folder(folder)
+    with Port(name, baud) as port:
+        beginning = await_header(port, name, columns)
+        asked.listen()
+        log = Log(folder, LINES)
+        try:
+            log.append(beginning)
+            began = datetime.now(UTC)
+            outcome = follow(port, log, asked)
+        except OSError as error:
+            mend = f"make room, then run python -m pipeline.capture --recover {folder}"
+            raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
+        finally:
+            log.close()
+    return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
+
 
 def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
     """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written."""
-    asked = 0
-
-    def ask(number: int, frame: FrameType | None) -> None:
-        nonlocal asked
-        asked += 1
-
+    asked = Asked()
     check_folder(folder)
     with Port(name, baud) as port:
-        hello, beginning = greet(port, name)
+        hello, beginning = greet(port, name, baud)
         check_rate(hello, baud, name)
-        print(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, ", end="")
-        print(", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels), flush=True)
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, ask)
+        channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
+        print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
+        asked.listen()
         log = Log(folder)
         try:
             log.append(beginning)
             began = datetime.now(UTC)
-            outcome = record(port, log, hello, lambda: asked)
+            outcome = record(port, log, hello, asked)
         except OSError as error:
             mend = f"make room, then run python -m pipeline.capture --recover {folder}"
             raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
@@ -47,17 +89,35 @@ def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
 
 def tell(info: dict[str, Any], folder: Path) -> None:
     """Say what was recorded, and what is missing for the run to be used."""
-    frames, samples = info["frames"], info["samples"]
-    print(
-        f"{folder}: {info['exit_status']}, {samples['received']} samples; frames: {frames['sent']} sent = "
-        f"{frames['received']} received + {frames['lost']} lost, {frames['bad']} bad"
-    )
+    if "lines" in info:
+        tell_lines(info, folder)
+    else:
+        tell_frames(info, folder)
     if info["fault"]:
         print(f"{folder}: {info['fault']}; what had come is kept")
     try:
         read_run(folder)
     except BadInput as error:
         print(f"{error} Until then nothing can use this run; python -m pipeline.new_run writes its run.yaml.")
+
+
+def tell_frames(info: dict[str, Any], folder: Path) -> None:
+    """Say how many frames came, and where others were lost."""
+    frames, samples = info["frames"], info["samples"]
+    print(
+        f"{folder}: {info['exit_status']}, {samples['received']} samples; frames: {frames['sent']} sent = "
+        f"{frames['received']} received + {frames['lost']} lost, {frames['bad']} bad"
+    )
+    for gap in info["gaps"][:GAPS_TOLD]:
+        where = "before the first sample" if gap["after_s"] is None else f"after {gap['after_s']:g} s"
+        strokes = ", ".join(map(str, gap["strokes"])) or "none"
+        print(
+            f"{folder}: {gap['frames']} frame{'s' * (gap['frames'] > 1)} lost {where}; strokes it may touch: {strokes}"
+        )
+    if len(info["gaps"]) > GAPS_TOLD:
+        print(f"{folder}: and in {len(info['gaps']) - GAPS_TOLD} more places, see capture.json")
+    if samples["out_of_order"]:
+        print(f"{folder}: samples came out of order ({samples['out_of_order']} times), so their clock runs backwards")
 
 
 @program
@@ -68,19 +128,27 @@ def main() -> int:
     parser.add_argument("run_dir", metavar="RUN_DIR", nargs="?", type=Path, help="raw/<run>")
     parser.add_argument("--baud", type=int, default=1_000_000)
     parser.add_argument("--recover", metavar="RUN_DIR", type=Path, help="commit a run whose capture was killed")
+    parser.add_argument("--text", action="store_true", help="the rig prints lines of numbers, not frames")
+    parser.add_argument("--columns", default="", help="with --text: names, separated by commas, if the rig prints none")
     arguments = parser.parse_args()
+    columns = names(arguments.columns.encode())
+    if arguments.columns and not columns:
+        parser.error("--columns needs two names or more, separated by commas")
     folder: Path
     if arguments.recover is not None:
         if arguments.port is not None:
             parser.error("--recover takes no port")
         folder = arguments.recover
-        info = recover(folder)
+        info = recover_lines(folder, columns) if (folder / LINES).is_file() else recover(folder)
     else:
         if arguments.run_dir is None:
             parser.error("PORT and RUN_DIR are needed")
         folder = arguments.run_dir
         try:
-            info = capture(arguments.port, folder, arguments.baud)
+            if arguments.text:
+                info = capture_lines(arguments.port, folder, arguments.baud, columns)
+            else:
+                info = capture(arguments.port, folder, arguments.baud)
         except KeyboardInterrupt:  # before START: nothing was recorded
             return 130
     tell(info, folder)

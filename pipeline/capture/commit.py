@@ -7,7 +7,10 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from pipeline.capture.log import NAME, in_use, sync_folder
+from pipeline.capture.losses import locate
 from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
 from pipeline.files import write_text
@@ -37,20 +40,40 @@ def account(data: bytes, recording: Recording, began: datetime, ended: datetime,
             "resets": frames.resets,
             "tail_bytes": frames.tail_bytes,
         },
-        "gaps": [{"after_samples": after, "frames": count} for after, count in frames.gaps[:GAPS]],
-        "samples": {"sent": frames.samples_sent, "received": len(recording.time_s)},
+        "gaps": [asdict(gap) for gap in locate(recording)[:GAPS]],
+        "samples": {
+            "sent": frames.samples_sent,
+            "received": len(recording.time_s),
+            "out_of_order": int(np.count_nonzero(np.diff(recording.seq.astype(np.uint32)).view(np.int32) < 0)),
+        },
         "hello": asdict(recording.hello) if recording.hello else None,
     }
 
 
 def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
-    """Account for `recording.frames` of a run folder and commit it; returns what capture.json says."""
-    path = folder / NAME
-    data = path.read_bytes()
-    info = account(data, read_recording(data), began, ended, outcome)
-    path.chmod(0o444)
-    write_text(folder / "capture.json", json.dumps(info, indent=1, ensure_ascii=False) + "\n")
-    sync_folder(folder)
+    """Account for `recording.frames` of a run folder and commit it; returns what capture.json says.
+
+    Raises BadInput when it cannot be written.
+    """
+    data = (folder / NAME).read_bytes()
+    return seal(folder, NAME, account(data, read_recording(data), began, ended, outcome))
+
+
+def seal(folder: Path, name: str, info: dict[str, Any], csv: str | None = None) -> dict[str, Any]:
+    """Write capture.json, after `csv` as recording.csv if given, and let nobody write to recording `name` any more.
+
+    Raises BadInput when they cannot be written.
+    """
+    try:
+        (folder / name).chmod(0o444)
+        if csv is not None:
+            write_text(folder / "recording.csv", csv)
+        write_text(folder / "capture.json", json.dumps(info, indent=1, ensure_ascii=False) + "\n")
+        sync_folder(folder)
+    except OSError as error:
+        mend = f"make room, then run python -m pipeline.capture --recover {folder}"
+        problem = f"could not be written ({error.strerror}); the recording is whole and kept"
+        raise BadInput(folder, "capture.json", problem, mend) from None
     return info
 
 

@@ -2,6 +2,7 @@
 
 import time
 
+from pipeline.capture.guess import guess
 from pipeline.capture.port import Port, Unplugged
 from pipeline.errors import BadInput
 from pipeline.wire import Decoder, Hello, Kind, encode
@@ -9,9 +10,10 @@ from pipeline.wire import Decoder, Hello, Kind, encode
 SILENCE_S = 3.0
 GREET_AGAIN_S = 1.0
 LATE_HELLO_S = 0.5
+KEPT = 1 << 14  # bytes of what is no HELLO, to guess from
 
 
-def greet(port: Port, name: str) -> tuple[Hello, bytes]:
+def greet(port: Port, name: str, baud: int) -> tuple[Hello, bytes]:
     """The device's HELLO, and the bytes with which the recording begins.
 
     Whatever came before the HELLO, and answers to a second GREET, are no part of the recording: no device sends
@@ -19,6 +21,7 @@ def greet(port: Port, name: str) -> tuple[Hello, bytes]:
     """
     decoder = Decoder()
     heard_bytes = greeted = 0
+    sample = b""
     next_s = began_s = time.monotonic()
     try:
         while (now_s := time.monotonic()) - began_s < SILENCE_S:
@@ -27,6 +30,7 @@ def greet(port: Port, name: str) -> tuple[Hello, bytes]:
                 greeted, next_s = greeted + 1, now_s + GREET_AGAIN_S
             chunk = port.read()
             heard_bytes += len(chunk)
+            sample += chunk[: KEPT - len(sample)]
             for heard in decoder.feed(chunk):
                 if heard.frame.kind == Kind.HELLO:
                     hello = _checked(heard.frame.payload, name)
@@ -34,8 +38,8 @@ def greet(port: Port, name: str) -> tuple[Hello, bytes]:
     except Unplugged as error:
         raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
     if heard_bytes:
-        problem = f"sent {heard_bytes} bytes and no HELLO in {SILENCE_S:g} s"
-        raise BadInput(name, "device", problem, "check --baud, and the firmware against docs/protocol.md")
+        what, mend = guess(sample, baud)
+        raise BadInput(name, "device", f"{what} ({heard_bytes} bytes and no HELLO in {SILENCE_S:g} s)", mend)
     mend = "check the cable, the power and that this is the rig's port"
     raise BadInput(name, "device", f"said nothing for {SILENCE_S:g} s", mend)
 

@@ -1,4 +1,4 @@
-"""recording.frames while it grows: append only, never over another one, on the disk at most a second late."""
+"""A recording while it grows: append only, never over another one, on the disk at most a second late."""
 
 import fcntl
 import os
@@ -10,6 +10,7 @@ from pipeline.run_yaml import RUN_NAME
 from pipeline.runs import RECORDINGS
 
 NAME = "recording.frames"
+LINES = "recording.lines"  # of a rig that prints text
 SYNC_S = 1.0
 
 
@@ -19,7 +20,7 @@ def check_folder(folder: Path) -> None:
     if not RUN_NAME.fullmatch(name):
         mend = "use lower-case letters, digits and -, as in uhmwpe-20261121-01"
         raise BadInput(folder, "RUN_DIR", f"{name!r} is no name of a run", mend)
-    for there in (*RECORDINGS, "capture.json"):
+    for there in (*RECORDINGS, LINES, "capture.json"):
         if (folder / there).exists():
             raise BadInput(folder, there, "is there already and is never overwritten", "choose a new run name")
 
@@ -34,15 +35,18 @@ def sync_folder(folder: Path) -> None:
 
 
 class Log:
-    """The recording of a new run: made on opening, locked while open."""
+    """The recording of a new run: made on opening, locked while open; raises BadInput when it cannot be made."""
 
-    def __init__(self, folder: Path) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
+    def __init__(self, folder: Path, name: str = NAME) -> None:
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
         try:
-            self._file = os.open(folder / NAME, flags, 0o644)
+            folder.mkdir(parents=True, exist_ok=True)
+            self._file = os.open(folder / name, flags, 0o644)
         except FileExistsError:
-            raise BadInput(folder, NAME, "is there already", "choose a new run name") from None
+            raise BadInput(folder, name, "is there already", "choose a new run name") from None
+        except OSError as error:
+            mend = "make room there, or choose a folder in which you may write"
+            raise BadInput(folder, name, f"cannot be made ({error.strerror})", mend) from None
         fcntl.flock(self._file, fcntl.LOCK_EX)
         sync_folder(folder)
         self._synced_s = time.monotonic()
@@ -58,6 +62,12 @@ class Log:
         """Put everything written so far on the disk."""
         os.fdatasync(self._file)
         self._synced_s = time.monotonic()
+
+    @property
+    def free_bytes(self) -> int:
+        """Room on its disk."""
+        state = os.fstatvfs(self._file)
+        return state.f_bavail * state.f_frsize
 
     def close(self) -> None:
         """Release it."""

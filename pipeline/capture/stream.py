@@ -36,7 +36,8 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int]) -> Outc
             chunk = port.read()
             outcome, used, end_seq = _look(decoder, progress, hello, chunk, stopped)
             log.append(chunk[:used])
-            progress.show()
+            progress.bad = decoder.bad
+            progress.show(log.free_bytes)
             now_s = time.monotonic()
             heard_s = now_s if chunk else heard_s
             if outcome is not None:

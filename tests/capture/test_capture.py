@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pipeline.capture.__main__ import plain
 from pipeline.capture.handshake import check_rate
 from pipeline.errors import BadInput
 from pipeline.rig.device import Device
@@ -113,7 +114,7 @@ def test_capture_json_accounts_for_every_frame(recorded, simulated):
     frames = said["frames"]
     assert frames["sent"] == frames["received"] == len(simulated.samples) + len(simulated.events) + 2
     assert frames["lost"] == frames["bad"] == 0
-    assert said["samples"] == {"sent": len(simulated.samples), "received": len(simulated.samples)}
+    assert said["samples"] == {"sent": (count := len(simulated.samples)), "received": count, "out_of_order": 0}
     assert said["hello"]["device"] == "twistbench synthetic rig"
     assert said["started_utc"] <= said["ended_utc"]
 
@@ -242,3 +243,7 @@ def test_a_line_that_is_too_slow_is_refused(simulated):
     check_rate(simulated.hello, 115_200, "port")
     with pytest.raises(BadInput, match="115200"):
         check_rate(fast, 115_200, "port")
+
+
+def test_a_devices_text_cannot_command_the_terminal():
+    assert plain("rig \x1b]0;x\x07\x1b[2J\nµm\u202e") == "rig ?]0;x??[2J?µm?"

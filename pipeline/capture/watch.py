@@ -1,0 +1,65 @@
+"""While it records: what is wrong with the samples themselves, in a sentence said once."""
+
+import struct
+from collections import deque
+
+from pipeline.wire import Frame, Hello
+
+CODES = {"i8": "b", "u8": "B", "i16": "h", "u16": "H", "i32": "i", "u32": "I"}
+LOOKS_HZ = 50.0  # so many samples a second are looked at
+WINDOW_S = 3.0
+LEAST_TURNS = 3.0  # near the untwisted string a turn contracts less than a sensor can see
+WRONG_QUANTA = 5.0  # a displacement that moves less is noise
+
+
+class Watch:
+    """Looks at some samples of a recording: the newest values, and whether a sensor is frozen or reversed."""
+
+    def __init__(self, hello: Hello) -> None:
+        self.hello = hello
+        self.now: dict[str, float] = {}
+        self._layout = struct.Struct("<I" + "".join(CODES[channel.type] for channel in hello.channels))
+        self._every = max(1, round(hello.rate_hz / LOOKS_HZ))
+        self._seen = 0
+        size = max(2, round(WINDOW_S * hello.rate_hz / self._every))
+        self._past: deque[tuple[float, float]] = deque(maxlen=size)  # turns, mm
+        self._travel = 0.0  # turns since the displacement last changed
+        self._said: set[str] = set()
+        self._quantum_mm = next((abs(c.scale) for c in hello.channels if c.name == "displacement_mm"), 0.0)
+
+    def look(self, frame: Frame) -> str | None:
+        """Take note of a SAMPLE; a sentence when something new is wrong."""
+        self._seen += 1
+        if len(frame.payload) != self._layout.size:
+            return self._say("size", "samples are not of the size that HELLO declares, so they cannot be read")
+        if self._seen % self._every:
+            return None
+        _, *numbers = self._layout.unpack(frame.payload)
+        channels = self.hello.channels
+        self.now = {c.name: c.scale * n + c.offset for c, n in zip(channels, numbers, strict=True)}
+        turns, measured_mm = self.now.get("motor_turns"), self.now.get("displacement_mm")
+        if turns is None or measured_mm is None:
+            return None
+        self._travel += abs(turns - self._past[-1][0]) if self._past else 0.0
+        if self._past and measured_mm != self._past[-1][1]:
+            self._travel = 0.0
+        self._past.append((turns, measured_mm))
+        if self._travel >= LEAST_TURNS:
+            turned = f"displacement_mm has not changed while the motor turned {LEAST_TURNS:g} turns"
+            return self._say("frozen", f"{turned}: check the sensor and its cable")
+        if self._wrong_way():
+            mend = "contraction is positive: swap the sensor's sign in the firmware, or set scale to -1 in run.yaml"
+            return self._say("reversed", f"displacement_mm falls while the motor winds; {mend}")
+        return None
+
+    def _wrong_way(self) -> bool:
+        """Whether the displacement fell from the least to the most twisted of the last seconds, by more than noise."""
+        least, most = (pick(self._past, key=lambda one: abs(one[0])) for pick in (min, max))
+        wound = abs(most[0]) - abs(least[0])
+        return wound >= LEAST_TURNS and most[1] - least[1] < -WRONG_QUANTA * self._quantum_mm
+
+    def _say(self, what: str, sentence: str) -> str | None:
+        if what in self._said:
+            return None
+        self._said.add(what)
+        return sentence

@@ -1,0 +1,76 @@
+"""What is wrong is said in a sentence, and what is right is not complained of."""
+
+import random
+import struct
+
+import numpy as np
+import pytest
+from faults.scripted_device import received
+
+from pipeline.capture.guess import guess
+from pipeline.capture.watch import Watch
+from pipeline.rig.setup import read_setup
+from pipeline.rig.simulate import simulate
+from pipeline.wire import Channel, Frame, Hello, Kind, encode
+
+RATE_HZ = 100.0
+CHANNELS = (Channel("motor_turns", "turns", "i32", 0.01), Channel("displacement_mm", "mm", "i16", 0.02))
+HELLO = Hello("a rig", "1.0", "00000001", RATE_HZ, 2, CHANNELS)
+
+
+FRAMES = b"".join(encode(Kind.SAMPLE, seq, struct.pack("<IiH", seq * 1000, seq * 41, seq * 3)) for seq in range(300))
+TEXT = b"".join(b"%d,%.2f\r\n" % (number, number * 0.1) for number in range(200))
+NOISE = random.Random(1).randbytes(3000)
+OTHER = b"".join(random.Random(seed).randbytes(24).replace(b"\0", b"\1") + b"\0" for seed in range(100))
+
+
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [
+        (FRAMES, "answers no GREET"),
+        (TEXT, "lines of text"),
+        (NOISE, "noise"),
+        (OTHER, "another protocol"),
+        *((received(data, faster), "lower baud rate") for data in (FRAMES, TEXT) for faster in (2, 4, 8)),
+    ],
+)
+def test_what_a_port_sends_is_guessed(heard, said):
+    assert said in guess(heard, 115_200)[0]
+
+
+def watched(turns, measured_mm) -> list[tuple[float, str]]:
+    watch, said = Watch(HELLO), []
+    for number, (turn, mm) in enumerate(zip(turns, measured_mm, strict=True)):
+        payload = struct.pack("<Iih", number * 10_000, round(turn / 0.01), round(mm / 0.02))
+        said.append(watch.look(Frame(Kind.SAMPLE, number, payload)))
+    return [(number / RATE_HZ, one) for number, one in enumerate(said) if one]
+
+
+TURNS = np.interp(np.arange(1200) / RATE_HZ, [1, 6, 7, 12], [0, 15, 15, 0])
+CONTRACTION_MM = 0.03 * TURNS**2
+
+
+def test_a_good_recording_is_not_complained_of():
+    noise = np.random.default_rng(1).normal(0, 0.05, len(TURNS))
+    assert watched(TURNS, CONTRACTION_MM) == watched(TURNS, CONTRACTION_MM + noise) == []
+
+
+@pytest.mark.parametrize("setup", ["small", "paper"])
+def test_the_synthetic_rig_is_not_complained_of(setup):
+    simulated = simulate(read_setup(setup), 3)
+    watch = Watch(simulated.hello)
+    assert not [1 for sample in simulated.samples if watch.look(Frame(Kind.SAMPLE, 0, sample.tobytes()))]
+
+
+def test_a_frozen_displacement_is_told_once_and_soon():
+    ((said_s, sentence),) = watched(TURNS, np.full(len(TURNS), 7.0))
+    assert "has not changed" in sentence and said_s < 1 + 3.0
+
+
+def test_a_displacement_that_goes_the_wrong_way_is_told_once_and_soon():
+    ((said_s, sentence),) = watched(TURNS, 30 - CONTRACTION_MM)
+    assert "falls while the motor winds" in sentence and said_s < 1 + 3.0
+
+
+def test_samples_of_another_size_are_told():
+    assert "not of the size" in Watch(HELLO).look(Frame(Kind.SAMPLE, 1, b"123"))

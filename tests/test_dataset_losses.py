@@ -1,0 +1,68 @@
+"""Strokes in which samples were lost are left out of the dataset unless told otherwise."""
+
+import json
+import subprocess
+import sys
+
+import pandas as pd
+import pytest
+
+from pipeline import schemas
+from pipeline.dataset import touched
+
+STROKES = pd.DataFrame(
+    {
+        "stroke": [0, 1, 1, 1, 2, 2],
+        "phase": ["rest", "winding", "rest", "unwinding", "winding", "unwinding"],
+        "first_sample": [0, 10, 20, 30, 40, 50],
+        "last_sample": [9, 19, 29, 39, 49, 59],
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("after", "strokes"),
+    [
+        ([], set()),
+        ([5], set()),
+        ([10], {1}),
+        ([25], set()),
+        ([35], {1}),
+        ([40], {1, 2}),
+        ([60], {2}),
+        ([15, 55], {1, 2}),
+    ],
+)
+def test_a_gap_touches_the_stroke_in_whose_movement_it_lies(after, strokes):
+    for kind in ("gaps", "holes"):
+        assert touched(STROKES, {kind: [{"after_samples": one} for one in after]}) == strokes
+
+
+def test_gaps_that_are_no_longer_listed_may_be_anywhere_later():
+    assert touched(STROKES, {"gaps": [{"after_samples": 25}] * 1000}) == {1, 2}
+    assert touched(STROKES, {}) == set()
+
+
+def made(folder, processed, out, *options):
+    command = [sys.executable, "-m", "pipeline.dataset", str(folder), "--processed", str(processed), "--out", str(out)]
+    done = subprocess.run([*command, *options], capture_output=True, text=True)
+    return done, schemas.read(out, schemas.DATASET) if done.returncode == 0 else None
+
+
+def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
+    folder, processed = make_run("run-1"), tmp_path / "processed"
+    samples = processed / "run-1" / "samples.parquet"
+    for stage, read in (("ingest", folder), ("strokes", samples)):
+        out = samples if stage == "ingest" else samples.with_name("strokes.parquet")
+        command = [sys.executable, "-m", f"pipeline.{stage}", str(read), "--out", str(out)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+    strokes = schemas.read(samples.with_name("strokes.parquet"), schemas.STROKES)
+    second = strokes[(strokes["stroke"] == 2) & (strokes["phase"] == "winding")].iloc[0]
+    (folder / "capture.json").write_text(json.dumps({"gaps": [{"after_samples": int(second["first_sample"]) + 3}]}))
+    done, left = made(folder, processed, tmp_path / "left.parquet")
+    assert "strokes 2: left out" in done.stdout and 2 not in set(left["stroke"])
+    done, kept = made(folder, processed, tmp_path / "kept.parquet", "--keep-lossy")
+    assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(
+        kept["stroke"]
+    )
