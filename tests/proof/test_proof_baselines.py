@@ -25,7 +25,7 @@ def folder(tmp_path_factory):
     """A recording in which friction hides, three noise floors of it."""
     path = tmp_path_factory.mktemp("raw") / "friction"
     case = draw_case(5, "single", "rich", ["friction_hysteresis"], [3.0])
-    write_run(case.bench.described("friction", not case.load_cell), performed(case), path)
+    write_run(case.bench.described("friction", not case.load_cell), performed(case).table, path)
     return path
 
 
