@@ -61,11 +61,11 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
 
 
 def described(run: Run, field: str) -> Any:
-    """What `run.yaml` says of a thing that runs of one rig must share: the load and the strokes before may differ."""
+    """What `run.yaml` says of a thing that runs of one rig must share: not load, strokes before and id."""
     value = getattr(run, field)
     if field == "rig":
         return {key: one for key, one in value.items() if key != "load_n"}
-    return value.model_copy(update={"strokes_before": 0}) if field == "string" and value else value
+    return value.model_copy(update={"strokes_before": 0, "id": None}) if field == "string" and value else value
 
 
 def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
@@ -78,8 +78,11 @@ def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
         return None
 
 
-def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[str, bool]:
-    """Words on one run, or its error, and whether that counts as done; `note` writes a refusal where words would be."""
+def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[str, bool | None]:
+    """Words on one run, or its error, and whether that counts as done, None for a fault of ours.
+
+    `note` writes a refusal where the words would be.
+    """
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     try:
         return diagnose([folder], out / folder.resolve().name, without=without), True
@@ -88,7 +91,7 @@ def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[
             write_text(out / folder.resolve().name / "verdict.txt", f"{folder.name}: not decided: {error}\n")
         return f"error: {error}", note
     except Exception:  # a fault of ours in one run must not cost the others
-        return f"error: {folder}: the diagnosis failed, please report it:\n{traceback.format_exc()}", False
+        return f"error: {folder}: the diagnosis failed, please report it:\n{traceback.format_exc()}", None
 
 
 @program
@@ -113,7 +116,7 @@ def main() -> int:
     if arguments.together:
         print(diagnose(folders, arguments.out, together=True, without=without))
         return 0
-    outcomes: list[tuple[str, bool]] = []
+    outcomes: list[tuple[str, bool | None]] = []
     if arguments.jobs > 1 and len(folders) > 1:
         with ProcessPoolExecutor(arguments.jobs) as pool:
             waiting: list[Any] = [
@@ -124,7 +127,7 @@ def main() -> int:
         outcomes = [_one(folder, arguments.out, without, arguments.note_refusals) for folder in folders]
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
-    return 0 if all(fine for _, fine in outcomes) else 2
+    return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2
 
 
 if __name__ == "__main__":

@@ -229,6 +229,15 @@ def test_what_cannot_be_diagnosed_is_named_and_the_rest_is(conceal, tmp_path, mo
     monkeypatch.setattr(diagnose, "read_samples", lambda folder: 1 / 0)
     said, fine = diagnose._one(good, tmp_path / "out", frozenset(), note=True)
     assert not fine and "ZeroDivisionError" in said and not (tmp_path / "out").exists()
+    assert command("pipeline.diagnose", good, "--out", tmp_path / "out").returncode == 1  # no bad input
+
+
+def test_runs_of_one_string_may_name_it_or_not(conceal, tmp_path) -> None:
+    first, _ = conceal()
+    later = edited(first, tmp_path / "later", string=string_of(first) | {"id": first.name, "strokes_before": 5})
+    thick = edited(first, tmp_path / "thick", string=string_of(first) | {"radius_mm": 0.7})
+    one, same, other = (diagnose.described(read_samples(folder)[0], "string") for folder in (first, later, thick))
+    assert one == same != other
 
 
 def test_a_coarse_sensor_does_not_stick(conceal) -> None:
