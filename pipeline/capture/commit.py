@@ -20,9 +20,8 @@ SCHEMA = 1
 GAPS = 1000  # so many are listed; they are counted all
 
 
-def account(data: bytes, recording: Recording, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
-    """Content of capture.json; sent = received + lost holds for its frames."""
-    frames = recording.account
+def opening(data: bytes, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+    """What capture.json says of any recording: when it was made, how it ended, and which bytes it is."""
     return {
         "schema": SCHEMA,
         "exit_status": outcome.status,
@@ -31,6 +30,14 @@ def account(data: bytes, recording: Recording, began: datetime, ended: datetime,
         "ended_utc": ended.astimezone(UTC).isoformat(timespec="milliseconds"),
         "bytes": len(data),
         "sha256": hashlib.sha256(data).hexdigest(),
+    }
+
+
+def account(data: bytes, recording: Recording, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+    """Content of capture.json; sent = received + lost holds for its frames."""
+    frames = recording.account
+    return {
+        **opening(data, began, ended, outcome),
         "frames": {
             "sent": frames.sent,
             "received": frames.received,

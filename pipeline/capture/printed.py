@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.capture.commit import SCHEMA, seal
+from pipeline.capture.commit import opening, seal
 from pipeline.capture.lines import LISTED, MAX_LINE, names, read_lines
 from pipeline.capture.log import LINES, Log, in_use
 from pipeline.capture.port import Port, Unplugged
@@ -83,13 +83,7 @@ def commit_lines(
         raise BadInput(folder / LINES, "header", "no line names the columns", mend)
     csv, holes = table.csv, table.holes()
     info = {
-        "schema": SCHEMA,
-        "exit_status": outcome.status,
-        "fault": outcome.fault,
-        "started_utc": began.astimezone(UTC).isoformat(timespec="milliseconds"),
-        "ended_utc": ended.astimezone(UTC).isoformat(timespec="milliseconds"),
-        "bytes": len(data),
-        "sha256": hashlib.sha256(data).hexdigest(),
+        **opening(data, began, ended, outcome),
         "csv_sha256": hashlib.sha256(csv.encode()).hexdigest(),
         "columns": list(table.columns),
         "samples": {"sent": None, "received": len(table.rows)},
