@@ -20,13 +20,17 @@ from pipeline.kinematics import Array
 from pipeline.recording import read_table, to_samples
 from pipeline.run_yaml import parse_run
 
+LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
+
 
 def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
     """Time stamps that rise strictly, and how often each rule was needed.
 
     `backward_time_stamps`: where the clock falls back for good, all that follows is moved to one usual step after the
     sample before; a single stamp that falls back, or leaps ahead, is put between its neighbours.
-    `repeated_time_stamps`: samples that share a stamp are spread evenly up to the next. No sample is dropped.
+    `repeated_time_stamps`: samples that share a stamp are spread evenly up to the next. `leaping_time_stamps`: the
+    first or the last stamp, where it stands apart by ten usual steps and by more than any other gap, is moved to one
+    usual step from its neighbour. No sample is dropped.
     """
     time_s = np.array(time_s)
     steps = np.diff(time_s)
@@ -49,7 +53,16 @@ def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
         gap_s = min(gap_s, same * usual_s) if gap_s > 2 * same * usual_s else gap_s  # a gap stays a gap
         time_s[start:following] += gap_s * np.arange(same) / same
         repeated += int(same) - 1
-    mended = {"backward_time_stamps": backward, "repeated_time_stamps": repeated}
+    steps, leaping = np.diff(time_s), 0
+    for end, beside in ((0, 1), (-1, -2)) if len(steps) > 2 else ():
+        if steps[end] > max(LEAP * usual_s, *np.delete(steps, end)):
+            time_s[end] = time_s[beside] + np.sign(time_s[end] - time_s[beside]) * usual_s
+            leaping += 1
+    mended = {
+        "backward_time_stamps": backward,
+        "repeated_time_stamps": repeated,
+        "leaping_time_stamps": leaping,
+    }
     return time_s, {rule: times for rule, times in mended.items() if times}
 
 

@@ -1,8 +1,9 @@
-"""A recording, in whatever form it lies in a run folder, as a table of channels in our units."""
+"""A recording, in whatever form it lies in a run folder or came from a logger, as a table of channels in our units."""
 
 import gzip
 import hashlib
 import io
+import re
 import warnings
 import zlib
 from pathlib import Path
@@ -11,6 +12,8 @@ import numpy as np
 import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
+import scipy.io
+from scipy.io.matlab import MatReadError
 
 from pipeline import wire
 from pipeline.errors import BadInput
@@ -19,22 +22,25 @@ from pipeline.runs import capture_info, recording_path
 from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS
 from pipeline.units import conversion
 
+GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
+
 
 def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     """Text table of numbers as it stands in the file; columns have their header's names or indices from 0.
 
     Raises BadInput for a file that is empty, is not text, or holds something else than numbers.
     """
-    opened = gzip.open if path.suffix == ".gz" else open
     try:
-        with opened(path, "rb") as file:
-            text = file.read().decode(layout.encoding)
+        content = path.read_bytes()
+        text = (gzip.decompress(content) if content[:2] == GZIP else content).decode(layout.encoding)
     except (OSError, EOFError, zlib.error) as error:
         raise BadInput(path, "file", f"cannot be read ({error})", "copy it again from the logger") from None
     except (UnicodeDecodeError, LookupError):
         mend = "set file.encoding, latin1 for instance"
         raise BadInput(path, "file.encoding", f"is not {layout.encoding}", mend) from None
-    lines = [line for line in text.splitlines() if line.strip()]
+    lines = [
+        line for line in re.split(r"\r\n|\n|\r", text) if line.strip()
+    ]  # splitlines knows breaks that latin1 reuses
     if layout.comment:
         lines = [line for line in lines if not line.lstrip().startswith(layout.comment)]
     if len(lines) <= layout.header:
@@ -58,8 +64,32 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     return table
 
 
+def read_matlab(path: Path) -> pd.DataFrame:
+    """Vectors of a MATLAB file, those as long as its longest, one column each under the variable's name.
+
+    Raises BadInput for a file that is not MATLAB's, is of its version 7.3, or holds no vector of numbers.
+    """
+    try:
+        variables = scipy.io.loadmat(path)
+    except NotImplementedError:
+        mend = "save it again in MATLAB with save(..., '-v7')"
+        raise BadInput(path, "file", "is of MATLAB's version 7.3 (HDF5), which is not read", mend) from None
+    except (OSError, ValueError, TypeError, zlib.error, MatReadError) as error:
+        raise BadInput(path, "file", f"is not a MATLAB file ({error})", "copy it again") from None
+    arrays = {name: np.asarray(value) for name, value in variables.items() if not name.startswith("__")}
+    vectors = {
+        name: value.ravel() for name, value in arrays.items() if value.dtype.kind in "fiu" and value.size in value.shape
+    }
+    longest = max((value.size for value in vectors.values()), default=0)
+    if longest < 2:
+        raise BadInput(path, "file", "holds no vector of numbers", "save each channel as a vector of its own")
+    return pd.DataFrame({name: value for name, value in vectors.items() if value.size == longest})
+
+
 def read_table(path: Path, layout: TextFile) -> pd.DataFrame:
-    """Raw table of a foreign recording, text or Parquet, as it stands in the file; raises BadInput."""
+    """Raw table of a foreign recording, text, MATLAB or Parquet, as it stands in the file; raises BadInput."""
+    if path.suffix.lower() == ".mat":
+        return read_matlab(path)
     if path.suffix != ".parquet":
         return read_text(path, layout)
     try:

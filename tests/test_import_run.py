@@ -132,6 +132,10 @@ def test_the_program_exits_2_on_bad_input(foreign):
         ([0, 1, 9, 3, 4, 5], [0, 1, 2, 3, 4, 5], {"backward_time_stamps": 1}),
         ([0, 1, 2, 0, 1, 2], [0, 1, 2, 3, 4, 5], {"backward_time_stamps": 1}),
         ([0, 1, 2, 3, 3], [0, 1, 2, 3, 4], {"repeated_time_stamps": 1}),
+        ([0, 1, 2, 3, 99], [0, 1, 2, 3, 4], {"leaping_time_stamps": 1}),
+        ([-99, 1, 2, 3, 4], [0, 1, 2, 3, 4], {"leaping_time_stamps": 1}),
+        ([0, 1, 2, 3, 9], [0, 1, 2, 3, 9], {}),
+        ([0, 1, 50, 51, 90], [0, 1, 50, 51, 90], {}),
     ],
 )
 def test_mended_time(stamps, mended, rules):
