@@ -121,9 +121,7 @@ def test_odd_clocks_import_and_lose_no_sample(tmp_path, change):
     mended |= {"leap": {"leaping_time_stamps": 1}}
     if change != "jitter":  # which three decimals can turn into repeated stamps
         assert run.mended == mended.get(change, {})
-    assert (
-        samples["time_s"].to_numpy() == pytest.approx(np.round(np.sort(table[:, 0]), 3), abs=0.06) or change == "leap"
-    )
+    assert samples["time_s"].to_numpy()[:-1] == pytest.approx(np.sort(table[:-1, 0]), abs=0.06)
     assert samples["time_s"].iloc[-1] < 4.01
 
 
