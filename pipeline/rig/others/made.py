@@ -1,0 +1,75 @@
+"""What a made recording is: its samples, its run.yaml, and the truth, which never goes into the run folder."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import yaml
+
+from pipeline import schemas
+from pipeline.files import write_text
+from pipeline.kinematics import Array
+
+NOISES = ("none", "usual", "trap")
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One concealed effect: the contract's name for it (None: outside the library), the size's unit and meaning."""
+
+    mechanism: str | None
+    unit: str
+    size: str
+
+
+@dataclass(frozen=True)
+class Made:
+    """A recording (`time_s` and the channels, one row a sample), the content of its run.yaml, and what was hidden.
+
+    `truth` has `parameters` (the rig's true ones), `noise` and, for each effect, `mechanism`, `size`, `unit`, `rms`
+    (in the measured channel's unit, what switching it off takes away) and `parameters` (the drawn ones that say its
+    shape). `hidden`, of the samples' rows, holds what no sensor says: each effect's part of the channel, and the truth.
+    """
+
+    samples: pd.DataFrame
+    run: dict[str, Any]
+    truth: dict[str, Any]
+    hidden: pd.DataFrame
+
+
+def check(effects: Mapping[str, float], kinds: Mapping[str, Kind], noise: str) -> None:
+    """Raise ValueError for an effect, a size or a noise that no rig of this kind can have."""
+    for name, size in effects.items():
+        if name not in kinds:
+            raise ValueError(f"{name} is not an effect of this rig; known are {', '.join(kinds)}")
+        if kinds[name].unit == "s" and size < 0:
+            raise ValueError(f"{name} is {size:g} s; a time is positive")
+    if noise not in NOISES:
+        raise ValueError(f"noise is {noise!r}; known are {', '.join(NOISES)}")
+
+
+def told(
+    kinds: Mapping[str, Kind], sizes: Mapping[str, float], parts: Mapping[str, Array], drawn: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The truth about every effect, by its name."""
+    return {
+        name: {
+            "mechanism": kinds[name].mechanism,
+            "size": size,
+            "unit": kinds[name].unit,
+            "rms": float(np.sqrt(np.mean(parts[name] ** 2))),
+            "parameters": dict(drawn.get(name, {})),
+        }
+        for name, size in sizes.items()
+    }
+
+
+def write_run(made: Made, folder: Path) -> Path:
+    """Write a run folder, run.yaml and recording.parquet, named after the folder; the truth stays out of it."""
+    schemas.write(made.samples, schemas.samples(list(made.samples.columns)), folder / "recording.parquet")
+    content = {"run": folder.resolve().name, **{key: value for key, value in made.run.items() if key != "run"}}
+    write_text(folder / "run.yaml", yaml.safe_dump(content, sort_keys=False))
+    return folder
