@@ -24,10 +24,10 @@ EFFECTS = {
     "backlash": Kind("backlash", "deg", "width of the play, of the motor"),
     "sensor_lag": Kind("sensor_lag", "s", "dead time and poles of the jaw encoder together"),
     "creep": Kind("creep", "deg", "lengthening after 20 s under 0.05 Nm"),
-    "sensor_drift": Kind("sensor_drift", "deg", "what the jaw's zero has moved in the end"),
-    "sensor_offset": Kind("sensor_offset", "deg", "constant angle of the jaw"),
-    "clamp_slip": Kind("clamp_slip", "deg", "jump of the jaw, once"),
-    "x_kink": Kind(None, "deg", "height of a hump at one angle, the same both ways"),
+    "sensor_drift": Kind("sensor_drift", "deg", "what the jaw's zero has moved in the end", signed=True),
+    "sensor_offset": Kind("sensor_offset", "deg", "constant angle of the jaw", signed=True),
+    "clamp_slip": Kind("clamp_slip", "deg", "jump of the jaw, once", signed=True),
+    "x_kink": Kind(None, "deg", "height of a hump at one angle, the same both ways", signed=True),
 }
 
 
@@ -106,7 +106,7 @@ def _jaw(
 
     cable_deg, torque_nm = asked.motor_deg, asked.torque_nm
     if sizes.get("backlash"):
-        lost_deg = parts.play_lost(asked.motor_deg, abs(sizes["backlash"]), drawn["backlash"]["soft"])
+        lost_deg = parts.play_lost(asked.motor_deg, sizes["backlash"], drawn["backlash"]["soft"])
         cable_deg = cable_deg - lost_deg * strength("backlash") / sizes["backlash"]
     jaw_deg = gear * cable_deg
     if sizes.get("friction_hysteresis"):

@@ -23,6 +23,7 @@ class Kind:
     mechanism: str | None
     unit: str
     size: str
+    signed: bool = False
 
 
 @dataclass(frozen=True)
@@ -45,8 +46,8 @@ def check(effects: Mapping[str, float], kinds: Mapping[str, Kind], noise: str) -
     for name, size in effects.items():
         if name not in kinds:
             raise ValueError(f"{name} is not an effect of this rig; known are {', '.join(kinds)}")
-        if kinds[name].unit == "s" and size < 0:
-            raise ValueError(f"{name} is {size:g} s; a time is positive")
+        if size < 0 and not kinds[name].signed:
+            raise ValueError(f"{name} is {size:g} {kinds[name].unit}; it must be positive")
     if noise not in NOISES:
         raise ValueError(f"noise is {noise!r}; known are {', '.join(NOISES)}")
 

@@ -21,8 +21,8 @@ ALIKE_HZ = 30.0  # up to which an encoder's lag is told as force
 EFFECTS = {
     "viscous_loss": Kind("viscous_loss", "N s/m", "force over speed at 0.1 m/s"),
     "friction_hysteresis": Kind("friction_hysteresis", "N", "sliding friction well above the Stribeck speed"),
-    "sensor_offset": Kind("sensor_offset", "N", "constant force of the amplifier"),
-    "sensor_drift": Kind("sensor_drift", "N", "what the amplifier's zero has moved in the end"),
+    "sensor_offset": Kind("sensor_offset", "N", "constant force of the amplifier", signed=True),
+    "sensor_drift": Kind("sensor_drift", "N", "what the amplifier's zero has moved in the end", signed=True),
     "sensor_lag": Kind("sensor_lag", "s", "dead time and pole of the position encoder together"),
     "eccentricity": Kind("eccentricity", "N", "amplitude of the cogging, once per turn of the screw"),
     "rail_friction": Kind(
