@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
+from pipeline.kinematics import TOLERANCE
 from pipeline.recorded import Recorded, in_order, read_recorded, tare_mm
-from pipeline.run_yaml import TOLERANCE
 from pipeline.runs import capture_info
 
 TRAINING_POINTS = 5000  # as in the paper

@@ -50,12 +50,12 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
-    content = verdict.diagnosis(found, fine, held, runs, experiment)
+    content = verdict.diagnosis(found, fine, held, runs, experiment, without)
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
-    words = sentences.sentences(content, problem.system.channel.rpartition("_")[2], sentences.left_tolerance(found))
+    words = sentences.sentences(content, problem.system, sentences.left_tolerance(found))
     write_text(out / "verdict.txt", words + "\n")
     return words
 

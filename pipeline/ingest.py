@@ -12,7 +12,6 @@ from pipeline.kinematics import Geometry
 from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
 from pipeline.runs import read_run, recording_path
-from pipeline.schemas import CHANNELS
 from pipeline.strokes import segment
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
@@ -112,7 +111,7 @@ def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
     check_clock(samples, path)
     if run.actuator in STRING_ACTUATORS:
         check_string(samples, geometry(run), path)
-    segment(samples, CHANNELS[run.actuator][0], path)
+    segment(samples, run.system.driver, path)
 
 
 def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:

@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Values = Any  # a float or an array that broadcasts with the others
 
+# One sigma of how well each dimension was measured, unless run.yaml says otherwise; the radius relative.
+TOLERANCE = {"radius": 0.03, "separator_mm": 0.5, "torsion_zone_mm": 1.0, "length_mm": 2.0}
 RAD_PER_TURN = 2.0 * np.pi
 DIMENSIONS = ("radius_mm", "length_mm", "stiffness_n_per_mm", "torsion_zone_mm", "separator_mm")
 

@@ -19,7 +19,6 @@ from pipeline import wire
 from pipeline.errors import BadInput
 from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run, TextFile
 from pipeline.runs import capture_info, recording_path
-from pipeline.schemas import CHANNELS, OPTIONAL_CHANNELS
 from pipeline.units import conversion
 
 GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
@@ -126,8 +125,8 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
 
     A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. Raises BadInput.
     """
-    required = ("time_s", *CHANNELS[run.actuator])
-    known = (*required, *OPTIONAL_CHANNELS)
+    known = run.system.columns
+    required = known[:3]
     for name in run.channels:
         if name not in known:
             mend = f"use one of {', '.join(known)}"

@@ -3,18 +3,16 @@
 import difflib
 import re
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import BadInput
+from pipeline.systems import System, systems
 
 RUN_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 MATERIAL_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 STRING_ACTUATORS = ("separator", "twisted_pair")
-
-# One sigma of how well each dimension was measured, unless run.yaml says otherwise; the radius relative.
-TOLERANCE = {"radius": 0.03, "separator_mm": 0.5, "torsion_zone_mm": 1.0, "length_mm": 2.0}
 
 
 def _no_bool(value: Any) -> Any:
@@ -72,7 +70,7 @@ class Run(_Section):
     """`run.yaml`, checked: lengths in mm, forces in N, as their names say."""
 
     run: str
-    actuator: Literal["separator", "twisted_pair", "cable_drive", "moving_mass"] = "separator"
+    actuator: str = Field("separator", description="the kind of rig")
     string: String | None = Field(None, description="the string: material, radius_mm, length_mm, stiffness_n_per_mm")
     rig: dict[str, Number] = Field(default_factory=dict, description="the rig's dimensions")
     tolerance: dict[str, Positive] = Field(default_factory=dict)
@@ -83,24 +81,32 @@ class Run(_Section):
 
     @model_validator(mode="after")
     def _actuator_has_its_parts(self) -> "Run":
-        if self.actuator not in STRING_ACTUATORS:
-            return self
-        if self.string is None:
+        known = systems()
+        if self.actuator not in known:
+            raise ValueError(
+                f"actuator: is {self.actuator!r}, of which nothing is known; use one of {', '.join(known)}"
+            )
+        system = known[self.actuator]
+        if system.needs_string and self.string is None:
             raise ValueError("string: is missing; add the string's material, radius_mm, length_mm, stiffness_n_per_mm")
-        known: tuple[str, ...] = ("torsion_zone_mm", "separator_mm", "load_n")
+        keys = {**system.rig, **system.optional_rig}
         for key, value in self.rig.items():
-            if key not in known:
-                raise ValueError(f"rig.{key}: is not a known key; {_meant(key, known)}")
-            if value < 0 or (value == 0 and key == "torsion_zone_mm"):
-                raise ValueError(f"rig.{key}: is {value:g}; give the length in mm or the load in N that was measured")
-        needed = ("torsion_zone_mm", "separator_mm") if self.actuator == "separator" else ()
-        for key in needed:
+            if key not in keys:
+                raise ValueError(f"rig.{key}: is not a known key; {_meant(key, keys)}")
+            if (value < 0 and key not in system.may_be_negative) or (value == 0 and key in system.never_zero):
+                raise ValueError(f"rig.{key}: is {value:g}; give {keys[key]} that was measured")
+        for key, meaning in system.rig.items():
             if key not in self.rig:
-                raise ValueError(f"rig.{key}: is missing; add the length in mm that you measured on the rig")
+                raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig")
         for key in self.tolerance:
-            if key not in TOLERANCE:
-                raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, TOLERANCE)}")
+            if key not in system.tolerance:
+                raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, system.tolerance)}")
         return self
+
+    @property
+    def system(self) -> System:
+        """The base simulator of the rig, and what a recording of it holds."""
+        return systems()[self.actuator]
 
     @property
     def string_id(self) -> str:

@@ -11,16 +11,8 @@ from pipeline.files import whole
 
 UNIT = {  # by the ending of a column's name
     "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
-    "_deg": "deg", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm",
+    "_deg": "deg", "_rad": "rad", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm", "_v": "V", "_kg": "kg",
 }  # fmt: skip
-# The channels that a run can have besides time_s: the driver (what the motor does), then what is measured.
-CHANNELS = {
-    "separator": ("motor_turns", "displacement_mm"),
-    "twisted_pair": ("motor_turns", "displacement_mm"),
-    "cable_drive": ("motor_deg", "jaw_deg"),
-    "moving_mass": ("position_m", "force_n"),
-}
-OPTIONAL_CHANNELS = ("load_n", "temperature_c", "motor_current_a", "torque_nm")
 
 
 def unit_of(column: str) -> str:

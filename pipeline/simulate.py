@@ -20,9 +20,15 @@ from pipeline.kinematics import Array
 TARE_S = 1.0
 
 
-def state_of(content: dict[str, Any], problem: Problem, path: Path) -> State:
+def state_of(content: dict[str, Any], problem: Problem, path: Path, run: str) -> State:
     """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
     values = [value_of(content, one.name, path, one.nominal) for one in problem.parameters]
+    together = content.get("run")
+    if isinstance(together, list) and run in together[1:]:  # the zero of its motor is its own
+        names = [one.name for one in problem.parameters]
+        own = f"{problem.system.homed}_{together.index(run) + 1}"
+        if problem.system.homed and own in content["parameters"]:
+            values[names.index(problem.system.homed)] += value_of(content, own, path, 0.0)
     acts = acts_from(content["simulation"], problem.drivers, str(path))
     return State(np.array(values), np.zeros(problem.runs), acts)
 
@@ -66,8 +72,8 @@ def main() -> None:
     arguments = parser.parse_args()
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(arguments.simulation)
-    problem = at_own_rate([run], [samples])
-    predicted = problem.simulate(state_of(content, problem, arguments.simulation))
+    problem = at_own_rate([run], [samples], thin=False)
+    predicted = problem.simulate(state_of(content, problem, arguments.simulation, run.run))
     unit = problem.system.channel.rpartition("_")[2]
     if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
         predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)

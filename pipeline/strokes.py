@@ -24,7 +24,7 @@ HOLD_SPEED = 0.10  # of the speed at which the motor does half its travel: slowe
 HOLD_LEAST_S = 0.25
 SPEED_WINDOW_S = 0.2
 OUTLIER_SAMPLES = 5  # width of the median that keeps outliers of the motor channel out
-LEAST_RANGE = {"motor_turns": 0.1, "motor_deg": 1.0, "position_m": 1e-3}  # less is no stroke
+LEAST_RANGE = {"turns": 0.1, "deg": 1.0, "m": 1e-3}  # of the motion, by its unit: less is no stroke
 
 Indices = NDArray[np.intp]
 Phases = NDArray[np.object_]
@@ -145,7 +145,7 @@ def segment(samples: pd.DataFrame, driver: str, where: Path | str) -> pd.DataFra
     time_s, motion = samples["time_s"].to_numpy(), samples[driver].to_numpy()
     reach = float(np.subtract(*np.percentile(motion, [99.9, 0.1])))
     stroke, phase = label(time_s, motion)
-    if reach < LEAST_RANGE[driver] or not (phase[stroke > 0] == "winding").any():
+    if reach < LEAST_RANGE.get(schemas.unit_of(driver), 0.0) or not (phase[stroke > 0] == "winding").any():
         problem = f"there is no stroke in it: from {motion.min():.3g} to {motion.max():.3g} it never winds up"
         mend = "record at least one winding; is the column the motor's, and its unit right?"
         raise BadInput(where, driver, problem, mend)

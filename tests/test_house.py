@@ -43,7 +43,7 @@ def part(module):
 
 # the proof's only modules that may use the diagnosis; of them `twins` alone sees both hands
 BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins")
-GROUND = {"errors", "files", "kinematics", "schemas", "run_yaml", "runs", "units", "wire"}
+GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "units", "wire"}
 
 
 def test_the_ground_stands_on_nothing_but_the_ground():

@@ -116,7 +116,7 @@ def test_a_row_with_a_field_too_many_is_not_cut(make_run):
 
 def test_a_rig_without_string_may_describe_one(make_run):
     samples = GOOD.rename(columns={"motor_turns": "motor_deg", "displacement_mm": "jaw_deg"}).drop(columns="load_n")
-    _, read = read_samples(make_run("a-01", samples, actuator="cable_drive"))
+    _, read = read_samples(make_run("a-01", samples, actuator="cable_drive", rig={"gear_ratio": 0.9}))
     assert list(read.columns) == ["time_s", "motor_deg", "jaw_deg"]
 
 

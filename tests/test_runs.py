@@ -48,7 +48,7 @@ def test_a_good_run_is_taken_as_written():
         (changed("string", material="../etc"), "string.material", "correct it"),
         (changed("channels", motor_turns={"colum": 1}), "channels.motor_turns.colum", "did you mean 'column'"),
         (content("a-01", string=None), "string", "add the string's material"),
-        (content("a-01", actuator="winch"), "actuator", "correct it"),
+        (content("a-01", actuator="winch"), "actuator", "use one of cable_drive"),
         (content("a-01", run=None), "run", "add it"),
         (content("a-02"), "run", "make both the same"),
         ({**content("a-01"), "runn": "x"}, "runn", "did you mean 'run'"),

@@ -22,7 +22,9 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
             values = act.coefficients[at : at + len(terms)]
             at += len(terms)
             held = {term.name: value for term, value in zip(terms, values, strict=True) if value != 0.0}
-            parameters = {name: float(f"{value:.{DIGITS}g}") for name, value in {**shape, **held}.items()}
+            parameters = {
+                drivers.units.name(name): float(f"{value:.{DIGITS}g}") for name, value in {**shape, **held}.items()
+            }
             found.append({"id": act.id, "parameters": parameters})
     return found
 
@@ -54,18 +56,21 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
             raise BadInput(where, f"{field}.id", f"{id_!r} is not a mechanism of the library", mend)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
-        options = mechanism.shapes(drivers) or [dict.fromkeys(mechanism.units, 0.0)]
-        names = [set(shape) for shape in options] or [set()]
+        options = mechanism.shapes(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])
+        if not options:
+            raise BadInput(where, f"{field}.id", f"{id_!r} has no place in this rig or this recording", "remove it")
+        said = drivers.units.name
+        names = [{said(name) for name in shape} for shape in options] or [set()]
         fitting = [keys for keys in names if keys <= set(given)]
         if not fitting:
             raise BadInput(where, f"{field}.parameters", f"lacks one of {', '.join(sorted(names[0]))}", mend)
         keys = max(fitting, key=len)
-        order = next((list(shape) for shape in options if set(shape) == keys), sorted(keys))
-        shape = {name: float(given[name]) for name in order}
+        order = next(list(shape) for shape in options or [{}] if {said(name) for name in shape} == keys)
+        shape = {name: float(given[said(name)]) for name in order}
         terms = mechanism.terms(drivers, shape)
-        unknown = set(given) - keys - {term.name for term in terms}
+        unknown = set(given) - keys - {said(term.name) for term in terms}
         if unknown:
-            known = ", ".join([*order, *(term.name for term in terms)])
+            known = ", ".join(said(name) for name in [*order, *(term.name for term in terms)])
             raise BadInput(where, f"{field}.parameters.{sorted(unknown)[0]}", f"is not one of {known}", mend)
-        found.append(Act(id_, (shape,), tuple(float(given.get(term.name, 0.0)) for term in terms)))
+        found.append(Act(id_, (shape,), tuple(float(given.get(said(term.name), 0.0)) for term in terms)))
     return tuple(found)

@@ -1,8 +1,6 @@
 """Compare by Cox's idea: an explanation beats another if the gap between them is as large as its truth implies."""
 
-import numpy as np
-
-from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
+from pipeline.diagnosis.search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
 LEAST_GAP = 10.0
@@ -68,11 +66,11 @@ def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Expl
     if any(id_.startswith("x_") for id_ in chosen.ids):
         return []  # what has no physics may leave something
     left = chosen.energy - floor**2
+    least = max(LEAST_EFFECT * floor, INEXACT * search.mismatch(floor)) ** 2
     complete = [
         one
         for one in search.all_of(len(chosen.ids) + 1)[:TRIED]
-        if chosen.energy - one.energy >= max(COMPLETED * left, (LEAST_EFFECT * floor) ** 2)
-        and one.cost <= chosen.cost - LEAST_MORE
+        if chosen.energy - one.energy >= max(COMPLETED * left, least) and one.cost <= chosen.cost - LEAST_MORE
     ]
     return [one for one in complete if one is complete[0] or not beats(search, complete[0], one)]
 
@@ -87,8 +85,7 @@ def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], fl
     smaller = [search.explain(tuple(other for other in one.ids if other != id_)) for id_ in one.ids]
     small = min(smaller, key=lambda other: other.cost)
     bent, whole = search.bent(small), search.bent(one)
-    mismatch = float(np.sqrt(max(search.nothing.energy - floor**2, 0.0)))
-    if bent.energy - whole.energy > (FLAW * mismatch) ** 2 or not explains(search, small, floor):
+    if bent.energy - whole.energy > (FLAW * search.mismatch(floor)) ** 2 or not explains(search, small, floor):
         return None
     needed = REPLACED * (bent.cost - whole.cost)
     others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]

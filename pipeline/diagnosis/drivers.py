@@ -7,25 +7,35 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from pipeline.diagnosis.naming import Units
+from pipeline.diagnosis.record import Record
 from pipeline.diagnosis.recursions import play
 from pipeline.kinematics import Array
+from pipeline.run_yaml import Run
+from pipeline.systems import System
 
-LOAD_UNIT_N = 10.0
 SMOOTH_S = 0.12
+LOAD_MOVES, LEAST_LOAD = 0.05, 0.01  # of the usual load that tells what follows it; least usual load, in load units
 DEAD_BAND = 2e-3  # of the range of motion: smaller movements are encoder noise, not travel
 
 
 @dataclass(frozen=True)
 class Drivers:
-    """One value a sample. `turns` is the motion in turns; geometry at the nominal dimensions, lengths in mm."""
+    """One value a sample, in the system's units; geometry at the nominal dimensions."""
 
+    units: Units
     time_s: Array
-    turns: Array
-    load: Array  # in units of 10 N (or of the torque's usual size)
+    motion: Array
+    velocity: Array | None  # of the motion, where the system follows its derivatives
+    acceleration: Array
+    load: Array  # in the system's load units
     loaded: bool  # whether the load varies enough to tell what follows it
-    sine: Array  # of the helix angle: how much of the twist's arm reaches the contraction
-    tangent: Array  # of the helix angle
-    contraction: Array  # nominal model's, from its first value
+    levered: bool  # whether the transmission's lever changes with the motion
+    free_zero: bool  # whether the reading's zero is arbitrary
+    turn: float | None  # of the motion, one turn of the motor
+    sine: Array  # of the helix angle: how much of the twist's arm reaches the contraction; 1 without helix
+    tangent: Array  # of the helix angle; 1 without helix
+    contraction: Array  # nominal output travel, from its first value
     stroke: NDArray[np.intp]
     phase: NDArray[np.intp]
     first: NDArray[np.intp]  # samples since the start of the run
@@ -47,22 +57,22 @@ class Drivers:
 
     @cached_property
     def rate(self) -> Array:
-        """Twisting rate, turns/s."""
-        return self.slope(self.turns)
+        """Rate of the motion, per second."""
+        return self.slope(self.motion) if self.velocity is None else self.velocity
 
     @cached_property
     def span(self) -> float:
-        """Range of the motion, turns."""
-        return float(np.subtract(*np.percentile(self.turns, [99.9, 0.1])))
+        """Range of the motion."""
+        return float(np.subtract(*np.percentile(self.motion, [99.9, 0.1])))
 
     @cached_property
     def moved(self) -> Array:
-        """The motion without encoder noise, turns."""
-        return play(self.turns, np.full(len(self.turns), DEAD_BAND * self.span))
+        """The motion without encoder noise."""
+        return play(self.motion, np.full(len(self.motion), DEAD_BAND * self.span))
 
     @cached_property
     def path(self) -> Array:
-        """Travel of the motion since the start, turns."""
+        """Travel of the motion since the start."""
         return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(self.moved)))])
 
     def worked(self, load_power: float) -> Array:
@@ -74,8 +84,8 @@ class Drivers:
     @cached_property
     def _curve(self) -> tuple[Array, Array]:
         grid = np.linspace(self.moved.min(), self.moved.max(), 200)
-        order = np.argsort(self.turns, kind="stable")
-        return grid, np.interp(grid, self.turns[order], np.maximum.accumulate(self.contraction[order]))
+        order = np.argsort(self.motion, kind="stable")
+        return grid, np.interp(grid, self.motion[order], np.maximum.accumulate(self.contraction[order]))
 
     @cached_property
     def elapsed_s(self) -> Array:
@@ -88,5 +98,33 @@ class Drivers:
         return float(np.median(self.load[self.elapsed_s <= max(1.0, 5 * self.step_s)]))
 
     def directed(self, width: float) -> Array:
-        """Memory of the direction, −1…1: where the motion stands in a play of half-width `width` turns."""
-        return (self.turns - play(self.turns, np.full(len(self.turns), width))) / width
+        """Memory of the direction, −1…1: where the motion stands in a play of half-width `width`."""
+        return (self.motion - play(self.motion, np.full(len(self.motion), width))) / width
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What a system simulates from."""
+
+    motion: Array
+    rate: Array
+    acceleration: Array
+    load: Array
+
+
+def drivers_of(system: System, record: Record, run: Run) -> Drivers:
+    """Drivers of a record, with the geometry at the nominal dimensions."""
+    nominal = np.array([parameter.nominal for parameter in system.parameters(run)])
+    load = record.load / system.load_unit
+    spread = np.subtract(*np.percentile(record.load, [95, 5]))
+    usual = max(abs(float(np.median(record.load))), LEAST_LOAD * system.load_unit)
+    change = np.flatnonzero(np.diff(record.run_index, prepend=-1))
+    first = np.arange(len(record)) - np.repeat(change, np.diff(change, append=len(record)))
+    inputs = Moved(record.motion, record.velocity, record.acceleration, load)
+    sine, tangent = system.lever(nominal, inputs)
+    travel = system.travel(nominal, inputs)
+    return Drivers(
+        Units.of(system), record.time_s, record.motion, record.velocity if system.differentiates else None,
+        record.acceleration, load, bool(spread > LOAD_MOVES * usual), system.levered, system.free_zero, system.turn,
+        sine, tangent, travel - travel[0], record.stroke, record.phase, first, record.temperature_c, record.current_a,
+    )  # fmt: skip

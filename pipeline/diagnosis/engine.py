@@ -7,20 +7,24 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, candidates, chance, compare, form, generic
+from pipeline.diagnosis import calibrate, candidates, chance, compare, form, generic, order
 from pipeline.diagnosis.adopt import acts_from
-from pipeline.diagnosis.library import systems
+from pipeline.diagnosis.drivers import Drivers, drivers_of
+from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
-from pipeline.diagnosis.outcome import Study, decide, rms
+from pipeline.diagnosis.outcome import Study, cancels, decide, rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
-from pipeline.diagnosis.search import Search
+from pipeline.diagnosis.search import Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run
+from pipeline.systems import Parameter, System
+from pipeline.systems.interface import PORTS
 
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
 LEAST_SAMPLES, LEAST_STROKES = 200, 2
+INEXACT_FROM = 1.1  # times the least energy: a fit weighed by noise that leaves more has no exact formula
 Progress = Callable[[str], None]
 
 
@@ -30,30 +34,51 @@ def make_problem(
     folders: list[Path] | None = None,
     most: int = WORKING_SAMPLES,
     without: frozenset[str] = frozenset(),
+    thin: bool = True,
 ) -> Problem:
     """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput.
 
-    No explanation of it may name the mechanisms in `without`.
+    No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
     """
     where = (folders or [Path(runs[0].run)])[0]
-    system = systems().get(runs[0].actuator)
-    if system is None:
-        mend = f"diagnosed are {', '.join(systems())}"
-        raise BadInput(where, "actuator", f"{runs[0].actuator} has no simulator here yet", mend)
-    record = joined(runs, tables, most)
+    system = runs[0].system
+    record = joined(runs, tables, most, thin)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
         problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
         raise BadInput(where, "recording", problem, "record at least three strokes, with a pause, at 10 Hz or more")
-    drivers = system.drivers(record, runs[0])
-    parameters = tuple(system.parameters(runs[0]))
+    drivers = drivers_of(system, record, runs[0])
+    homes = homes_of(system, runs)
+    parameters = (*system.parameters(runs[0]), *homes)
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
-    return Problem(system, record, drivers, parameters, record.measured, len(record), included, without)
+    without = without | nowhere(system, drivers)
+    return Problem(system, record, drivers, parameters, record.measured, len(record), included, len(homes), without)
 
 
-def at_own_rate(runs: list[Run], tables: list[pd.DataFrame]) -> Problem:
-    """The problem at the recording's own rate, for simulation only."""
-    return make_problem(runs, tables, most=sum(map(len, tables)))
+def homes_of(system: System, runs: list[Run]) -> list[Parameter]:
+    """Where the motor's zero lies in each run after the first, unless one string is named and so never taken off."""
+    ids = {run.string.id if run.string else None for run in runs}
+    if system.homed is None or (len(ids) == 1 and None not in ids):
+        return []
+    first = next(one for one in system.parameters(runs[0]) if one.name == system.homed)
+    return [replace(first, name=f"{first.name}_{number}", nominal=0.0) for number in range(2, len(runs) + 1)]
+
+
+def nowhere(system: System, drivers: Drivers) -> frozenset[str]:
+    """Mechanisms that act where a system has no port."""
+    if set(system.ports) == set(PORTS):
+        return frozenset()
+    return frozenset(
+        id_
+        for id_, mechanism in mechanisms().items()
+        for shape in mechanism.shapes(drivers)[:1]
+        if not {term.port for term in mechanism.terms(drivers, shape)} <= set(system.ports)
+    )
+
+
+def at_own_rate(runs: list[Run], tables: list[pd.DataFrame], thin: bool = True) -> Problem:
+    """The problem at the recording's own rate, for simulation only; `thin`: at most at the system's working rate."""
+    return make_problem(runs, tables, most=sum(map(len, tables)), thin=thin)
 
 
 def fine_floor(fine: Problem, found: Study) -> float:
@@ -107,13 +132,32 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             if len(chosen.ids) in (0, len(before.ids)):
                 break
     say("comparing")
-    sets = compare.unbeaten(search, chosen, noise.floor)
-    if not sets:
-        best = base
-    else:
-        best = search.linear.state_of(sets[0].fit, sets[0].keys)
-        best = calibrate.refine(problem, noise, best)
+    sets = order.by_prediction(search.linear, compare.unbeaten(search, chosen, noise.floor))
+    best = at_work(search, sets[0]) if sets else base
+    while len(sets) > 1 and cancels(problem, best):  # a balance of two effects is none of what ties
+        sets = sets[1:]
+        best = at_work(search, sets[0])
+    still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
+    random = {id_: shape for id_, shape in random.items() if id_ in still}
     return decide(problem, nominal, base, noise, best, sets, search, random)
+
+
+def at_work(search: Search, one: Explanation) -> State:
+    """The simulator with an explanation in it, refined through the simulator itself.
+
+    Where the formula is right, weighing all samples alike leaves hardly less than weighing them by their noise. Where
+    it leaves much less, what is left is misfit and no noise, and plain least squares is what a person would want.
+    """
+    problem, noise = search.linear.problem, search.linear.noise
+    best = calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys))
+    acts = tuple(act for act in best.acts if act not in problem.included)
+    alike = calibrate.calibrate(problem, white(noise.floor), best, acts)
+    return alike if energy(problem, best) > INEXACT_FROM * energy(problem, alike) else best
+
+
+def energy(problem: Problem, state: State) -> float:
+    """Mean square of what a state leaves of the rows that a fit sees."""
+    return rms((problem.measured - problem.simulate(state))[: problem.rows]) ** 2
 
 
 def polished(found: Study, fine: Problem) -> Study:

@@ -36,8 +36,8 @@ def factors(drivers: Drivers, acting: Array) -> Array:
     """
     rate, energy = np.abs(drivers.rate), np.square(acting)
     found = [
-        hats(drivers.turns, 6),
-        bumps(drivers.turns, energy, 6),
+        hats(drivers.motion, 6),
+        bumps(drivers.motion, energy, 6),
         bumps(drivers.elapsed_s, energy, 5),
         rate[None] / max(float(rate.max()), 1e-9),
         *(drivers.directed(width * drivers.span)[None] for width in MEMORIES),
@@ -48,11 +48,15 @@ def factors(drivers: Drivers, acting: Array) -> Array:
 
 
 def columns(problem: Problem, states: list[State]) -> dict[str, Array]:
-    """By mechanism, what one sigma of each deviation from its formula adds to the reading; the first state counts."""
+    """By mechanism, what one sigma of each deviation from its formula adds to the reading; the first state counts.
+
+    Where the reading has a true zero no deviation is a constant: that would be physics of its own.
+    """
     found: dict[str, Array] = {}
     for state in states:
         for act in state.acts:
             if act not in problem.included and act.id not in found:
                 acting = effect(problem, state, act.id)
-                found[act.id] = SIGMA * acting * factors(problem.drivers, acting)
+                bent = SIGMA * acting * factors(problem.drivers, acting)
+                found[act.id] = bent if problem.system.free_zero else bent - bent.mean(axis=1, keepdims=True)
     return found

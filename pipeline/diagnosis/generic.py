@@ -15,23 +15,30 @@ def hats(signal: Array, count: int) -> Array:
     return np.maximum(1.0 - np.abs(place - np.arange(count)[:, None]), 0.0)
 
 
+def around(drivers: Drivers) -> Array:
+    """Sines and cosines of the motor's turn and of its harmonics; none where nothing turns so far."""
+    if drivers.turn is None or (not drivers.levered and drivers.span < drivers.turn):
+        return np.zeros((0, len(drivers.motion)))
+    turn = 2.0 * np.pi * drivers.motion / drivers.turn
+    return np.vstack([wave(k * turn) for k in (1, 2, 3, 4) for wave in (np.sin, np.cos)])
+
+
 def groups(drivers: Drivers) -> dict[str, Array]:
     """Columns by the driver that they follow, each of shape (columns, samples)."""
     side = drivers.directed(0.02 * drivers.span)
     rate, sine = drivers.rate, drivers.sine
-    turn = 2.0 * np.pi * drivers.turns
     found = {
-        "twist": hats(drivers.turns, 14)[1:],
-        "direction": np.vstack([side * hats(drivers.turns, 8), drivers.directed(0.1 * drivers.span)]),
+        "twist": hats(drivers.motion, 14)[1:],
+        "direction": np.vstack([side * hats(drivers.motion, 8), drivers.directed(0.1 * drivers.span)]),
         "time": np.vstack([hats(drivers.elapsed_s, 14)[1:], sine * hats(drivers.elapsed_s, 8)[1:]]),
         "speed": np.vstack([rate, np.abs(rate), rate * sine, np.abs(rate) * sine]),
-        "angle within the turn": np.vstack([wave(k * turn) for k in (1, 2, 3, 4) for wave in (np.sin, np.cos)]),
+        "angle within the turn": around(drivers),
         "acceleration": np.vstack([drivers.slope(rate), drivers.slope(rate) * sine]),
     }
     if drivers.loaded:
         load = drivers.load - np.mean(drivers.load)
         found["load"] = np.vstack(
-            [hats(drivers.load, 4)[1:], load * hats(drivers.turns, 7), load * side, load * side * sine]
+            [hats(drivers.load, 4)[1:], load * hats(drivers.motion, 7), load * side, load * side * sine]
         )
     if drivers.temperature_c is not None:
         kelvin = drivers.smooth(drivers.temperature_c)

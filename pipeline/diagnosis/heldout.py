@@ -10,6 +10,7 @@ from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
 
 LAST = 0.3
+TARE_S = 1.0
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 
 
@@ -37,6 +38,11 @@ def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, St
 
     def error(state: State) -> float:
         residual = fine.measured - fine.simulate(state)
+        for number in range(fine.runs if fine.system.free_zero else 0):
+            own = fine.record.run_index == number
+            if unseen[own].all():  # of a run that no fit has seen, nobody knows the zero
+                time_s = fine.record.time_s[own]
+                residual[own] -= np.median(residual[own][time_s - time_s[0] <= TARE_S])
         return rms(residual[unseen & ~wild(residual)[0]])
 
     return {

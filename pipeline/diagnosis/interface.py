@@ -1,24 +1,25 @@
-"""What a mechanism and a system are; a mechanism offers terms, a term acts at a port of the simulator."""
+"""What a mechanism is: it offers terms, and a term acts at a port of the simulator."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal, Protocol
+from typing import Literal
 
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.record import Record
 from pipeline.kinematics import Array
-from pipeline.run_yaml import Run
 
-Port = Literal["twist", "radius", "length", "sensor"]
+Port = Literal["twist", "radius", "length", "resistance", "sensor"]
 Shape = dict[str, float]
 
 
 @dataclass(frozen=True)
 class Term:
-    """One way in which a mechanism acts: what a coefficient of 1 adds at a port.
+    """One way in which a mechanism acts: what a coefficient of 1 adds at a port of the system.
 
-    Ports: `twist` in turns, `radius` as a relative change, `length` in mm of lengthening, `sensor` in mm on the
-    reading. A sensor term may be an operator instead: a function of the simulated reading that returns what it adds.
+    Ports: `twist` in turns, `radius` as a relative change, `length` in mm of lengthening, `resistance` in mm of output
+    that resisting costs, `sensor` in mm on the reading. A sensor term may be an operator instead: a function of the
+    simulated reading that returns what it adds. Names and units are written for a string, in mm, turns and 10 N; on
+    another system they are read in its own units (`naming`). Coefficients of terms with one `total` are also reported
+    as their sum, under that name.
     """
 
     name: str
@@ -27,6 +28,7 @@ class Term:
     unit: str = "mm"
     low: float = 0.0
     high: float = float("inf")
+    total: str | None = None
 
 
 @dataclass(frozen=True)
@@ -53,30 +55,3 @@ class Mechanism:
     units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty
     suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []
     random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A dimension of the simulator that calibration may move: nominal value, 1 sigma, and its bounds."""
-
-    name: str
-    nominal: float
-    sigma: float
-    reach: float = 3.0  # sigma
-    lowest: float = float("-inf")
-
-
-class System(Protocol):
-    """A simulator of one kind of actuator: inputs, dimensions and acts at its ports → the measured channel."""
-
-    name: str
-    channel: str
-
-    def parameters(self, run: Run) -> list[Parameter]:
-        """Dimensions with nominal values and tolerances; the displacement zero is not among them."""
-
-    def drivers(self, record: Record, run: Run) -> Drivers:
-        """What mechanisms may listen to."""
-
-    def simulate(self, values: Array, drivers: Drivers, acts: dict[str, Array]) -> Array:
-        """The reading without its zero, for values of the parameters and acts at the ports twist, radius, length."""

@@ -18,7 +18,7 @@ from pipeline.diagnosis.recursions import boxed, fitted, scan, whiten
 from pipeline.kinematics import Array
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
-ZERO_SIGMA = 1e3
+ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,8 @@ class Linear:
         clean = problem.clean_reading(state)
         run_index = problem.record.run_index[:rows]
         columns: list[Array] = [(run_index == run).astype(float) for run in range(problem.runs)]
-        low, high, sigma = [-np.inf] * problem.runs, [np.inf] * problem.runs, [ZERO_SIGMA] * problem.runs
+        reach, spread = (np.inf, ZERO_SIGMA) if problem.system.free_zero else (0.0, FIXED_SIGMA)
+        low, high, sigma = [-reach] * problem.runs, [reach] * problem.runs, [spread] * problem.runs
         self.at = [float(zero) for zero in state.zeros]
         for index in problem.movable:
             parameter = problem.parameters[index]
@@ -67,8 +68,7 @@ class Linear:
                 terms = problem.terms(mechanisms()[id_], shape)
                 self.index[id_, number] = np.arange(len(columns), len(columns) + len(terms))
                 for term in terms:
-                    signal = term.signal(clean) if callable(term.signal) else slopes[term.port] * term.signal
-                    columns.append(signal[:rows])
+                    columns.append(problem.column(term, slopes, clean)[:rows])
                     low.append(term.low)
                     high.append(term.high)
                     sigma.append(np.inf)
@@ -95,8 +95,7 @@ class Linear:
             if act in problem.included:
                 continue
             for term, coefficient in problem.act_terms(act):
-                signal = term.signal(clean) if callable(term.signal) else slopes[term.port] * term.signal
-                target = target + coefficient * signal[:rows]
+                target = target + coefficient * problem.column(term, slopes, clean)[:rows]
         self.begin = np.zeros(len(low))  # calibration starts where it stands, the rest at nothing
         known = self.calibration
         self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])

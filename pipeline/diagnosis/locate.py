@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.record import PHASES
 from pipeline.kinematics import Array
 
@@ -37,11 +37,12 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
     return best, place[0], place[1], place[2], place[3]
 
 
-def box(mismatch: Array, drivers: Drivers) -> dict[str, Any]:
-    """Location of a mismatch without its noise: turns, strokes, phase, and the share of its energy that they hold."""
-    low, high = float(drivers.turns.min()), float(drivers.turns.max())
+def box(mismatch: Array, problem: Problem) -> dict[str, Any]:
+    """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold."""
+    drivers = problem.drivers
+    low, high = float(drivers.motion.min()), float(drivers.motion.max())
     width = max(high - low, 1e-9) / TURN_BINS
-    column = np.minimum(((drivers.turns - low) / width).astype(int), TURN_BINS - 1)
+    column = np.minimum(((drivers.motion - low) / width).astype(int), TURN_BINS - 1)
     strokes = np.unique(drivers.stroke)
     per_bin = -(-len(strokes) // STROKE_BINS)
     row = np.searchsorted(strokes, drivers.stroke) // per_bin
@@ -60,7 +61,7 @@ def box(mismatch: Array, drivers: Drivers) -> dict[str, Any]:
         if best is None or count < best[0]:
             last = min((b + 1) * per_bin, len(strokes)) - 1
             found = {
-                "motor_turns": [low + c * width, low + (d + 1) * width],
+                problem.system.driver: [low + c * width, low + (d + 1) * width],
                 "strokes": [int(max(strokes[a * per_bin], 1)), int(max(strokes[last], 1))],
                 "phase": phase,
                 "share": float(energy[a : b + 1, c : d + 1].sum() / whole),

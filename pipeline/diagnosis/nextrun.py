@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from pipeline.diagnosis.drivers import drivers_of
 from pipeline.diagnosis.linear import Fit, Key, Linear
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem
@@ -32,6 +33,7 @@ def appended(record: Record, legs: list[Leg]) -> Record:
     phase = np.concatenate(moving)
     starts = np.concatenate([[False], (np.diff(phase) != 0) & (phase[1:] == PHASES.index("winding"))])
     count = len(turns)
+    velocity = np.gradient(turns, step_s)
 
     def longer(column: Array | None, new: Array | None = None) -> Array | None:
         if column is None:
@@ -39,7 +41,8 @@ def appended(record: Record, legs: list[Leg]) -> Record:
         return np.concatenate([column, np.full(count, column[-1]) if new is None else new.astype(column.dtype)])
 
     new = {
-        "time_s": record.time_s[-1] + step_s * np.arange(1, count + 1), "motion": turns, "load": np.concatenate(load),
+        "time_s": record.time_s[-1] + step_s * np.arange(1, count + 1), "motion": turns, "velocity": velocity,
+        "acceleration": np.gradient(velocity, step_s), "load": np.concatenate(load),
         "stroke": record.stroke[-1] + np.cumsum(starts), "phase": phase,
     }  # fmt: skip
     return Record(**{name: longer(getattr(record, name), new.get(name)) for name in Record.__dataclass_fields__})  # type: ignore[arg-type]
@@ -49,7 +52,7 @@ def separation(
     problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation], record: Record
 ) -> float:
     """Smallest expected gap between two explanations that tie, if the recording went on like `record`."""
-    drivers = problem.system.drivers(record, run)
+    drivers = drivers_of(problem.system, record, run)
     longer = replace(problem, record=record, drivers=drivers, measured=record.measured, rows=len(record), _terms={})
     catalogue: dict[str, list] = {}
     chosen: list[tuple[Key, ...]] = []

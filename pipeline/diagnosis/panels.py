@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from pipeline.diagnosis.drivers import LOAD_UNIT_N, Drivers
+from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.search import Explanation
@@ -15,6 +15,7 @@ from pipeline.kinematics import Array
 
 BEFORE, AFTER, TIED, OTHER = "0.45", "#b2182b", "#ef8a62", "0.78"
 BINS, LISTED = 24, 11
+MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "": "motion"}  # by its unit
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 
 
@@ -28,11 +29,11 @@ def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[s
 
 
 def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:
-    """Mean residual by stroke and place on the stroke (up the twist, then down again); the strokes; edges in turns."""
-    edges = np.linspace(drivers.turns.min(), drivers.turns.max() + 1e-9, BINS + 1)
+    """Mean residual by stroke and place on the stroke (up, then down again); the strokes; edges of the motion."""
+    edges = np.linspace(drivers.motion.min(), drivers.motion.max() + 1e-9, BINS + 1)
     strokes = np.unique(drivers.stroke[drivers.stroke > 0])
     down = drivers.phase >= PHASES.index("unwinding")
-    column = np.clip(np.digitize(drivers.turns, edges) - 1, 0, BINS - 1)
+    column = np.clip(np.digitize(drivers.motion, edges) - 1, 0, BINS - 1)
     column = np.where(down, 2 * BINS - 1 - column, column)
     worked = drivers.stroke > 0
     place = np.searchsorted(strokes, drivers.stroke[worked]), column[worked]
@@ -50,10 +51,11 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     axes.axvline(BINS, color="k", lw=0.6)
     axes.set_xticks(
         [0, BINS / 2, BINS, 3 * BINS / 2, 2 * BINS],
-        [f"{edges[0]:.0f}", "winding →", f"{edges[-1]:.0f}", "→ unwinding", f"{edges[0]:.0f}"],
+        [f"{edges[0]:.3g}", "up →", f"{edges[-1]:.3g}", "→ down", f"{edges[0]:.3g}"],
     )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set(title=title, xlabel="twist (turns)", ylabel="stroke")
+    unit = drivers.units.motion
+    axes.set(title=title, xlabel=f"{MOTION.get(unit, MOTION[''])} ({unit})", ylabel="stroke")
     return image
 
 
@@ -100,16 +102,18 @@ def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, unit: str) -
 
 def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
     """Signals that a residual may follow, by their label, and the samples that count for each."""
-    everywhere = np.ones(len(drivers.turns), bool)
+    everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
+    units, going = drivers.units, MOTION.get(drivers.units.motion, MOTION[""])
     found = {
-        "twist, winding (turns)": (drivers.turns, moving & (drivers.rate > 0)),
-        "twist, unwinding (turns)": (drivers.turns, moving & (drivers.rate < 0)),
+        f"{going}, up ({units.motion})": (drivers.motion, moving & (drivers.rate > 0)),
+        f"{going}, down ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
         "time (s)": (drivers.elapsed_s, everywhere),
-        "twisting rate (turns/s)": (drivers.rate, everywhere),
-        "load (N)": (drivers.load * LOAD_UNIT_N, everywhere),
-        "angle within the turn (turns)": (drivers.turns % 1.0, moving),
+        f"rate ({units.motion}/s)": (drivers.rate, everywhere),
+        f"load ({units.load})": (drivers.load * units.load_size, everywhere),
     }
+    if drivers.turn:
+        found["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
     if drivers.temperature_c is not None:
         found["temperature (°C)"] = (drivers.smooth(drivers.temperature_c), everywhere)
     return {

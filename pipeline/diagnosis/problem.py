@@ -5,10 +5,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Parameter, Shape, System, Term
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.record import Record
 from pipeline.kinematics import Array
+from pipeline.systems import Parameter, System
+
+STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,7 @@ class Problem:
     measured: Array
     rows: int
     included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
+    homed: int = 0  # of the parameters, the last: what shifts the motion of each run after the first
     without: frozenset[str] = frozenset()  # ids that no explanation may name
     _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
@@ -66,6 +70,8 @@ class Problem:
         """The simulator as written in run.yaml, with its zero on the median of the seen samples."""
         values = np.array([parameter.nominal for parameter in self.parameters])
         state = State(values, np.zeros(self.runs), self.included)
+        if not self.system.free_zero:
+            return state
         gap = (self.measured - self.simulate(state))[: self.rows]
         index = self.record.run_index[: self.rows]
         zeros = np.array([np.median(gap[index == run]) if (index == run).any() else 0.0 for run in range(self.runs)])
@@ -95,14 +101,24 @@ class Problem:
                 if callable(term.signal):
                     operators.append((term, coefficient))
                 else:
-                    before = added.get(term.port)
+                    port = self.system.ports[term.port]
+                    before = added.get(port)
                     step = coefficient * term.signal
-                    added[term.port] = step if before is None else before + step
+                    added[port] = step if before is None else before + step
         return added, operators
+
+    def simulated(self, values: Array, added: dict[str, Array]) -> Array:
+        """The system's channel; values beyond the system's own say where later runs home their motors."""
+        own = len(values) - self.homed
+        if self.homed:
+            port = self.system.ports["twist"]
+            shift = np.concatenate([[0.0], values[own:]])[self.record.run_index]
+            added = {**added, port: added[port] + shift if port in added else shift}
+        return self.system.simulate(values[:own], self.drivers, added)
 
     def reading(self, values: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
         """Reading without zero: the simulated channel, then what operators and the sensor port add to it."""
-        reading = self.system.simulate(values, self.drivers, added)
+        reading = self.simulated(values, added)
         changes = [coefficient * term.signal(reading) for term, coefficient in operators if callable(term.signal)]
         for change in changes:
             reading = reading + change
@@ -113,15 +129,21 @@ class Problem:
         added, operators = self.ports(state.acts)
         return self.reading(state.values, added, operators) + state.zeros[self.record.run_index]
 
+    def column(self, term: Term, slopes: dict[str, Array], clean: Array) -> Array:
+        """How the reading moves with the coefficient of a term."""
+        return term.signal(clean) if callable(term.signal) else slopes[term.port] * term.signal
+
     def sensitivity(self, state: State) -> dict[str, Array]:
         """How the reading moves per unit at each port, and for each movable parameter by its name."""
         added, operators = self.ports(state.acts)
         before = self.reading(state.values, added, operators)
         nothing = np.zeros_like(before)
         found = {"sensor": np.ones_like(before)}
-        for port, step in (("twist", 1e-4), ("radius", 1e-5), ("length", 1e-3)):
-            moved = {**added, port: added.get(port, nothing) + step}
-            found[port] = (self.reading(state.values, moved, operators) - before) / step
+        for port, step in STEPS.items():
+            if port in self.system.ports:
+                place = self.system.ports[port]
+                moved = {**added, place: added.get(place, nothing) + step}
+                found[port] = (self.reading(state.values, moved, operators) - before) / step
         for index in self.movable:
             values = state.values.copy()
             step = 1e-3 * self.parameters[index].sigma
@@ -132,4 +154,4 @@ class Problem:
     def clean_reading(self, state: State) -> Array:
         """Reading before any operator: what operators act on."""
         added, _ = self.ports(state.acts)
-        return self.system.simulate(state.values, self.drivers, added)
+        return self.simulated(state.values, added)

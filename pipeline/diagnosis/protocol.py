@@ -10,7 +10,6 @@ from pipeline.diagnosis.record import Record
 from pipeline.run_yaml import Run
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
-LOADS = {"motor_turns": "load_n", "motor_deg": "torque_nm"}  # of the drivers that work against one
 LEAST_TOLD_S, LEAST_TOLD = 1.0, 0.02  # shorter pauses, and smaller changes of a load, go without words
 LAST = 50  # samples that tell the load at the end
 
@@ -104,8 +103,8 @@ AFTER_UNKNOWN: dict[str, tuple[str, Callable[[Rig], list[Leg]]]] = {
 
 def in_words(legs: list[Leg], start: float, run: Run) -> str:
     """Legs as steps with numbers: where to, how fast, how long, under what; pauses of under a second go without."""
-    driver = schemas.CHANNELS[run.actuator][0]
-    unit, load_name = schemas.unit_of(driver), LOADS.get(driver)
+    driver, load_name = run.system.driver, run.system.load
+    unit = schemas.unit_of(driver)
     said, at, load = [], start, None
     for seconds, to, force in legs:
         under = ""
@@ -123,8 +122,7 @@ def in_words(legs: list[Leg], start: float, run: Run) -> str:
 
 def as_legs(legs: list[Leg], run: Run) -> dict[str, Any]:
     """Legs for a machine to follow: how long each takes, and the driver and the load at its end, by their channels."""
-    driver = schemas.CHANNELS[run.actuator][0]
-    load_name = LOADS.get(driver)
+    driver, load_name = run.system.driver, run.system.load
     found = []
     for seconds, to, force in legs:
         leg = {"seconds": seconds, driver: to}

@@ -7,9 +7,10 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from pipeline import schemas, strokes
+from pipeline import strokes
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
+from pipeline.systems import System
 
 WORKING_SAMPLES = 15_000
 BETWEEN_RUNS_S = 60.0
@@ -24,8 +25,10 @@ class Record:
 
     time_s: Array
     motion: Array  # the driver: turns, degrees or metres
+    velocity: Array  # of the motion, taken at the recording's own rate, per second
+    acceleration: Array
     measured: Array
-    load: Array  # load in N, or the torque of a cable drive in Nm; zeros where there is none
+    load: Array  # in the unit of the system's load channel; zeros where there is none
     temperature_c: Array | None
     current_a: Array | None
     stroke: NDArray[np.intp]
@@ -72,13 +75,15 @@ def _bins(time_s: Array, width: int) -> NDArray[np.intp]:
 
 def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -> Record:
     """The record of one run, averaged over `width` samples; strokes are numbered on from `stroke0`."""
-    driver, channel = schemas.CHANNELS[run.actuator]
+    system = run.system
     time_s = samples["time_s"].to_numpy()
-    motion = despiked(samples[driver].to_numpy())
+    motion = despiked(samples[system.driver].to_numpy())
     stroke, phase = strokes.label(time_s, motion)
     phase_index = np.array([PHASES.index(name) for name in phase])
-    torque = samples["torque_nm"] if "torque_nm" in samples else pd.Series(np.zeros(len(samples)))
-    load = despiked(samples.get("load_n", torque).to_numpy())
+    nothing = pd.Series(np.zeros(len(samples)))
+    load = despiked(samples.get(system.load, nothing).to_numpy())
+    velocity = np.gradient(motion, time_s)
+    acceleration = np.gradient(velocity, time_s)
     bins = _bins(time_s, width) if width > 1 else np.arange(len(time_s))
     count = np.bincount(bins)
 
@@ -87,7 +92,7 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
 
     last = np.concatenate([np.flatnonzero(np.diff(bins)), [len(bins) - 1]])
     middle = last - (count - 1) // 2
-    measured = samples[channel].to_numpy()
+    measured = samples[system.channel].to_numpy()
     if width > 1:
         measured = despiked(measured)
 
@@ -95,14 +100,26 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
         return mean(despiked(samples[name].to_numpy())) if name in samples else None
 
     return Record(
-        mean(time_s), mean(motion), mean(measured), mean(load), optional("temperature_c"), optional("motor_current_a"),
+        mean(time_s), mean(motion), mean(velocity), mean(acceleration), mean(measured), mean(load),
+        optional("temperature_c"), optional("motor_current_a"),
         stroke[middle] + stroke0, phase_index[middle], np.full(len(count), index, np.intp),
     )  # fmt: skip
 
 
-def joined(runs: list[Run], samples: list[pd.DataFrame], most: int = WORKING_SAMPLES) -> Record:
-    """One record of all runs, in the given order, a minute apart; strokes are numbered on from `strokes_before`."""
-    width = max(1, -(-sum(map(len, samples)) // most))
+def averaged(system: System, samples: list[pd.DataFrame]) -> int:
+    """Samples to average where a system is compared at a working rate: what is faster is noise."""
+    if system.working_hz is None:
+        return 1
+    usual_s = float(np.median(np.diff(samples[0]["time_s"].to_numpy())))
+    return max(1, round(1.0 / (system.working_hz * usual_s)))
+
+
+def joined(runs: list[Run], samples: list[pd.DataFrame], most: int = WORKING_SAMPLES, thin: bool = True) -> Record:
+    """One record of all runs, in the given order, a minute apart; strokes are numbered on from `strokes_before`.
+
+    Without `thin` a system's working rate is no reason to average.
+    """
+    width = max(1, -(-sum(map(len, samples)) // most), averaged(runs[0].system, samples) if thin else 1)
     parts: list[Record] = []
     clock_s, stroke0 = 0.0, 0
     for index, (run, table) in enumerate(zip(runs, samples, strict=True)):

@@ -13,6 +13,7 @@ EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
 LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas of the others can do
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
+INEXACT = 0.05  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
 LARGEST = 3
 PARTNERS = 8
 TRIED = 4  # of the best larger explanations
@@ -151,9 +152,13 @@ class Search:
 
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""
-        mismatch = float(np.sqrt(max(self.nothing.energy - floor**2, 0.0)))
+        mismatch = self.mismatch(floor)
         needed = float(np.clip(MORE_SHARE * mismatch, MORE_EFFECT[0] * floor, MORE_EFFECT[1] * floor))
-        return max(needed, self.least) ** 2
+        return max(needed, INEXACT * mismatch, self.least) ** 2
+
+    def mismatch(self, floor: float) -> float:
+        """What calibration alone leaves, noise taken off, rms."""
+        return float(np.sqrt(max(self.nothing.energy - floor**2, 0.0)))
 
     def forward(self, floor: float, largest: int = LARGEST) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""

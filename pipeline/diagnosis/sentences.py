@@ -3,6 +3,8 @@
 from typing import Any
 
 from pipeline.diagnosis.outcome import Study
+from pipeline.schemas import unit_of
+from pipeline.systems import System
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 
@@ -17,10 +19,12 @@ def left_tolerance(found: Study) -> dict[str, float]:
     return {name: float(shift) for name, shift in shifts.items() if shift > LEAVES}
 
 
-def sentences(content: dict[str, Any], unit: str, moved: dict[str, float]) -> str:
+def sentences(content: dict[str, Any], system: System, moved: dict[str, float]) -> str:
     """A verdict in plain words, a few lines; `moved` names the dimensions that left their tolerance, in sigma."""
+    unit, motion = unit_of(system.channel), unit_of(system.driver)
+    unit_key = system.channel.rpartition("_")[2]
     run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
-    floor = content["fit"][f"noise_floor_{unit}"]
+    floor = content["fit"][f"noise_floor_{unit_key}"]
     said = {
         "consistent": f"the simulation explains the recording to its noise ({floor:.3g} {unit}).",
         "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
@@ -32,9 +36,9 @@ def sentences(content: dict[str, Any], unit: str, moved: dict[str, float]) -> st
     if content["mismatch"] and content["verdict"] != "parameters":
         place, driver = content["mismatch"]["location"], content["mismatch"]["driver"]
         lines.append(
-            f"  mismatch {content['mismatch'][f'rms_{unit}']:.3g} {unit} rms (noise {floor:.3g}), "
+            f"  mismatch {content['mismatch'][f'rms_{unit_key}']:.3g} {unit} rms (noise {floor:.3g}), "
             f"{place['share']:.0%} at "
-            f"{place['motor_turns'][0]:.1f}-{place['motor_turns'][1]:.1f} turns, strokes {place['strokes'][0]}-"
+            f"{place[system.driver][0]:.3g} to {place[system.driver][1]:.3g} {motion}, strokes {place['strokes'][0]}-"
             f"{place['strokes'][1]}, {place['phase']}; it follows {driver}"
         )
     lines += [f"  {entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
@@ -45,7 +49,7 @@ def sentences(content: dict[str, Any], unit: str, moved: dict[str, float]) -> st
     held = content["fit"]["heldout"]
     if held:
         lines.append(
-            f"  on strokes no fit has seen: nominal {held[f'nominal_{unit}']:.3g}, calibrated "
-            f"{held[f'calibrated_{unit}']:.3g}, explained {held[f'explained_{unit}']:.3g} {unit}"
+            f"  on strokes no fit has seen: nominal {held[f'nominal_{unit_key}']:.3g}, calibrated "
+            f"{held[f'calibrated_{unit_key}']:.3g}, explained {held[f'explained_{unit_key}']:.3g} {unit}"
         )
     return "\n".join(lines)

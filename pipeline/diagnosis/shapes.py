@@ -39,5 +39,5 @@ def grid(name: str, low: float, high: float, count: int) -> list[Shape]:
 
 def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Shape]:
     """Candidate times of a sudden event, evenly spread over the samples."""
-    index = np.unique(np.linspace(0, len(drivers.turns) - 1, count + 2).astype(int)[1:-1])
+    index = np.unique(np.linspace(0, len(drivers.motion) - 1, count + 2).astype(int)[1:-1])
     return [{name: float(f"{drivers.elapsed_s[i]:.6g}")} for i in index]

@@ -4,22 +4,22 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import chance, generic, locate, nextrun, protocol
+from pipeline.diagnosis import band, chance, generic, locate, nextrun, protocol
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
-from pipeline.diagnosis.intervals import Interval, intervals
+from pipeline.diagnosis.intervals import intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
+from pipeline.diagnosis.named import as_entry, listed
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import Study, physics, rms
-from pipeline.diagnosis.problem import Act, Problem, State
+from pipeline.diagnosis.problem import Problem
 from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
 DIGITS = 5  # more of them would be rounding, which processors do each in their own way
-RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
 
 
 def tidy(value: Any) -> Any:
@@ -59,67 +59,18 @@ def mismatch_signal(found: Study) -> tuple[Array, str]:
     return np.asarray(table[whole].T @ solution), min(left, key=lambda name: left[name])
 
 
-def _interval(found: Interval) -> dict[str, float]:
-    return {"value": found.value, "low": found.low, "high": found.high}
+def relative(found: Study) -> dict[str, Any]:
+    """What each simulator leaves, over the reading itself, both rms, after the filter that is stated with them."""
+    problem, below_hz = found.problem, found.problem.system.stated_below_hz
 
+    def size(signal: Array) -> float:
+        return rms(band.within(signal, problem.drivers.first, problem.drivers.step_s, below_hz)[: problem.rows])
 
-def _effect(problem: Problem, state: State, act: Act) -> Array:
-    """The prediction with an act less the prediction without it, all else held."""
-    rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
-    return problem.simulate(state) - problem.simulate(rest)
-
-
-def _mechanisms(
-    found: Study, fine: Problem, sizes: dict[str, Interval], shapes: dict[tuple[str, int, str], float], unit: str
-) -> list[dict[str, Any]]:
-    problem, listed = found.problem, []
-    for act in found.best.acts:
-        if act in problem.included:
-            continue
-        mechanism = mechanisms()[act.id]
-        effect = _effect(problem, found.best, act)
-        if act.id in found.random:
-            effect = chance.trace(problem, found.best, found.floor)
-            size = Interval(*(found.random_rms * end for end in (1.0, *RANDOM_ENDS)))
-        else:
-            own_rate = rms(_effect(fine, found.best, act)) / (rms(effect) or 1.0)
-            size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
-        parameters: dict[str, dict[str, Any]] = {}
-        relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
-        for number, entry in enumerate(entries((act,), problem.drivers)):
-            units = {term.name: term.unit for term in problem.terms(mechanism, act.shapes[number])}
-            for name, value in entry["parameters"].items():
-                label = name if number == 0 else f"{name}_{number + 1}"
-                half = shapes.get((act.id, number, name), 0.0)  # none where it was chosen from a few
-                factors = relative if name in units else (1.0 - half, 1.0 + half)
-                ends = sorted(value * factor for factor in factors)
-                parameters[label] = {
-                    "value": value,
-                    "low": ends[0],
-                    "high": ends[1],
-                    "unit": units.get(name, _unit(name)),
-                }
-        listed.append(
-            {
-                "id": act.id,
-                "confidence": confidence(found),
-                f"rms_{unit}": _interval(size),
-                "parameters": parameters,
-                "location": locate.box(effect, problem.drivers),
-                "sentence": mechanism.sentence.format(size=f"{size.value:.3g} {unit} rms"),
-            }
-        )
-    return listed
-
-
-def _unit(name: str) -> str:
-    endings = {"_s": "s", "_mm": "mm", "_turns": "turns", "_hz": "Hz"}
-    return next((unit for ending, unit in endings.items() if name.endswith(ending)), "1")
-
-
-def confidence(found: Study) -> float:
-    """How far the data carry the name: the explained share, divided among what ties."""
-    return float(np.clip(found.share, 0.0, 1.0) / max(len(found.sets), 1))
+    states = (("nominal", found.nominal), ("calibrated", found.base), ("explained", found.state))
+    left = {name: size(problem.measured - problem.simulate(state)) for name, state in states}
+    whole = size(problem.measured)
+    said = f"averages of {problem.drivers.step_s * 1e3:.3g} ms, then {band.words(below_hz)}"
+    return {**{name: value / whole for name, value in left.items()}, "filter": said}
 
 
 def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
@@ -132,7 +83,12 @@ def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
 
 
 def diagnosis(
-    found: Study, fine: Problem, heldout: dict[str, Any] | None, runs: list[Run], experiment: nextrun.Proposal | None
+    found: Study,
+    fine: Problem,
+    heldout: dict[str, Any] | None,
+    runs: list[Run],
+    experiment: nextrun.Proposal | None,
+    without: frozenset[str],
 ) -> dict[str, Any]:
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = found.problem
@@ -145,7 +101,7 @@ def diagnosis(
         if found.verdict == "parameters":
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
             driver = "the dimensions themselves"
-        mismatch = {f"rms_{unit}": found.mismatch, "location": locate.box(signal, problem.drivers), "driver": driver}
+        mismatch = {f"rms_{unit}": found.mismatch, "location": locate.box(signal, problem), "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
     fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, found)}
     fit[f"detectable_{unit}"] = detectable(found.search, found.noise.floor)
@@ -157,28 +113,34 @@ def diagnosis(
         if heldout
         else None
     )
-    zeros = {
-        "zero" if problem.runs == 1 else f"zero_{number + 1}": float(zero)
-        for number, zero in enumerate(found.state.zeros)
-    }
+    if not problem.system.free_zero:
+        fit["relative_residual"] = relative(found)
+    zeros = (
+        {}
+        if not problem.system.free_zero
+        else {
+            "zero" if problem.runs == 1 else f"zero_{number + 1}": float(zero)
+            for number, zero in enumerate(found.state.zeros)
+        }
+    )
     content: dict[str, Any] = {
         "run": runs[0].run,
         "verdict": found.verdict,
         "mismatch": mismatch,
-        "mechanisms": _mechanisms(found, fine, sizes, shapes, unit) if named else [],
+        "mechanisms": listed(found, fine, sizes, shapes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
         "next_experiment": experiment[0] if experiment else None,
         "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,
         "parameters": {
-            name: {"nominal": by_name[name].nominal, **_interval(interval)} for name, interval in parameters.items()
+            name: {"nominal": by_name[name].nominal, **as_entry(interval)} for name, interval in parameters.items()
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
         "simulation": entries(found.state.acts, problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*"),
     }
-    if problem.without:
-        content["without"] = sorted(problem.without)
+    if without:
+        content["without"] = sorted(without)
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():

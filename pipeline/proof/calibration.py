@@ -5,8 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import least_squares
 
-from pipeline.kinematics import Array, Geometry
-from pipeline.run_yaml import TOLERANCE
+from pipeline.kinematics import TOLERANCE, Array, Geometry
 
 FREE = ("radius", "separator_mm", "torsion_zone_mm", "length_mm", "scale")
 SCALE_SIGMA = 0.01

@@ -26,7 +26,7 @@ def explanation(ids, left, cost):
 )
 def test_a_larger_explanation_stands_where_it_alone_explains_to_the_noise(ids, left, cost, stands):
     larger = explanation(ids, left, cost)
-    search = SimpleNamespace(all_of=lambda size: [larger] if size == 2 else [])
+    search = SimpleNamespace(all_of=lambda size: [larger] if size == 2 else [], mismatch=lambda floor: 3.0)
     assert to_the_noise(search, explanation("creep", 0.33, 0.0), FLOOR) == [larger] * stands
     assert to_the_noise(search, explanation("x_wave", 0.33, 0.0), FLOOR) == []  # no physics: it may leave something
 

@@ -214,7 +214,7 @@ def test_what_is_no_diagnosis_is_not_simulated(content, field, problem, tmp_path
     path = tmp_path / "diagnosis.json"
     path.write_text(json.dumps(content))
     with pytest.raises(BadInput) as error:
-        state_of(read_diagnosis(path), problem, path)
+        state_of(read_diagnosis(path), problem, path, "a-01")
     assert error.value.field == field
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.kinematics import Array
 
 TOE_LOADS = (0.15, 0.5)  # of 10 N
 
@@ -13,12 +14,17 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [{"from_load": float(f"{drivers.load0:.6g}")}] if drivers.loaded else []
 
 
+def bent(load: Array, toe: float) -> Array:
+    """1 − exp(−|load| / toe), with the load's sign: a cable is pulled both ways."""
+    return np.asarray(np.sign(load) * (1.0 - np.exp(-np.abs(load) / toe)))
+
+
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Stretch with the load, straight and with a toe."""
     load, load0 = drivers.load, shape["from_load"]
     found = [Term("straight_mm_per_10_n", "length", load - load0, "mm/10N")]
     for toe in TOE_LOADS:
-        signal = np.exp(-load0 / toe) - np.exp(-load / toe)
+        signal = bent(load, toe) - bent(np.array(load0), toe)
         found.append(Term(f"toe_{toe * 10:g}_n_mm", "length", signal))
     return found
 

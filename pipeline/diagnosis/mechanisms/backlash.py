@@ -15,8 +15,8 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """The string's twist follows the motor's with a dead band."""
-    followed = play(drivers.turns, np.full(len(drivers.turns), shape["half_width_turns"]))
-    return [Term("share", "twist", followed - drivers.turns, "1", high=1.25)]
+    followed = play(drivers.motion, np.full(len(drivers.motion), shape["half_width_turns"]))
+    return [Term("share", "twist", followed - drivers.motion, "1", high=1.25)]
 
 
 MECHANISM = Mechanism(

@@ -17,7 +17,10 @@ def shapes(drivers: Drivers) -> list[Shape]:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
     found = []
-    for name, tension in (("load", drivers.load), ("twist", drivers.load * drivers.tangent**2)):
+    tensions = {"load": drivers.load}
+    if drivers.levered:
+        tensions["twist"] = drivers.load * drivers.tangent**2
+    for name, tension in tensions.items():
         start = 0.0 if shape["fresh"] else drivers.load0 if name == "load" else float(tension[0])
         for tau_s in within(TIMES_S, shape):
             strain = lowpass(tension, drivers.time_s, tau_s, start) - start

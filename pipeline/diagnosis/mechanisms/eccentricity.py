@@ -9,15 +9,19 @@ LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """On the motor's turn (0), or on a sensor wheel by its circumference in mm."""
+    """On the motor's turn (0), where the motion makes one; or on a sensor wheel by its circumference in mm."""
     reach = float(np.ptp(drivers.contraction))
-    wheels = np.geomspace(LEAST_WHEEL_MM, 0.8 * reach, 10) if 0.8 * reach > LEAST_WHEEL_MM else np.zeros(0)
-    return [{"wheel_mm": 0.0}, *({"wheel_mm": float(f"{mm:.6g}")} for mm in wheels)]
+    seen = drivers.levered and 0.8 * reach > LEAST_WHEEL_MM
+    wheels = np.geomspace(LEAST_WHEEL_MM, 0.8 * reach, 10) if seen else np.zeros(0)
+    turns = drivers.turn is not None and drivers.span > drivers.turn
+    return [
+        *([{"wheel_mm": 0.0}] if turns else []), *({"wheel_mm": float(f"{mm:.6g}")} for mm in wheels)
+    ]  # fmt: skip
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Sine and cosine of the turn: on the reading, and on the twist."""
-    angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.turns
+    angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
     waves = {"sine": np.sin(2.0 * np.pi * angle), "cosine": np.cos(2.0 * np.pi * angle)}
     found = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
     if not shape["wheel_mm"]:
@@ -34,5 +38,6 @@ MECHANISM = Mechanism(
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",
     sentence="The displacement ripples once per turn, {size}.",
     shapes=shapes,
+    units={"wheel_mm": "mm"},
     terms=terms,
 )

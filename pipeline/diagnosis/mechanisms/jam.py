@@ -8,8 +8,10 @@ from pipeline.diagnosis.shapes import hinge
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Critical twist in turns, and how softly it begins (of the range)."""
-    top = float(np.percentile(drivers.turns, 99.9))
+    """Critical twist in turns, and how softly it begins (of the range); none without a string to wind."""
+    if not drivers.levered:
+        return []
+    top = float(np.percentile(drivers.motion, 99.9))
     return [
         {"critical_turns": float(f"{share * top:.6g}"), "softness_turns": float(f"{soft * top:.6g}")}
         for share in np.linspace(0.5, 0.98, 17)
@@ -19,7 +21,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Twist that contracts nothing any more, in proportion beyond the critical twist and faster."""
-    beyond = hinge(drivers.turns, shape["critical_turns"], shape["softness_turns"])
+    beyond = hinge(drivers.motion, shape["critical_turns"], shape["softness_turns"])
     return [
         Term("share", "twist", -beyond, "1", high=1.2),
         Term("faster_per_turn", "twist", -(beyond**2), "1/turn", high=0.5),

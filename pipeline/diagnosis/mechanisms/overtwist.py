@@ -13,8 +13,10 @@ SPREAD = (-2.0, -1.0, 0.0, 1.0, 2.0)  # softnesses about the critical twist at w
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Critical twist in turns, how softly it begins, and the half-width of the coil's own loop."""
-    top = float(np.percentile(drivers.turns, 99.9))
+    """Critical twist in turns, how softly it begins, and the half-width of the coil's loop; none without a string."""
+    if not drivers.levered:
+        return []
+    top = float(np.percentile(drivers.motion, 99.9))
     return [
         {
             "critical_turns": float(f"{share * top:.6g}"),
@@ -29,15 +31,15 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Extra contraction beyond the critical twist: at once, by a play, and by coils that form there and melt late."""
-    late = play(drivers.turns, np.full(len(drivers.turns), shape["loop_turns"])) + shape["loop_turns"]
+    late = play(drivers.motion, np.full(len(drivers.motion), shape["loop_turns"])) + shape["loop_turns"]
     found = []
-    for name, turns in (("at_once", drivers.turns), ("late", late)):
+    for name, turns in (("at_once", drivers.motion), ("late", late)):
         beyond = hinge(turns, shape["critical_turns"], shape["softness_turns"])
         found.append(Term(f"{name}_mm_per_turn", "length", -beyond, "mm/turn"))
         found.append(Term(f"{name}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
     memory = 2.0 * shape["loop_turns"]
     coils = [
-        coiled(drivers.turns, shape["critical_turns"] + apart * shape["softness_turns"], memory) for apart in SPREAD
+        coiled(drivers.motion, shape["critical_turns"] + apart * shape["softness_turns"], memory) for apart in SPREAD
     ]
     return [*found, Term("coiled_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn")]
 

@@ -5,6 +5,9 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
+SETTLING = 0.1  # of the recording
+MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SETTLING}  # of each over the recording
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
     """`whole_s` is the recording's length, for scale."""
@@ -12,10 +15,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Straight, bent and settling drift, of either sign."""
+    """Straight, bent and settling drift, of either sign; about its mean where a true zero makes that an offset."""
     share = drivers.elapsed_s / shape["whole_s"]
-    signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / 0.1)}
-    return [Term(name, "sensor", signal, "mm", -np.inf) for name, signal in signals.items()]
+    signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
+    means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
+    return [Term(name, "sensor", signal - means[name], "mm", -np.inf) for name, signal in signals.items()]
 
 
 MECHANISM = Mechanism(

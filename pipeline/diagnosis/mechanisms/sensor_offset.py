@@ -8,12 +8,12 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
 def shapes(drivers: Drivers) -> list[Shape]:
     """None where the zero is calibration (a string's displacement): there an offset cannot show."""
-    return []
+    return [] if drivers.free_zero else [{}]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """A constant on the reading."""
-    return [Term("constant", "sensor", np.ones_like(drivers.turns), "1", -np.inf)]
+    return [Term("offset_mm", "sensor", np.ones_like(drivers.motion), "mm", -np.inf)]
 
 
 MECHANISM = Mechanism(

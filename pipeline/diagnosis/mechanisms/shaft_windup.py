@@ -7,8 +7,8 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """One shape."""
-    return [{}]
+    """One shape; none without a lever that changes, where wind-up is stretch: `axial_elasticity`."""
+    return [{}] if drivers.levered else []
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:

@@ -10,13 +10,15 @@ SHARES = (0.015, 0.03, 0.05, 0.075, 0.1, 0.14, 0.18, 0.24, 0.3, 0.38, 0.46)
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Twist that is taken up, in turns: lost for good (a toe), or as a length that a stop holds."""
+    """Twist that is taken up, in turns: lost (a toe), or as a length that a stop holds; none without a string."""
+    if not drivers.levered:
+        return []
     found: list[Shape] = []
     for share in SHARES:
-        turns = float(f"{share * float(np.percentile(drivers.turns, 99.9)):.6g}")
+        turns = float(f"{share * float(np.percentile(drivers.motion, 99.9)):.6g}")
         found += [{"take_up_turns": turns, "stop": 0.0, "softness": soft} for soft in (0.05, 0.3)]
-        order = np.argsort(drivers.turns, kind="stable")
-        height = np.interp([0.0, turns], drivers.turns[order], drivers.contraction[order])
+        order = np.argsort(drivers.motion, kind="stable")
+        height = np.interp([0.0, turns], drivers.motion[order], drivers.contraction[order])
         if height[1] > height[0]:
             found.append({"take_up_mm": float(f"{height[1] - height[0]:.6g}"), "stop": 1.0, "softness": 0.05})
     return found
@@ -29,13 +31,13 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         slack = shape["take_up_mm"]
         return [Term("share", "length", height - hinge(height, slack, shape["softness"] * slack), "1", high=1.3)]
     onset = shape["take_up_turns"]
-    followed = hinge(drivers.turns, onset, shape["softness"] * onset)
-    return [Term("share", "twist", followed - drivers.turns, "1", high=1.3)]
+    followed = hinge(drivers.motion, onset, shape["softness"] * onset)
+    return [Term("share", "twist", followed - drivers.motion, "1", high=1.3)]
 
 
 def _sorted(drivers: Drivers) -> tuple[np.ndarray, np.ndarray]:
-    order = np.argsort(drivers.turns, kind="stable")
-    return drivers.turns[order], drivers.contraction[order]
+    order = np.argsort(drivers.motion, kind="stable")
+    return drivers.motion[order], drivers.contraction[order]
 
 
 MECHANISM = Mechanism(

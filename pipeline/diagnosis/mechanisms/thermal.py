@@ -37,7 +37,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Strain with the measured temperature (at once or delayed), or with filtered friction and motor power."""
     sign, found = shape["sign"], []
     if shape["measured"]:
-        measured = np.zeros_like(drivers.turns) if drivers.temperature_c is None else drivers.temperature_c
+        measured = np.zeros_like(drivers.motion) if drivers.temperature_c is None else drivers.temperature_c
         kelvin = drivers.smooth(measured)
         kelvin = kelvin - kelvin[0]
         found.append(Term("at_once_mm_per_k", "length", sign * kelvin, "mm/K"))

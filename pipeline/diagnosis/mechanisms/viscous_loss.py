@@ -12,14 +12,16 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Stretch with the rate, straight, with its root, and with the load."""
+    """Loss with the rate, straight, with its root, and with the load.
+
+    The root is a string's: where a guide rubs, it would only blur the step of friction into the straight line.
+    """
     rate = drivers.rate
-    found = [
-        Term("straight_mm_per_turn_s", "length", rate, "mm s/turn"),
-        Term("root_mm", "length", np.sign(rate) * np.sqrt(np.abs(rate)), "mm"),
-    ]
+    found = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn")]
+    if drivers.levered:
+        found.append(Term("root_mm", "resistance", np.sign(rate) * np.sqrt(np.abs(rate)), "mm"))
     if shape["loaded"]:
-        found.append(Term("loaded_mm_per_turn_s_10_n", "length", rate * drivers.load, "mm s/turn/10N"))
+        found.append(Term("loaded_mm_per_turn_s_10_n", "resistance", rate * drivers.load, "mm s/turn/10N"))
     return found
 
 

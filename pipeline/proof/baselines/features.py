@@ -13,9 +13,9 @@ HIGH, LOW, END = 0.7, 0.25, 0.9  # of the highest twist, and of the contraction'
 
 def plain(drivers: Drivers) -> dict[str, Array]:
     """One column for each driver, by name, each of shape (samples,)."""
-    turn = 2.0 * np.pi * drivers.turns
+    turn = 2.0 * np.pi * drivers.motion
     found = {
-        "twist": drivers.turns,
+        "twist": drivers.motion,
         "direction": drivers.directed(DIRECTION * drivers.span),
         "rate": drivers.rate,
         "load": drivers.load,
@@ -33,7 +33,7 @@ def plain(drivers: Drivers) -> dict[str, Array]:
 def products(drivers: Drivers) -> dict[str, Array]:
     """The plain columns and what physics would make of them: powers, products, hinges; each of shape (samples,)."""
     found = plain(drivers)
-    twist, load, rate, side = drivers.turns, drivers.load, drivers.rate, found["direction"]
+    twist, load, rate, side = drivers.motion, drivers.load, drivers.rate, found["direction"]
     top = float(np.percentile(twist, 99.9))
     end_mm = drivers.contraction.min() + END * np.ptp(drivers.contraction)
     slow = float(np.median(np.abs(rate)[np.abs(rate) > 0.1 * np.abs(rate).max()]))

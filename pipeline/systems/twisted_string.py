@@ -1,0 +1,96 @@
+"""The twisted string, with a separator (eqs 1–4) and as a pair without: twist, load and acts → displacement in mm."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Array, loaded_radius
+from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
+
+LOAD_UNIT_N = 10.0
+FLATTEST = 0.98  # of its length, that a pair can be wound
+
+
+class TwistedString(System):
+    """Stages: twist → radius → geometry → length → sensor scale. Acts enter at their stage."""
+
+    driver, channel, load, load_unit = "motor_turns", "displacement_mm", "load_n", LOAD_UNIT_N
+    turn, levered, needs_string, homed = 1.0, True, True, "angle_turns"
+    optional_rig: Mapping[str, str] = {"load_n": "load in N, where no channel tells it"}
+    tolerance: Mapping[str, float] = {**TOLERANCE, "scale": 0.005, "angle_turns": 0.05}
+    ports: Mapping[str, str] = {
+        "twist": "twist", "radius": "radius", "length": "length", "resistance": "length", "sensor": "sensor",
+    }  # fmt: skip
+
+    def _zone(self, run: Described) -> list[Parameter]:
+        """Dimensions of the rig between radius and length."""
+        return []
+
+    def _geometry(self, values: Array, turns: Array, load_n: Array, radius_change: Array) -> tuple[Array, Array]:
+        """Contraction in mm and the sine of the helix angle."""
+        radius, length, _, angle, _ = values
+        wound = RAD_PER_TURN * (turns + angle) * radius * (1.0 + radius_change)
+        wound = np.clip(wound, -FLATTEST * length, FLATTEST * length)
+        return length - np.sqrt(length * length - wound * wound), wound / length
+
+    def parameters(self, run: Described) -> list[Parameter]:
+        """Radius, then the dimensions of the zone or of the pair, then sensor scale and the zero of the angle."""
+        string = run.string
+        return [
+            Parameter("radius_mm", string.radius_mm, sigma_of(self, run, "radius") * string.radius_mm),
+            *self._zone(run),
+            Parameter("length_mm", string.length_mm, sigma_of(self, run, "length_mm")),
+            Parameter("scale", 1.0, sigma_of(self, run, "scale")),
+            Parameter("angle_turns", 0.0, sigma_of(self, run, "angle_turns")),
+            Parameter("stiffness_n_per_mm", string.stiffness_n_per_mm, 0.0),
+        ]
+
+    def lever(self, values: Array, inputs: Inputs) -> tuple[Array, Array]:
+        """Sine and tangent of the helix angle."""
+        _, sine = self._geometry(values, inputs.motion, inputs.load * LOAD_UNIT_N, np.zeros_like(inputs.motion))
+        return sine, sine / np.sqrt(np.maximum(1.0 - sine * sine, 1e-6))
+
+    def travel(self, values: Array, inputs: Inputs) -> Array:
+        """Contraction in mm."""
+        return self._geometry(values, inputs.motion, inputs.load * LOAD_UNIT_N, np.zeros_like(inputs.motion))[0]
+
+    def simulate(self, values: Array, inputs: Inputs, acts: dict[str, Array]) -> Array:
+        """Displacement in mm, without its zero."""
+        nothing = np.zeros_like(inputs.motion)
+        turns = inputs.motion + acts.get("twist", nothing)
+        contraction, _ = self._geometry(values, turns, inputs.load * LOAD_UNIT_N, acts.get("radius", nothing))
+        scale = values[-3]
+        return np.asarray(scale * (contraction - acts.get("length", nothing)))
+
+
+class Pair(TwistedString):
+    """x = L - sqrt(L^2 - (theta r)^2)."""
+
+    name = "twisted_pair"
+
+
+class Separated(TwistedString):
+    """Eqs 1–4 of the paper."""
+
+    name = "separator"
+    rig: Mapping[str, str] = {"torsion_zone_mm": "the length in mm", "separator_mm": "the length in mm"}
+    never_zero = frozenset({"torsion_zone_mm"})
+
+    def _zone(self, run: Described) -> list[Parameter]:
+        """The separator and the torsion zone."""
+        separator, zone = (sigma_of(self, run, key) for key in ("separator_mm", "torsion_zone_mm"))
+        return [
+            Parameter("separator_mm", run.rig["separator_mm"], separator, lowest=0.0),
+            Parameter("torsion_zone_mm", run.rig["torsion_zone_mm"], zone),
+        ]
+
+    def _geometry(self, values: Array, turns: Array, load_n: Array, radius_change: Array) -> tuple[Array, Array]:
+        """Contraction in mm and the sine of the helix angle."""
+        radius, separator, zone, length, _, angle, stiffness = values
+        section = loaded_radius(radius, length, stiffness, load_n) * (1.0 + radius_change)
+        offset = separator + RAD_PER_TURN * (turns + angle) * section
+        strand = np.hypot(zone, offset)
+        return strand - zone, offset / strand
+
+
+SYSTEMS = (Separated(), Pair())
