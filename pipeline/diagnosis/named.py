@@ -15,9 +15,7 @@ from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.kinematics import Array
 
 RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
-Shapes = dict[
-    tuple[str, int, str], float
-]  # by mechanism, number and name: half the relative width of a shape's interval
+Shapes = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
 
 
 def as_entry(found: Interval) -> dict[str, float]:
@@ -66,6 +64,7 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
             size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
         said = problem.drivers.units
+        sentence = said.words(mechanisms()[act.id].sentence)
         entries_.append(
             {
                 "id": act.id,
@@ -73,9 +72,7 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
                 f"rms_{unit}": as_entry(size),
                 "parameters": parameters_of(problem, act, relative, shapes),
                 "location": locate.box(effect, problem),
-                "sentence": said.words(mechanisms()[act.id].sentence).format(
-                    size=f"{size.value:.3g} {said.reading} rms"
-                ),
+                "sentence": sentence.format(size=f"{size.value:.3g} {said.reading} rms"),
             }
         )
     return entries_
