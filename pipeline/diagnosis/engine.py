@@ -96,8 +96,7 @@ def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0
     linear = Linear(problem, state, white(1.0), {act.id: list(act.shapes) for act in acts}, smooth)
     columns = linear.table[:-1]
     target = (problem.measured - problem.simulate(state))[: problem.rows]
-    noise, _ = estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
-    return noise
+    return estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
 
 
 def study(problem: Problem, say: Progress = lambda _: None) -> Study:

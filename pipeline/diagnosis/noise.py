@@ -1,6 +1,6 @@
 """Noise floor and colour: what a saturated model leaves, mended for what that model swallows of the noise itself."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
@@ -15,11 +15,15 @@ DRAWS, ROUNDS, BLOCKS = 6, 3, 40
 
 @dataclass(frozen=True)
 class Noise:
-    """Floor (standard deviation), autoregressive coefficients and standard deviation of the innovations."""
+    """Floor (standard deviation), autoregressive coefficients and standard deviation of the innovations.
+
+    `swallowed` is the share of it that the columns beside which it was estimated took for signal, mended for.
+    """
 
     floor: float
     ar: Array
     innovation: float
+    swallowed: float = 0.0
 
 
 def white(floor: float) -> Noise:
@@ -71,8 +75,8 @@ def robust(residual: Array) -> Array:
 
 def estimate(
     target: Array, columns: Array, first: np.ndarray, step_s: float, trim: float = 0.0, seed: int = 0
-) -> tuple[Noise, float]:
-    """Noise of a target that columns (shape (columns, samples)) explain but for noise; and the share they swallow.
+) -> Noise:
+    """Noise of a target that columns (shape (columns, samples)) explain but for noise.
 
     The columns swallow part of coloured noise; how much is found by feeding noise of the estimated colour through the
     same fit, and added back.
@@ -108,7 +112,8 @@ def estimate(
             swallowed = float(gap[0] / max(guess.floor**2, 1e-300))
             covariance = seen + gap
         noise = from_covariance(covariance)
-    return louder(noise, own, first) if trim else noise, swallowed
+    noise = replace(noise, swallowed=swallowed)
+    return louder(noise, own, first) if trim else noise
 
 
 def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
@@ -119,4 +124,4 @@ def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
     innovations = whiten(own[None], noise.ar, first)[0]
     spreads = [1.4826 * float(np.median(np.abs(block))) for block in in_blocks(innovations, len(noise.ar))]
     factor = max(float(np.sqrt(np.mean(np.square(spreads)))) / noise.innovation, 1.0)
-    return Noise(noise.floor * factor, noise.ar, noise.innovation * factor)
+    return replace(noise, floor=noise.floor * factor, innovation=noise.innovation * factor)

@@ -13,6 +13,7 @@ from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, Explanation, Sear
 from pipeline.errors import BadInput
 
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
+SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
 CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
 LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
@@ -77,7 +78,7 @@ def decide(
         sets = [replace(one, ids=tuple(sorted({*one.ids, *new}))) for one in sets or [search.nothing]]
         best = replace(best, acts=best.acts + tuple(chance.act(problem, id_, shape) for id_, shape in new.items()))
     if not sets:
-        verdict = "unknown" if not random and mismatch > UNKNOWN_FROM * floor else "consistent"
+        verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"
         if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
             verdict = "parameters"
     elif (
@@ -93,6 +94,15 @@ def decide(
     return Study(
         problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks
     )  # fmt: skip
+
+
+def surely(noise: Noise) -> float:
+    """Noise floors of mismatch that no noise makes; more, where the floor itself is known badly.
+
+    In a short recording of slow noise the dictionary swallows much of it, and how loud it was is an estimate.
+    """
+    doubt = max(noise.swallowed - SWALLOWED, 0.0)
+    return float(np.sqrt((np.hypot(1.0, UNKNOWN_FROM) + doubt) ** 2 - 1.0))
 
 
 def cancels(problem: Problem, state: State) -> bool:

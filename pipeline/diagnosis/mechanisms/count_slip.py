@@ -8,8 +8,11 @@ from pipeline.diagnosis.shapes import times
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """When it slips, in s since the start; −1: a little at every stroke."""
-    return [*times(drivers, 160), {"at_s": -1.0}]
+    """When it slips, in s since the start; −1: a little at every stroke.
+
+    None where a constant gear makes twist and reading one: there a sudden step is `clamp_slip`.
+    """
+    return [*times(drivers, 160), {"at_s": -1.0}] if drivers.levered else []
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
