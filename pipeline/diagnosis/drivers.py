@@ -106,6 +106,7 @@ class Drivers:
 class Moved:
     """What a system simulates from."""
 
+    time_s: Array
     motion: Array
     rate: Array
     acceleration: Array
@@ -120,7 +121,7 @@ def drivers_of(system: System, record: Record, run: Run) -> Drivers:
     usual = max(abs(float(np.median(record.load))), LEAST_LOAD * system.load_unit)
     change = np.flatnonzero(np.diff(record.run_index, prepend=-1))
     first = np.arange(len(record)) - np.repeat(change, np.diff(change, append=len(record)))
-    inputs = Moved(record.motion, record.velocity, record.acceleration, load)
+    inputs = Moved(record.time_s, record.motion, record.velocity, record.acceleration, load)
     sine, tangent = system.lever(nominal, inputs)
     travel = system.travel(nominal, inputs)
     return Drivers(

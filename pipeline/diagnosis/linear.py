@@ -68,7 +68,7 @@ class Linear:
                 terms = problem.terms(mechanisms()[id_], shape)
                 self.index[id_, number] = np.arange(len(columns), len(columns) + len(terms))
                 for term in terms:
-                    columns.append(problem.column(term, slopes, clean)[:rows])
+                    columns.append(problem.column(term, slopes, state, clean)[:rows])
                     low.append(term.low)
                     high.append(term.high)
                     sigma.append(np.inf)
@@ -95,7 +95,7 @@ class Linear:
             if act in problem.included:
                 continue
             for term, coefficient in problem.act_terms(act):
-                target = target + coefficient * problem.column(term, slopes, clean)[:rows]
+                target = target + coefficient * problem.column(term, slopes, state, clean)[:rows]
         self.begin = np.zeros(len(low))  # calibration starts where it stands, the rest at nothing
         known = self.calibration
         self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])

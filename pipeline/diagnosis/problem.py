@@ -129,9 +129,20 @@ class Problem:
         added, operators = self.ports(state.acts)
         return self.reading(state.values, added, operators) + state.zeros[self.record.run_index]
 
-    def column(self, term: Term, slopes: dict[str, Array], clean: Array) -> Array:
-        """How the reading moves with the coefficient of a term."""
-        return term.signal(clean) if callable(term.signal) else slopes[term.port] * term.signal
+    def column(self, term: Term, slopes: dict[str, Array], state: State, clean: Array) -> Array:
+        """How the reading moves with the coefficient of a term; `clean` is the reading before operators."""
+        if callable(term.signal):
+            return term.signal(clean)
+        if self.system.remembers and term.port != "sensor":
+            return self.pushed(term.port, term.signal, state, clean)
+        return slopes[term.port] * term.signal
+
+    def pushed(self, port: str, signal: Array, state: State, clean: Array) -> Array:
+        """How the simulated channel moves, at once and later, with a small share of a signal at a port."""
+        step = STEPS[port] / max(float(np.sqrt(np.mean(np.square(signal)))), 1e-300)
+        added, place = self.ports(state.acts)[0], self.system.ports[port]
+        moved = added[place] + step * signal if place in added else step * signal
+        return (self.simulated(state.values, {**added, place: moved}) - clean) / step
 
     def sensitivity(self, state: State) -> dict[str, Array]:
         """How the reading moves per unit at each port, and for each movable parameter by its name."""

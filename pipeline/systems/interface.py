@@ -43,6 +43,10 @@ class Inputs(Protocol):
     """What a system simulates from, one value a sample: motion in the driver's unit, load in the system's load unit."""
 
     @property
+    def time_s(self) -> Array:
+        """Time, for what has a memory of its own."""
+
+    @property
     def motion(self) -> Array:
         """What the motor does."""
 
@@ -83,6 +87,7 @@ class System:
     working_hz: float | None = None  # both sides are averaged to it: what is faster tells nothing
     differentiates: bool = False  # whether the channel follows derivatives of the motion: taken before, not smoothed
     stated_below_hz: float | None = None  # the band in which the relative residual is stated, where one is usual
+    remembers: bool = False  # whether what acts at a port shows later too: a spring and mass, a filter, a tank
     homed: str | None = None  # parameter that shifts the motion, which each run may have of its own
     needs_string: bool = False
     rig: Mapping[str, str] = {}  # keys of `rig:` that must be there, each with what it means

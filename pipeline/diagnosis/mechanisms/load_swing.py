@@ -7,13 +7,16 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import resonator
 
 
+LOWEST_HZ, LOWEST_STIFF_HZ = 0.4, 3.0  # of a load that hangs on a string; of what a stiff drive moves
+
+
 def shapes(drivers: Drivers) -> list[Shape]:
     """Frequency in Hz (at 10 N) and damping; a spring under a dead weight swings slower the heavier it is."""
     highest = min(0.35 / drivers.step_s, 25.0)
     kinds = (0.0, 1.0) if drivers.loaded else (0.0,)
     return [
         {"frequency_hz": float(f"{hz:.6g}"), "damping": damping, "heavy_slow": kind}
-        for hz in np.geomspace(0.4, highest, 26)
+        for hz in np.geomspace(LOWEST_HZ if drivers.levered else LOWEST_STIFF_HZ, highest, 26)
         for damping in (0.04, 0.15)
         for kind in kinds
     ]
