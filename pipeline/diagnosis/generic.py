@@ -26,15 +26,16 @@ def around(drivers: Drivers) -> Array:
 def groups(drivers: Drivers) -> dict[str, Array]:
     """Columns by the driver that they follow, each of shape (columns, samples)."""
     side = drivers.directed(0.02 * drivers.span)
-    rate, sine = drivers.rate, drivers.sine
+    rate, sine = drivers.rate if drivers.velocity is None else drivers.smooth(drivers.rate), drivers.sine
     found = {
         "twist": hats(drivers.motion, 14)[1:],
         "direction": np.vstack([side * hats(drivers.motion, 8), drivers.directed(0.1 * drivers.span)]),
         "time": np.vstack([hats(drivers.elapsed_s, 14)[1:], sine * hats(drivers.elapsed_s, 8)[1:]]),
         "speed": np.vstack([rate, np.abs(rate), rate * sine, np.abs(rate) * sine]),
         "angle within the turn": around(drivers),
-        "acceleration": np.vstack([drivers.slope(rate), drivers.slope(rate) * sine]),
     }
+    if drivers.velocity is None:  # otherwise it is the simulator's own, and a smoother one would quiet its noise
+        found["acceleration"] = np.vstack([drivers.slope(rate), drivers.slope(rate) * sine])
     if drivers.loaded:
         load = drivers.load - np.mean(drivers.load)
         found["load"] = np.vstack(

@@ -52,6 +52,7 @@ class Mechanism:
     shapes: Callable[[Drivers], list[Shape]]
     terms: Callable[[Drivers, Shape], list[Term]]
     steps: int = 1
+    helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty
     suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []
     random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None

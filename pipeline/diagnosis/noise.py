@@ -10,6 +10,7 @@ from pipeline.diagnosis.recursions import whiten
 from pipeline.kinematics import Array
 
 MEMORY_S, FEWEST, MOST = 1.2, 6, 30
+FADING = 0.98  # a lag
 DRAWS, ROUNDS, BLOCKS = 6, 3, 40
 
 
@@ -59,10 +60,13 @@ def trimmed(signal: Array, lags: int, trim: float) -> Array:
 
 
 def from_covariance(covariance: Array) -> Noise:
-    """Yule-Walker."""
+    """Yule-Walker; what no noise can have, after mending, is faded with the lag until it is one's."""
     order = len(covariance) - 1
     covariance = covariance * np.concatenate([[1.0 + 1e-6], np.ones(order)])
     ar = solve_toeplitz(covariance[:-1], covariance[1:])
+    while np.abs(np.roots(np.concatenate([[1.0], -ar]))).max(initial=0.0) >= 1.0:
+        covariance = covariance * FADING ** np.arange(order + 1)
+        ar = solve_toeplitz(covariance[:-1], covariance[1:])
     variance = float(covariance[0] - ar @ covariance[1:])
     return Noise(float(np.sqrt(covariance[0])), ar, float(np.sqrt(max(variance, 1e-6 * covariance[0]))))
 

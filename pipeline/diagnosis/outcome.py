@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.diagnosis import chance, form
 from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, Explanation, Search
@@ -15,6 +16,7 @@ from pipeline.errors import BadInput
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
+HELPED = 0.7  # of the mismatch (half of its energy) that makes a helper the explanation
 CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
 LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
 
@@ -84,6 +86,7 @@ def decide(
     elif (
         not physics(sets[0].ids)
         or cancels(problem, best)
+        or helped(problem, best, mismatch)
         or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor)
     ):
         verdict = "unknown"
@@ -110,6 +113,13 @@ def cancels(problem: Problem, state: State) -> bool:
     effects = [form.effect(problem, state, act.id) for act in state.acts if act not in problem.included]
     together = float(np.std(np.sum(effects, axis=0))) if len(effects) > 1 else np.inf
     return max((float(np.std(effect)) for effect in effects), default=0.0) > CANCELS * together
+
+
+def helped(problem: Problem, state: State, mismatch: float) -> bool:
+    """Whether a helper, which is no physics, takes most of a mismatch."""
+    helpers = [act.id for act in state.acts if act not in problem.included and mechanisms()[act.id].helper]
+    sizes = [float(np.std(form.effect(problem, state, id_)[: problem.rows])) for id_ in helpers]
+    return max(sizes, default=0.0) > HELPED * mismatch
 
 
 def refuse_faint(found: Study, folder: Path) -> None:

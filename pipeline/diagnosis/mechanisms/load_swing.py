@@ -6,7 +6,6 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import resonator
 
-
 LOWEST_HZ, LOWEST_STIFF_HZ = 0.4, 3.0  # of a load that hangs on a string; of what a stiff drive moves
 
 

@@ -62,6 +62,7 @@ MECHANISM = Mechanism(
     told_apart_by="a rest with the motor off: it goes on",
     sentence="The reading oscillates steadily in time, {size}, whatever the rig does.",
     shapes=shapes,
+    helper=True,
     units={"hz": "Hz"},
     terms=terms,
     suggest=suggest,
