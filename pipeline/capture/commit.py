@@ -7,8 +7,6 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from pipeline.capture.log import NAME, in_use, sync_folder
 from pipeline.capture.losses import locate
 from pipeline.capture.stream import Outcome
@@ -51,7 +49,7 @@ def account(data: bytes, recording: Recording, began: datetime, ended: datetime,
         "samples": {
             "sent": frames.samples_sent,
             "received": len(recording.time_s),
-            "out_of_order": int(np.count_nonzero(np.diff(recording.seq.astype(np.uint32)).view(np.int32) < 0)),
+            "out_of_order": frames.out_of_order,
         },
         "hello": asdict(recording.hello) if recording.hello else None,
     }

@@ -42,7 +42,8 @@ class Account:
     received: int
     lost: int
     bad: int  # stretches between two zeros that were no frame: damaged frames are lost, garbage is not
-    repeated: int
+    repeated: int  # came again, or after END, or bear a number that cannot be
+    out_of_order: int  # times that a sample came before one with a smaller number
     resets: int
     gaps: tuple[tuple[int, int], ...]
     bad_at: tuple[int, ...]  # positions in the log
@@ -57,7 +58,7 @@ class Account:
 
 @dataclass(frozen=True)
 class Recording:
-    """What a byte log holds; without a readable HELLO there are no samples and `hello` is None."""
+    """What a byte log holds, by the frames' numbers; without a readable HELLO nothing, and `hello` is None."""
 
     hello: Hello | None
     time_s: Array  # since the first sample, (samples,)
@@ -92,10 +93,11 @@ def _hello(batch: Batch) -> tuple[Hello | None, int, int, int]:
 
 
 def _once(seq: Whole) -> tuple[Whole, Whole]:
-    """Unwrapped numbers of a u32 sequence, and where each number first came."""
+    """Unwrapped numbers from 0 of a u32 sequence, rising, and where each number first came."""
     steps = np.diff(seq.astype(np.uint32), prepend=np.uint32(0)).astype(np.uint32).view(np.int32)
     numbers, first = np.unique(np.cumsum(steps, dtype=np.int64), return_index=True)
-    return numbers, first.astype(np.int64)
+    possible = numbers >= 0
+    return numbers[possible], first[possible].astype(np.int64)
 
 
 def _end(batch: Batch, frames: Whole, numbers: Whole) -> tuple[End | None, int]:
@@ -109,38 +111,39 @@ def _end(batch: Batch, frames: Whole, numbers: Whole) -> tuple[End | None, int]:
 
 
 def _samples(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArray[np.void]]:
-    """Places among `frames` of the SAMPLE frames, and their numbers under the HELLO's type."""
+    """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type."""
     layout = np.dtype(hello.sample_type)
-    for members, payloads in batch.matrices:
-        if payloads.shape[1] != layout.itemsize:
+    as_they_came = np.argsort(frames, kind="stable")
+    came = frames[as_they_came]
+    places, found = [np.zeros(0, np.int64)], [np.zeros(0, layout)]
+    for members, payloads in batch.matrices:  # several, if there are many frames
+        if payloads.shape[1] != layout.itemsize or not len(came):
             continue
-        place = np.searchsorted(frames, members)
-        there = place < len(frames)
-        there &= frames[np.minimum(place, len(frames) - 1)] == members
-        there &= batch.kind[members] == Kind.SAMPLE
-        if there.any():
-            return place[there], np.ascontiguousarray(payloads[there]).view(layout)[:, 0]
-    return np.zeros(0, np.int64), np.zeros(0, layout)
+        at = np.minimum(np.searchsorted(came, members), len(came) - 1)
+        there = (came[at] == members) & (batch.kind[members] == Kind.SAMPLE)
+        places.append(as_they_came[at[there]])
+        found.append(np.ascontiguousarray(payloads[there]).view(layout)[:, 0])
+    place, samples = np.concatenate(places), np.concatenate(found)
+    order = np.argsort(place, kind="stable")
+    return place[order], samples[order]
 
 
 def read_recording(data: bytes) -> Recording:
     """Samples, events and account of a byte log; never raises, whatever the bytes.
 
-    Only what the device sent between its first HELLO and a reset is read. Frames that came twice count once.
+    Only what the device sent between its first HELLO and a reset is read. Frames that came twice count once, and
+    those that came in the wrong order are put right by their numbers.
     """
     batch = read_batch(data)
     hello, first, stop, resets = _hello(batch)
     frames = np.arange(first, stop) if hello is not None else np.zeros(0, np.int64)
     numbers, once = _once(batch.seq[frames])
-    order = np.argsort(once)  # as they came
-    numbers, frames = numbers[order], frames[once[order]]
-    repeated = stop - first - len(frames) if hello is not None else 0
-
+    frames = frames[once]
     end, last = _end(batch, frames, numbers)
     numbers, frames = numbers[: last + 1], frames[: last + 1]
-    sent = int(numbers.max()) + 1 if len(numbers) else 0
-    if hello is None:
-        nothing = Account(0, 0, 0, len(batch.bad_at), 0, 0, (), tuple(batch.bad_at.tolist()), batch.tail, None)
+    sent = int(numbers[-1]) + 1 if len(numbers) else 0
+    if hello is None or not len(frames):
+        nothing = Account(0, 0, 0, len(batch.bad_at), 0, 0, 0, (), tuple(batch.bad_at.tolist()), batch.tail, None)
         return Recording(None, np.zeros(0), {}, np.zeros(0, np.int64), (), nothing)
 
     place, raw = _samples(batch, hello, frames)
@@ -156,7 +159,8 @@ def read_recording(data: bytes) -> Recording:
         received=len(numbers),
         lost=sent - len(numbers),
         bad=len(batch.bad_at),
-        repeated=repeated,
+        repeated=stop - first - len(frames),
+        out_of_order=int(np.count_nonzero(np.diff(frames[place]) < 0)),
         resets=resets,
         gaps=tuple(gaps),
         bad_at=tuple(batch.bad_at.tolist()),

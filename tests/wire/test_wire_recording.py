@@ -2,6 +2,7 @@
 
 import json
 import time
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -60,6 +61,32 @@ def test_lost_frames_are_counted_and_located(lost):
     for after, _ in account.gaps:
         before = recording.seq[after - 1] if after else 0
         assert {int(before) + 1, int(before) + 2} & lost
+
+
+@given(st.sets(st.integers(1, 61), max_size=12), st.sets(st.integers(1, 60), max_size=6))
+def test_frames_in_the_wrong_order_are_put_right_and_losses_among_them_located(lost, swaps):
+    frames = log(60)
+    sent = [number for number in range(63) if number not in lost]
+    for at in swaps:
+        if at < len(sent) - 2:
+            sent[at], sent[at + 1] = sent[at + 1], sent[at]
+    found = read_recording(b"".join(frames[number] for number in sent))
+    right = read_recording(b"".join(frames[number] for number in sorted(sent)))
+    assert found.account.gaps == right.account.gaps
+    assert found.account.lost == len(lost) == sum(count for _, count in found.account.gaps)
+    assert found.events == right.events
+    np.testing.assert_array_equal(found.seq, right.seq)
+    np.testing.assert_array_equal(found.time_s, right.time_s)
+    np.testing.assert_array_equal(found.channels["motor_turns"], right.channels["motor_turns"])
+    samples = [number for number in sent if number not in (0, 2, 62)]
+    assert found.account.out_of_order == sum(after < before for before, after in pairwise(samples))
+
+
+def test_numbers_that_cannot_be_are_not_counted_as_losses():
+    frames = log(20)  # 23 frames
+    late, early = encode(Kind.SAMPLE, 2**20, b"1234567890"), encode(Kind.SAMPLE, 2**32 - 5, b"1234567890")
+    account = read_recording(b"".join([*frames[:9], late, *frames[9:14], early, *frames[14:]])).account
+    assert (account.sent, account.received, account.lost, account.repeated) == (23, 23, 0, 2)
 
 
 @given(st.binary(max_size=400), st.binary(max_size=100))
@@ -128,6 +155,15 @@ def test_a_hello_that_cannot_be_is_refused_with_the_field(change, said):
 def test_a_hello_may_say_more_than_we_know():
     content = json.loads(HELLO.pack()) | {"colour": "red"}
     assert Hello.unpack(json.dumps(content).encode()) == HELLO
+
+
+def test_a_long_recording_is_read_to_its_end():
+    frames = log(150_000)
+    frames[3] = frames[3][:-1] + b"\1\0"  # damaged
+    recording = read_recording(b"".join(frames))
+    assert len(recording.time_s) == recording.account.received - 3 == 149_999
+    assert recording.time_s[-1] == pytest.approx(149_999 * 0.02)
+    assert recording.channels["motor_turns"][-1] == 0.25 * (149_999 - 3) + 1.0
 
 
 def test_a_long_recording_is_read_fast():
