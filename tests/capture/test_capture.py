@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from pipeline.capture.__main__ import plain, tell_frames
-from pipeline.capture.commit import account
+from pipeline.capture.commit import Read, account
 from pipeline.capture.handshake import check_rate
 from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
@@ -255,9 +255,10 @@ def test_a_device_that_counts_wrongly_is_told(simulated, tmp_path, capsys, count
     samples, reason = END.unpack(heard[-1].payload)
     for end, told in ((samples, False), (samples + counted, True)):
         frames = [*heard[:-1], Frame(Kind.END, heard[-1].seq, END.pack(end, reason))]
-        data = b"".join(encode(frame.kind, frame.seq, frame.payload) for frame in frames)
+        path = tmp_path / "recording.frames"
+        path.write_bytes(b"".join(encode(frame.kind, frame.seq, frame.payload) for frame in frames))
         now = datetime.now(UTC)
-        tell_frames(account(data, read_recording(data), now, now, Outcome("complete")), tmp_path)
+        tell_frames(account(Read.of(path), now, now, Outcome("complete")), tmp_path)
         assert ("lost frames do not explain it" in capsys.readouterr().out) == told
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.wire import Channel, Decoder, Event, Hello, Kind, Reason, encode, read_recording
+from pipeline.wire import Channel, Decoder, Event, Hello, Kind, Reason, encode, read_account, read_recording
 from pipeline.wire.frames import END, EVENT
 
 CHANNELS = (Channel("motor_turns", "turns", "i32", 0.25, 1.0), Channel("displacement_mm", "mm", "i16", 0.02))
@@ -56,9 +56,9 @@ def test_lost_frames_are_counted_and_located(lost):
     frames = log(60)  # 63 frames: HELLO, one sample, EVENT, 59 samples, END
     account = (recording := read_recording(b"".join(f for n, f in enumerate(frames) if n not in lost))).account
     assert account.sent == 63 == account.received + account.lost
-    assert account.lost == len(lost) == sum(count for _, count in account.gaps)
+    assert account.lost == len(lost) == sum(gap.frames for gap in account.gaps)
     assert len(recording.time_s) == 60 - len(lost - {2})
-    for after, _ in account.gaps:
+    for after in (gap.after_samples for gap in account.gaps):
         before = recording.seq[after - 1] if after else 0
         assert {int(before) + 1, int(before) + 2} & lost
 
@@ -73,7 +73,7 @@ def test_frames_in_the_wrong_order_are_put_right_and_losses_among_them_located(l
     found = read_recording(b"".join(frames[number] for number in sent))
     right = read_recording(b"".join(frames[number] for number in sorted(sent)))
     assert found.account.gaps == right.account.gaps
-    assert found.account.lost == len(lost) == sum(count for _, count in found.account.gaps)
+    assert found.account.lost == len(lost) == sum(gap.frames for gap in found.account.gaps)
     assert found.events == right.events
     np.testing.assert_array_equal(found.seq, right.seq)
     np.testing.assert_array_equal(found.time_s, right.time_s)
@@ -87,6 +87,40 @@ def test_numbers_that_cannot_be_are_not_counted_as_losses():
     late, early = encode(Kind.SAMPLE, 2**20, b"1234567890"), encode(Kind.SAMPLE, 2**32 - 5, b"1234567890")
     account = read_recording(b"".join([*frames[:9], late, *frames[9:14], early, *frames[14:]])).account
     assert (account.sent, account.received, account.lost, account.repeated) == (23, 23, 0, 2)
+
+
+@given(
+    st.sets(st.integers(1, 61), max_size=12),
+    st.lists(st.tuples(st.integers(0, 62), st.integers(0, 62)), max_size=6),
+    st.lists(st.integers(1, 4000), min_size=1, max_size=4),
+    st.binary(max_size=30),
+)
+def test_the_account_is_the_same_in_pieces_of_any_size(lost, moves, sizes, garbage):
+    sent = [number for number in range(63) if number not in lost]
+    for at, to in moves:  # some come late, or early, or again
+        sent.insert(to % len(sent), sent[at % len(sent)])
+        if at % 2:
+            sent.pop(at % len(sent))
+    frames = log(60, first_us=2**32 - 700_000)
+    data = frames[0] + b"".join(frames[number] for number in sent[:30]) + garbage + b"\0"
+    data += b"".join(frames[number] for number in sent[30:]) + garbage
+    pieces, at = [], 0
+    while at < len(data):
+        pieces.append(data[at : at + sizes[len(pieces) % len(sizes)]])
+        at += len(pieces[-1])
+    hello, account = read_account(pieces)
+    recording = read_recording(data)
+    assert (hello, account) == (recording.hello, recording.account)
+    assert account.sent == account.received + account.lost
+    assert account.samples == len(recording.time_s)
+    assert account.last_s == (pytest.approx(recording.time_s[-1]) if account.samples else 0.0)
+    for gap in account.gaps:
+        after_s = recording.time_s[gap.after_samples - 1] if gap.after_samples else None
+        rest = recording.time_s[gap.after_samples :]
+        assert gap.after_s == (after_s if after_s is None else pytest.approx(after_s, abs=1e-9))
+        assert gap.until_s == (pytest.approx(rest[0], abs=1e-9) if len(rest) else None)
+    for event in account.events:
+        assert event.time_s == pytest.approx(0.012345 - 0.02 * int(recording.seq[0] - 1 - (recording.seq[0] > 2)))
 
 
 @given(st.binary(max_size=400), st.binary(max_size=100))
