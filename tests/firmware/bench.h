@@ -16,7 +16,7 @@
 
 #include "config.h"
 
-#define RADIUS_MM 0.4
+#define RADIUS_MM 1.0
 #define LENGTH_MM 300.0
 #define MM_A_COUNT 0.005
 #define LOAD_STEPS 205 /* of the converter: 20.02 N */

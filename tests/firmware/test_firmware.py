@@ -21,8 +21,8 @@ from pipeline.wire.frames import END, EVENT
 
 FLASH_BYTES = 32 * 1024 - 512  # the boot loader takes the rest
 RAM_BYTES = 2048 - 256  # so much for the stack
-TOP_TURNS = 8.0
-RADIUS_MM, LENGTH_MM = 0.4, 300.0  # of bench.h
+TOP_TURNS = 5.0
+RADIUS_MM, LENGTH_MM = 1.0, 300.0  # of bench.h
 
 
 @pytest.fixture(scope="module")
