@@ -9,7 +9,7 @@ import yaml
 
 from pipeline.errors import BadInput
 from pipeline.run_yaml import MATERIAL_NAME, STRING_ACTUATORS
-from pipeline.runs import RECORDINGS, capture_info, find_runs
+from pipeline.runs import RECORDINGS, capture_info, find_runs, unfinished
 
 SYNTHETIC_MATERIAL = "synthetic"
 SYNTHETIC_DEVICE = "twistbench synthetic rig"  # what the rig's hello calls itself
@@ -57,7 +57,7 @@ def make_plan(raw: Path, synthetic: list[str]) -> Plan:
         if folder.name in synthetic:
             continue
         material = _material(folder)
-        if (folder / "recording.frames").is_file() and not (folder / "capture.json").is_file():
+        if unfinished(folder):
             plan.unfinished.append(folder.name)
         elif material is None:
             plan.others.append(folder.name)

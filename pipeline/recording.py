@@ -165,6 +165,17 @@ def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
     return pd.DataFrame({"time_s": recorded.time_s, **recorded.channels}), units
 
 
+def check_lines(path: Path) -> None:
+    """Raise BadInput when a table that the capture program made of printed lines is not as it was made."""
+    info = capture_info(path.parent)
+    if (path.parent / "recording.lines").is_file() or "csv_sha256" in info:
+        if hashlib.sha256(path.read_bytes()).hexdigest() == info.get("csv_sha256"):
+            return
+        again = f"remove it and capture.json, and run python -m pipeline.capture --recover {path.parent}"
+        problem = "its bytes are not those that capture.json was written for"
+        raise BadInput(path, "csv_sha256", problem, f"{again}; recording.lines has what was printed")
+
+
 def read_recording(run: Run, folder: Path) -> pd.DataFrame:
     """Samples of a run folder, one row a sample: `time_s` and its channels, unchecked but for being numbers."""
     path = recording_path(folder)
@@ -173,5 +184,6 @@ def read_recording(run: Run, folder: Path) -> pd.DataFrame:
         told = {name: Channel.model_validate({"unit": unit}) for name, unit in units.items()}
         run = run.model_copy(update={"channels": {**told, **run.channels}})
     else:
+        check_lines(path)
         table = read_table(path, run.file)
     return to_samples(run, table, path, folder / "run.yaml")

@@ -10,6 +10,7 @@ import yaml
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run, parse_run
 
+CAPTURED = ("recording.frames", "recording.lines")  # what the capture program writes while it runs
 RECORDINGS = ("recording.frames", "recording.parquet", "recording.csv", "recording.csv.gz")
 
 
@@ -54,16 +55,21 @@ def read_run(folder: Path | str) -> Run:
 def recording_path(folder: Path | str) -> Path:
     """The one recording of a run folder; raises BadInput when there is none, more than one, or it is unfinished."""
     folder = Path(folder)
+    if unfinished(folder):
+        mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
+        raise BadInput(folder, "capture.json", "is missing, so the recording is unfinished", mend)
     found = [folder / name for name in RECORDINGS if (folder / name).is_file()]
     if not found:
         raise BadInput(folder, "recording", "is missing", f"put one of {', '.join(RECORDINGS)} there")
     if len(found) > 1:
         names = " and ".join(path.name for path in found)
         raise BadInput(folder, "recording", f"is there more than once ({names})", "keep one")
-    if found[0].suffix == ".frames" and not (folder / "capture.json").is_file():
-        mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
-        raise BadInput(folder, "capture.json", "is missing, so the recording is unfinished", mend)
     return found[0]
+
+
+def unfinished(folder: Path) -> bool:
+    """Whether a capture into a run folder is under way, or was cut off."""
+    return any((folder / name).is_file() for name in CAPTURED) and not (folder / "capture.json").is_file()
 
 
 def capture_info(folder: Path | str) -> dict[str, Any]:
@@ -83,4 +89,4 @@ def capture_info(folder: Path | str) -> dict[str, Any]:
 def find_runs(raw: Path | str) -> Iterator[Path]:
     """Run folders under `raw/`, sorted by name: those with a `run.yaml` or a recording, hidden ones left out."""
     folders = (path for path in sorted(Path(raw).glob("[!.]*")) if path.is_dir())
-    return (path for path in folders if any((path / name).is_file() for name in ("run.yaml", *RECORDINGS)))
+    return (path for path in folders if any((path / name).is_file() for name in ("run.yaml", *CAPTURED, *RECORDINGS)))

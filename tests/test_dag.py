@@ -19,9 +19,10 @@ def test_plan_sorts_runs_by_material(make_run, tmp_path):
     (make_run("nameless-01") / "run.yaml").unlink()
     cut_off = make_run("cut-01")
     (cut_off / "recording.parquet").rename(cut_off / "recording.frames")
+    (make_run("cut-02") / "recording.parquet").rename(tmp_path / "raw" / "cut-02" / "recording.lines")
     plan = make_plan(tmp_path / "raw", ["synthetic-01"])
     assert plan.materials == {"synthetic": ["synthetic-01"], "UHMWPE": ["a-01", "a-02"], "nylon": ["n-01"]}
-    assert plan.others == ["bad-01", "mass-01", "nameless-01"] and plan.unfinished == ["cut-01"]
+    assert plan.others == ["bad-01", "mass-01", "nameless-01"] and plan.unfinished == ["cut-01", "cut-02"]
 
 
 def test_a_real_recording_is_never_made_again(make_run, tmp_path):

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pandas as pd
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from pipeline import schemas
 from pipeline.dataset import touched
 
+ROOT = Path(__file__).parent.parent
 STROKES = pd.DataFrame(
     {
         "stroke": [0, 1, 1, 1, 2, 2],
@@ -66,3 +68,23 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(
         kept["stroke"]
     )
+
+
+@pytest.mark.parametrize(
+    ("value", "kept", "status"), [("False", False, 0), ("True", True, 0), ("perhaps", False, 1)], ids=str
+)
+def test_the_configuration_says_whether_they_are_kept(tmp_path, value, kept, status):
+    what = [
+        "--dry-run",
+        "--printshellcmds",
+        "--config",
+        f"keep_lossy={value}",
+        "--",
+        "processed/synthetic/dataset.parquet",
+    ]
+    command = [sys.executable, "-m", "snakemake", "--snakefile", str(ROOT / "Snakefile"), "--directory", str(tmp_path)]
+    done = subprocess.run([*command, *what], capture_output=True, text=True)
+    said = done.stdout + done.stderr
+    assert done.returncode == status, said
+    assert ("--keep-lossy" in said) == kept
+    assert ("pipeline.dataset raw/synthetic-01" in said) == (status == 0)

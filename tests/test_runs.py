@@ -93,7 +93,17 @@ def test_recording_must_be_one_and_finished(make_run):
     (folder / "recording.parquet").rename(folder / "recording.frames")
     with pytest.raises(BadInput, match=r"capture\.json: is missing, so the recording is unfinished"):
         recording_path(folder)
-    (folder / "recording.frames").unlink()
+    (folder / "recording.frames").rename(folder / "recording.lines")
+    for there in ((), ("recording.csv",)):  # killed before, and while, the lines became a table
+        for name in there:
+            (folder / name).write_text("x")
+        with pytest.raises(BadInput, match=r"is unfinished. Mend: wait .* python -m pipeline.capture --recover .*a-01"):
+            recording_path(folder)
+        assert list(find_runs(folder.parent)) == [folder]
+    (folder / "capture.json").write_text("{}")
+    assert recording_path(folder).name == "recording.csv"
+    for name in ("recording.lines", "recording.csv", "capture.json"):
+        (folder / name).unlink()
     with pytest.raises(BadInput, match="recording: is missing"):
         recording_path(folder)
 

@@ -117,7 +117,12 @@ def tell_frames(info: dict[str, Any], folder: Path) -> None:
     if len(info["gaps"]) > GAPS_TOLD:
         print(f"{folder}: and in {len(info['gaps']) - GAPS_TOLD} more places, see capture.json")
     if samples["out_of_order"]:
-        print(f"{folder}: samples came out of order ({samples['out_of_order']} times), so their clock runs backwards")
+        print(f"{folder}: samples came out of order ({samples['out_of_order']} times); their numbers put them right")
+    if samples["sent"] is not None and not 0 <= samples["sent"] - samples["received"] <= frames["lost"]:
+        print(
+            f"{folder}: warning: the device counted {samples['sent']} samples, {samples['received']} can be read, and "
+            "lost frames do not explain it: check its firmware against docs/protocol.md"
+        )
 
 
 @program

@@ -2,25 +2,24 @@
 
 import hashlib
 import json
-from dataclasses import asdict
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from pipeline.capture.log import NAME, in_use, sync_folder
 from pipeline.capture.losses import locate
 from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
 from pipeline.files import write_text
-from pipeline.wire import Recording, read_recording
+from pipeline.wire import Account, Hello, read_account
 
 SCHEMA = 1
-GAPS = 1000  # so many are listed; they are counted all
+PIECE = 1 << 20  # bytes that are read at once
 
 
-def opening(data: bytes, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
     """What capture.json says of any recording: when it was made, how it ended, and which bytes it is."""
     return {
         "schema": SCHEMA,
@@ -28,16 +27,42 @@ def opening(data: bytes, began: datetime, ended: datetime, outcome: Outcome) -> 
         "fault": outcome.fault,
         "started_utc": began.astimezone(UTC).isoformat(timespec="milliseconds"),
         "ended_utc": ended.astimezone(UTC).isoformat(timespec="milliseconds"),
-        "bytes": len(data),
-        "sha256": hashlib.sha256(data).hexdigest(),
+        "bytes": size,
+        "sha256": sha256,
     }
 
 
-def account(data: bytes, recording: Recording, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+@dataclass
+class Read:
+    """A recording read once from its beginning, piece by piece: its device, its account and which bytes it is."""
+
+    hello: Hello | None
+    frames: Account
+    size: int
+    sha256: str
+
+    @staticmethod
+    def of(path: Path) -> "Read":
+        """Read a file; memory goes by what was lost in it, not by its length."""
+        digest, size = hashlib.sha256(), 0
+
+        def pieces() -> Iterator[bytes]:
+            nonlocal size
+            with open(path, "rb") as file:
+                while piece := file.read(PIECE):
+                    digest.update(piece)
+                    size += len(piece)
+                    yield piece
+
+        hello, frames = read_account(pieces())
+        return Read(hello, frames, size, digest.hexdigest())
+
+
+def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
     """Content of capture.json; sent = received + lost holds for its frames."""
-    frames = recording.account
+    frames, hello = read.frames, read.hello
     return {
-        **opening(data, began, ended, outcome),
+        **opening(read.size, read.sha256, began, ended, outcome),
         "frames": {
             "sent": frames.sent,
             "received": frames.received,
@@ -47,13 +72,13 @@ def account(data: bytes, recording: Recording, began: datetime, ended: datetime,
             "resets": frames.resets,
             "tail_bytes": frames.tail_bytes,
         },
-        "gaps": [asdict(gap) for gap in locate(recording)[:GAPS]],
+        "gaps": [asdict(loss) for loss in locate(frames, hello.strokes if hello else 0)],
         "samples": {
             "sent": frames.samples_sent,
-            "received": len(recording.time_s),
-            "out_of_order": int(np.count_nonzero(np.diff(recording.seq.astype(np.uint32)).view(np.int32) < 0)),
+            "received": frames.samples,
+            "out_of_order": frames.out_of_order,
         },
-        "hello": asdict(recording.hello) if recording.hello else None,
+        "hello": asdict(hello) if hello else None,
     }
 
 
@@ -62,8 +87,7 @@ def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> 
 
     Raises BadInput when it cannot be written.
     """
-    data = (folder / NAME).read_bytes()
-    return seal(folder, NAME, account(data, read_recording(data), began, ended, outcome))
+    return seal(folder, NAME, account(Read.of(folder / NAME), began, ended, outcome))
 
 
 def seal(folder: Path, name: str, info: dict[str, Any], csv: str | None = None) -> dict[str, Any]:
@@ -96,9 +120,9 @@ def recover(folder: Path) -> dict[str, Any]:
         raise BadInput(folder, "capture.json", "is there, so the run is finished", "there is nothing to recover")
     if in_use(path):
         raise BadInput(path, NAME, "is still being captured", "wait for that program, or end it")
-    recording = read_recording(path.read_bytes())
-    if recording.hello is None:
+    read = Read.of(path)
+    if read.hello is None:
         raise BadInput(path, NAME, "holds no HELLO, so nobody knows what was measured", "record again")
     ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
-    seconds = float(recording.time_s[-1]) if len(recording.time_s) else 0.0
-    return commit(folder, ended - timedelta(seconds=seconds), ended, Outcome("recovered"))
+    began = ended - timedelta(seconds=read.frames.last_s)
+    return seal(folder, NAME, account(read, began, ended, Outcome("recovered")))

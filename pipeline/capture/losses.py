@@ -1,14 +1,15 @@
 """Where frames were lost: after how many samples, at what time, and in which strokes."""
 
 from dataclasses import dataclass
+from math import inf
 
-import numpy as np
+from pipeline.wire import Account, Event, Gap
 
-from pipeline.wire import Event, Recording
+LISTED = 1000  # so many places are named; all are counted
 
 
 @dataclass(frozen=True)
-class Gap:
+class Loss:
     """`frames` that were lost in one place; `strokes` by number, from 1, are those that it may touch."""
 
     after_samples: int
@@ -17,16 +18,15 @@ class Gap:
     strokes: tuple[int, ...]
 
 
-def _strokes(recording: Recording, after_samples: int) -> tuple[int, ...]:
-    """Strokes in which, by the events that did come, frames after so many samples can lie.
+def _strokes(account: Account, gap: Gap, planned: int) -> tuple[int, ...]:
+    """Strokes in which, by the events that did come, the frames of a gap can lie.
 
     An event that was lost itself is in the same gap, so its neighbours bound it.
     """
-    time_s = recording.time_s
-    low_s = time_s[after_samples - 1] if after_samples else -np.inf
-    high_s = time_s[after_samples] if after_samples < len(time_s) else np.inf
-    first, last = 1, recording.hello.strokes if recording.hello else 0
-    for event in recording.events:
+    low_s = -inf if gap.after_s is None else gap.after_s
+    high_s = inf if gap.until_s is None else gap.until_s
+    first, last = 1, planned
+    for event in account.events:
         if event.code not in (Event.STROKE_START, Event.STROKE_END):
             continue
         starts = event.code == Event.STROKE_START
@@ -38,13 +38,14 @@ def _strokes(recording: Recording, after_samples: int) -> tuple[int, ...]:
     return tuple(range(first, min(last, first + 999) + 1))
 
 
-def locate(recording: Recording) -> list[Gap]:
-    """Every loss of a recording; frames that only came out of order are none."""
-    account = recording.account
-    if not account.lost:
-        return []
-    gaps = []
-    for after, frames in account.gaps:
-        after_s = round(float(recording.time_s[after - 1]), 6) if after else None
-        gaps.append(Gap(after, after_s, frames, _strokes(recording, after)))
-    return gaps
+def locate(account: Account, planned: int) -> list[Loss]:
+    """The first losses of a recording of so many planned strokes; frames that only came out of order are none."""
+    return [
+        Loss(
+            gap.after_samples,
+            None if gap.after_s is None else round(gap.after_s, 6),
+            gap.frames,
+            _strokes(account, gap, planned),
+        )
+        for gap in account.gaps[:LISTED]
+    ]

@@ -83,7 +83,7 @@ def commit_lines(
         raise BadInput(folder / LINES, "header", "no line names the columns", mend)
     csv, holes = table.csv, table.holes()
     info = {
-        **opening(data, began, ended, outcome),
+        **opening(len(data), hashlib.sha256(data).hexdigest(), began, ended, outcome),
         "csv_sha256": hashlib.sha256(csv.encode()).hexdigest(),
         "columns": list(table.columns),
         "samples": {"sent": None, "received": len(table.rows)},

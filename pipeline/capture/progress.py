@@ -8,6 +8,7 @@ from pipeline.wire import Frame, Hello, Kind
 from pipeline.wire.frames import EVENT, Event
 
 EVERY_S = 1.0
+LATE = 1000  # so many missing frames may still come late and be no loss
 SHOWN = {"displacement_mm": "mm", "load_n": "N"}
 
 
@@ -25,6 +26,7 @@ class Progress:
         self.samples = self.done = self.lost = self.bad = 0
         self.watch = Watch(hello)
         self._top = 0  # highest number of a frame
+        self._missing: set[int] = set()
         self._shown_s = self._began_s = time.monotonic()
         self._shown_samples = self._shown_bad = 0
 
@@ -33,7 +35,12 @@ class Progress:
         ahead = (frame.seq - self._top) % 2**32
         if 0 < ahead < 2**31:
             self.lost += ahead - 1
+            if 1 < ahead <= LATE and len(self._missing) < LATE:
+                self._missing.update((self._top + step) % 2**32 for step in range(1, ahead))
             self._top = frame.seq
+        elif frame.seq in self._missing:
+            self._missing.remove(frame.seq)
+            self.lost -= 1
         if frame.kind == Kind.SAMPLE:
             self.samples += 1
             wrong = self.watch.look(frame)

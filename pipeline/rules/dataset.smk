@@ -16,8 +16,9 @@ rule dataset:
         "processed/logs/dataset-{material}.log",
     params:
         runs=folders_of_runs,
+        lossy="--keep-lossy" if config["keep_lossy"] else "",
         code=fingerprint("pipeline.dataset"),
     message:
         "make the dataset of {wildcards.material}"
     shell:
-        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output} > {log} 2>&1"
+        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output} {params.lossy} > {log} 2>&1"

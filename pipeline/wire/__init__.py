@@ -1,8 +1,9 @@
 """Frames to bytes and back; no I/O, no clock, and nothing of ours is imported (docs/protocol.md)."""
 
+from pipeline.wire.account import Account, End, Gap
 from pipeline.wire.frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
 from pipeline.wire.hello import PROTOCOL, Channel, Hello
-from pipeline.wire.recording import Account, End, Recording, read_recording
+from pipeline.wire.recording import Recording, read_account, read_recording
 
 __all__ = [
     "PROTOCOL",
@@ -12,11 +13,13 @@ __all__ = [
     "End",
     "Event",
     "Frame",
+    "Gap",
     "Heard",
     "Hello",
     "Kind",
     "Reason",
     "Recording",
     "encode",
+    "read_account",
     "read_recording",
 ]

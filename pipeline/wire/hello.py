@@ -10,6 +10,8 @@ from pipeline.wire.frames import MAX_PAYLOAD
 
 PROTOCOL = 1
 MAX_CHANNELS = 16
+RATES_HZ = (1.0, 100_000.0)
+MOST_STROKES = 1_000_000
 INTEGERS = {"i8": "<i1", "u8": "<u1", "i16": "<i2", "u16": "<u2", "i32": "<i4", "u32": "<u4"}  # to numpy's names
 CHANNEL_NAME = re.compile(r"[a-z][a-z0-9_]{0,31}")
 
@@ -70,8 +72,10 @@ class Hello:
             strokes=_get(content, "strokes", int),
             channels=tuple(_channel(channel) for channel in channels),
         )
-        if hello.rate_hz <= 0:
-            raise ValueError("rate_hz: must be above 0")
+        if not RATES_HZ[0] <= hello.rate_hz <= RATES_HZ[1]:
+            raise ValueError(f"rate_hz: must be from {RATES_HZ[0]:g} to {RATES_HZ[1]:g}")
+        if not 0 <= hello.strokes <= MOST_STROKES:
+            raise ValueError(f"strokes: must be from 0 to {MOST_STROKES}")
         if len({channel.name for channel in hello.channels}) < len(channels):
             raise ValueError("channels: two have the same name")
         return hello
@@ -86,6 +90,8 @@ def _get(content: dict[str, Any], key: str, kind: type) -> Any:
     value = content.get(key)
     if not isinstance(value, kind) or isinstance(value, bool):
         raise ValueError(f"{key}: is missing or is not of type {kind.__name__}")
+    if isinstance(value, str) and any("\ud800" <= character <= "\udfff" for character in value):
+        raise ValueError(f"{key}: is no text that can be written")  # half a character: JSON may spell it
     return value
 
 

@@ -11,18 +11,22 @@ import sys
 import threading
 import time
 import tty
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pipeline.capture.__main__ import plain
+from pipeline.capture.__main__ import plain, tell_frames
+from pipeline.capture.commit import Read, account
 from pipeline.capture.handshake import check_rate
+from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
 from pipeline.rig.device import Device
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
-from pipeline.wire import Hello, Kind, encode, read_recording
+from pipeline.wire import Decoder, Frame, Hello, Kind, encode, read_recording
+from pipeline.wire.frames import END
 
 SEED = 3
 
@@ -243,6 +247,19 @@ def test_a_line_that_is_too_slow_is_refused(simulated):
     check_rate(simulated.hello, 115_200, "port")
     with pytest.raises(BadInput, match="115200"):
         check_rate(fast, 115_200, "port")
+
+
+@pytest.mark.parametrize("counted", [-1, 1])
+def test_a_device_that_counts_wrongly_is_told(simulated, tmp_path, capsys, counted):
+    heard = [one.frame for one in Decoder().feed(exact(simulated))]
+    samples, reason = END.unpack(heard[-1].payload)
+    for end, told in ((samples, False), (samples + counted, True)):
+        frames = [*heard[:-1], Frame(Kind.END, heard[-1].seq, END.pack(end, reason))]
+        path = tmp_path / "recording.frames"
+        path.write_bytes(b"".join(encode(frame.kind, frame.seq, frame.payload) for frame in frames))
+        now = datetime.now(UTC)
+        tell_frames(account(Read.of(path), now, now, Outcome("complete")), tmp_path)
+        assert ("lost frames do not explain it" in capsys.readouterr().out) == told
 
 
 def test_a_devices_text_cannot_command_the_terminal():

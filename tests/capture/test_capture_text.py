@@ -15,6 +15,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pipeline.capture.lines import names, read_lines
+from pipeline.capture.printed import recover_lines
+from pipeline.errors import BadInput
+from pipeline.recording import check_lines, read_recording
+from pipeline.run_yaml import parse_run
 
 HEADER = b"time_ms,motor_turns,displacement_mm\r\n"
 
@@ -162,6 +166,39 @@ def test_a_killed_text_capture_is_recovered(rig, tmp_path):
     assert json.loads((folder / "capture.json").read_text())["exit_status"] == "recovered"
     assert (folder / "recording.csv").read_text().count("\n") == 50
     assert (folder / "recording.lines").read_bytes() == body
+
+
+def test_a_table_that_was_changed_is_refused_and_made_again_from_what_was_printed(tmp_path):
+    folder = tmp_path / "raw" / "run-1"
+    folder.mkdir(parents=True)
+    (folder / "recording.lines").write_bytes(HEADER + b"".join(LINES))
+    string = {"material": "UHMWPE", "radius_mm": 0.4, "length_mm": 400, "stiffness_n_per_mm": 15}
+    channels = {"time_s": {"column": "time_ms", "unit": "ms"}}
+    run = parse_run(
+        {"run": "run-1", "actuator": "twisted_pair", "string": string, "channels": channels}, folder / "run.yaml"
+    )
+    recover_lines(folder, ())
+    good = read_recording(run, folder)
+    assert good["displacement_mm"].iloc[-1] == pytest.approx(4.9)
+    table = folder / "recording.csv"
+    table.write_bytes(table.read_bytes().replace(b"4.90", b"9.90"))
+    with pytest.raises(BadInput, match=r"recording\.csv: csv_sha256: its bytes are not .* --recover .*run-1;"):
+        read_recording(run, folder)
+    for name in ("recording.csv", "capture.json"):  # what it says to do
+        (folder / name).unlink()
+    recover_lines(folder, ())
+    assert read_recording(run, folder).equals(good)
+
+
+def test_a_table_beside_printed_lines_needs_its_hash(tmp_path):
+    folder = tmp_path / "run-1"
+    folder.mkdir()
+    (folder / "recording.lines").write_bytes(HEADER + b"".join(LINES))
+    info = recover_lines(folder, ())
+    check_lines(folder / "recording.csv")
+    (folder / "capture.json").write_text(json.dumps({key: info[key] for key in info if key != "csv_sha256"}))
+    with pytest.raises(BadInput, match="csv_sha256"):
+        check_lines(folder / "recording.csv")
 
 
 def test_a_rig_that_prints_no_names_is_refused_with_the_mend(rig, tmp_path):

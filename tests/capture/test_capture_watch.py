@@ -8,6 +8,7 @@ import pytest
 from faults.scripted_device import received
 
 from pipeline.capture.guess import guess
+from pipeline.capture.progress import Progress
 from pipeline.capture.watch import Watch
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
@@ -74,3 +75,21 @@ def test_a_displacement_that_goes_the_wrong_way_is_told_once_and_soon():
 
 def test_samples_of_another_size_are_told():
     assert "not of the size" in Watch(HELLO).look(Frame(Kind.SAMPLE, 1, b"123"))
+
+
+@pytest.mark.parametrize(
+    ("numbers", "lost"),
+    [
+        ([1, 2, 3], 0),
+        ([1, 2, 5], 2),
+        ([1, 3, 2, 4], 0),
+        ([1, 5, 3, 3, 2], 1),
+        ([2, 1, 1], 0),
+        ([*range(1, 2000, 2), *range(2, 2000, 2)], 0),
+    ],
+)
+def test_a_frame_that_comes_late_is_not_shown_as_lost(numbers, lost):
+    progress = Progress(HELLO)
+    for number in numbers:
+        progress.count(Frame(Kind.EVENT, number))
+    assert progress.lost == lost

@@ -20,7 +20,8 @@ Each line is a test of `tests/faults/` in which the real program records a scrip
 frames (60 samples at 50 Hz, two strokes) unless said otherwise. Written from the tests' results by
 `python tests/faults/fault_table.py`; `tests/faults/test_faults.py` fails when a line is not what its test gives.
 In every one the recording holds exactly the bytes that were read, each sample in it is the one that was sent, and
-frames sent = received + lost.
+frames sent = received + lost. How long it bears 5 kHz is measured by `benchmarks/load.py`; `benchmarks/fuzz_decoder.py`
+looks for bytes that it cannot bear.
 
 | fault | what arrived | what was reported | what was lost |
 |---|---|---|---|

@@ -213,6 +213,7 @@ def a_day(bench: Bench) -> Row:
     rig.hear(Kind.ACK)
     assert host.wait(120) == 0
     info = check(bench, said)
+    assert info["samples"] == {"sent": count, "received": count, "out_of_order": 0}
     assert info["frames"]["received"] == count + len(MARKS) + 2 and info["bytes"] == len(said[0]) + len(body)
     shutil.rmtree(bench.run())
     return Row(f"{info['frames']['received']} of {info['frames']['sent']} frames", "complete", "nothing")

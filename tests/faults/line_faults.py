@@ -67,6 +67,22 @@ def swapped(bench: Bench) -> Row:
     return row(bench, host)
 
 
+def swapped_and_dropped(bench: Bench) -> Row:
+    """Two frames come in the wrong order, others not at all."""
+    said = frames()
+    sent = list(said)
+    sent[10], sent[11] = sent[11], sent[10]
+    del sent[40:42]
+    rig = bench.rig()
+    host = bench.capture(rig.name, bench.run())
+    assert complete(bench, rig, host, said, sent[1:]) == 0
+    info = check(bench, said)
+    (gap,) = info["gaps"]
+    assert (gap["frames"], gap["after_s"], gap["strokes"]) == (2, 0.7, [2])
+    assert info["samples"]["out_of_order"] == 1
+    return row(bench, host)
+
+
 def reset(bench: Bench) -> Row:
     """The device is reset in the middle of the run and says HELLO with another nonce."""
     said = frames()
@@ -221,6 +237,7 @@ FAULTS = {
     "frames dropped": dropped,
     "frames duplicated": duplicated,
     "frames swapped": swapped,
+    "frames swapped, others dropped": swapped_and_dropped,
     "device reset in the run": reset,
     "device clock wraps": clock_wrap,
     "first HELLO lost": hello_lost,

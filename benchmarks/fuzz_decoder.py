@@ -1,0 +1,150 @@
+"""Guided by coverage, looks for bytes from a device that the host cannot bear: a crash, a hang or unbounded memory.
+
+The first minute found that a HELLO with a rate of 1e308 Hz ended the program with an OverflowError; since then rates,
+strokes and texts that cannot be are refused. After that 49 675 inputs in 20 minutes, on a shared machine, found
+nothing: no crash, no input over 10 s, no invariant broken, memory between 71 and 84 MB.
+"""
+
+import argparse
+import contextlib
+import io
+import json
+import sys
+import tempfile
+from datetime import UTC, datetime
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+try:
+    import atheris
+except ImportError:
+    sys.exit("this needs atheris: pip install atheris")
+
+# atheris loses a reference whenever arrays are compared in code that it watches: memory would grow by 10 kB an input
+ARRAYS = ["pipeline.wire.batch", "pipeline.wire.ledger"]
+with atheris.instrument_imports(include=["pipeline"], exclude=ARRAYS):
+    from pipeline.capture.commit import Read, account
+    from pipeline.capture.guess import guess
+    from pipeline.capture.lines import read_lines
+    from pipeline.capture.progress import Progress
+    from pipeline.capture.stream import Outcome
+    from pipeline.wire import Channel, Decoder, Hello, Kind, encode, read_account, read_recording
+    from pipeline.wire.frames import MAX_PAYLOAD, MAX_STUFFED
+
+TIMEOUT_S = 10
+MEMORY_MB = 400
+LONGEST = 3000
+NOW = datetime(2026, 1, 1, tzinfo=UTC)
+CHANNELS = (Channel("motor_turns", "turns", "i32", 0.25), Channel("displacement_mm", "mm", "i16", 0.02))
+HELLO = Hello("a rig", "1", "1", 50.0, 2, CHANNELS).pack()
+JSON = [
+    json.loads(HELLO),
+    "strokes",
+    "rate_hz",
+    "scale",
+    "offset",
+    "\ud800",
+    10**400,
+    -1,
+    1e308,
+    1e-308,
+    None,
+    [],
+    True,
+]
+
+
+def said(data: bytes) -> tuple[list[bytes], bytes]:
+    """What a device says, as `data` has it: good frames of any kind, damaged ones and noise; in chunks, and as text."""
+    take = atheris.FuzzedDataProvider(data)
+    chunks, number = [], 0
+    while take.remaining_bytes() and len(chunks) < 300:
+        which = take.ConsumeIntInRange(0, 9)
+        if which == 0:
+            chunk = take.ConsumeBytes(take.ConsumeIntInRange(0, 300))
+        elif which == 1:
+            hello = json.loads(HELLO)
+            where = hello if take.ConsumeBool() else hello["channels"][take.ConsumeIntInRange(0, 1)]
+            where[take.PickValueInList(list(where))] = take.PickValueInList(JSON)
+            chunk = encode(Kind.HELLO, 0, json.dumps(hello).encode()[:MAX_PAYLOAD])
+        elif which == 2:
+            chunk = encode(Kind.HELLO, 0, HELLO)
+        else:
+            number = (number + (take.ConsumeInt(4) if which == 3 else 1)) % 2**32
+            kind = take.PickValueInList([*Kind, 99]) if which < 6 else Kind.SAMPLE
+            size = take.ConsumeIntInRange(0, 600) if which == 4 else {Kind.EVENT: 9, Kind.END: 5}.get(kind, 10)
+            chunk = encode(kind, number, take.ConsumeBytes(size).ljust(size, b"\1"))
+            if which == 5:
+                chunk = chunk[: take.ConsumeIntInRange(0, len(chunk))]
+        chunks.append(chunk)
+    return chunks, data
+
+
+def bear(data: bytes) -> None:
+    """All that the host does with what a device says, but for writing it down."""
+    chunks, text = said(data)
+    log = b"".join(chunks)
+    decoder, hello, frames = Decoder(), None, 0
+    progress: Progress | None = None
+    for chunk in chunks:
+        for heard in decoder.feed(chunk):
+            frames += 1
+            if hello is None and heard.frame.kind == Kind.HELLO:
+                with contextlib.suppress(ValueError):
+                    hello = Hello.unpack(heard.frame.payload)
+                    progress = Progress(hello)
+            elif progress is not None:
+                progress.count(heard.frame)
+        assert len(decoder.rest) <= MAX_STUFFED
+    if progress is not None:
+        progress.show(1, last=True)
+        progress.show(1)
+
+    recording = read_recording(log)
+    found = recording.account
+    assert (recording.hello is None) == (hello is None) and found.bad == decoder.bad and found.received <= frames
+    assert found.sent == found.received + found.lost and found.lost == sum(gap.frames for gap in found.gaps)
+    assert found.samples == len(recording.time_s) and min(found.lost, found.repeated, found.out_of_order) >= 0
+    assert (recording.hello, found) == read_account(chunks)
+    info = account(Read(recording.hello, found, len(log), ""), NOW, NOW, Outcome("complete"))
+    json.dumps(info, indent=1, ensure_ascii=False).encode()
+    if log:
+        guess(log, 115_200)
+    for columns in ((), ("time_ms", "motor_turns")):
+        table = read_lines(text, columns)
+        assert all(len(row) == len(table.columns) for row in table.rows)
+        table.holes()
+        table.csv.encode()
+
+
+def one(data: bytes) -> None:
+    """One input of the fuzzer's."""
+    with contextlib.redirect_stdout(io.StringIO()):
+        bear(data)
+
+
+def main() -> None:
+    """Look for so many seconds; the exit status is 0 when nothing was found."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("corpus", type=Path, nargs="?", help="a folder that keeps what opens new ways")
+    arguments = parser.parse_args()
+    limits = [f"-max_total_time={arguments.seconds}", f"-timeout={TIMEOUT_S}", f"-rss_limit_mb={MEMORY_MB}"]
+    corpus = [str(arguments.corpus)] if arguments.corpus else []
+    atheris.Setup(
+        [
+            "fuzz",
+            *limits,
+            f"-max_len={LONGEST}",
+            "-len_control=0",
+            f"-artifact_prefix={tempfile.gettempdir()}/",
+            *corpus,
+        ],
+        one,
+    )
+    atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    main()

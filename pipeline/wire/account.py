@@ -1,0 +1,59 @@
+"""What is said of a recording's frames: how many came, which are missing, where, and how it ended."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class End:
+    """The END frame: how many samples the device sent, and why it ended (a frames.Reason)."""
+
+    samples: int
+    reason: int
+    seq: int
+
+
+@dataclass(frozen=True)
+class Event:
+    """An EVENT frame; `code` is a frames.Event, `time_s` since the first sample."""
+
+    time_s: float
+    code: int
+    value: int
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Frames that are missing in one place: samples before it, and times of its neighbours, None at an end."""
+
+    after_samples: int
+    frames: int
+    after_s: float | None
+    until_s: float | None
+
+
+@dataclass(frozen=True)
+class Account:
+    """Frames of one recording. `sent` = `received` + `lost`: up to END, or without one up to the last frame seen.
+
+    The frames of one recording are numbered 0 (HELLO) to `sent` − 1, and `gaps` are sorted by them. What a reset
+    device sent is not counted.
+    """
+
+    sent: int = 0
+    received: int = 0
+    lost: int = 0
+    bad: int = 0  # stretches between two zeros that were no frame: damaged frames are lost, garbage is not
+    repeated: int = 0  # came again, or after END, or bear a number that cannot be
+    samples: int = 0  # among those received
+    out_of_order: int = 0  # times that a sample came after one with a greater number
+    resets: int = 0
+    gaps: tuple[Gap, ...] = ()
+    events: tuple[Event, ...] = ()
+    last_s: float = 0.0  # time of the last sample since the first
+    tail_bytes: int = 0  # after the last zero byte
+    end: End | None = None
+
+    @property
+    def samples_sent(self) -> int | None:
+        """Samples that the device says it sent, or None without an END."""
+        return self.end.samples if self.end else None
