@@ -13,7 +13,7 @@ ROOT = Path(__file__).parent.parent
 RECORDINGS = ROOT / "tests" / "data" / "blind" / "round-1"
 VERDICTS = ROOT / "reports" / "blind" / "round-1"
 RUNS = sorted(path.name for path in RECORDINGS.iterdir() if path.is_dir())
-CODE = fingerprint("pipeline.diagnose", "pipeline.diagnosis.*")
+CODE = fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*")
 
 
 def verdict(run):

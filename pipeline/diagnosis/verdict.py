@@ -137,7 +137,7 @@ def diagnosis(
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
         "simulation": entries(found.state.acts, problem.drivers),
-        "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*"),
+        "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
     if without:
         content["without"] = sorted(without)

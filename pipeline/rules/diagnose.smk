@@ -7,7 +7,7 @@ rule diagnose:
         "processed/logs/diagnose-{run}.log",
     threads: 1
     params:
-        code=fingerprint("pipeline.diagnose", "pipeline.diagnosis.*"),
+        code=fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.run}"
     shell:

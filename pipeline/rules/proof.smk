@@ -49,7 +49,7 @@ rule verdict:
         f"{PROOF}/logs/verdict-{{batch}}.log",
     params:
         without=without,
-        code=fingerprint("pipeline.proof.ask", "pipeline.diagnose", "pipeline.diagnosis.*"),
+        code=fingerprint("pipeline.proof.ask", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.batch}"
     shell:
@@ -82,7 +82,7 @@ rule settle:
         f"{PROOF}/logs/settle-{{batch}}.log",
     params:
         without=without,
-        code=fingerprint("pipeline.proof.settle", "pipeline.diagnose", "pipeline.diagnosis.*"),
+        code=fingerprint("pipeline.proof.settle", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose the ties of {wildcards.batch} again"
     shell:
