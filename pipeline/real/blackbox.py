@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 from sklearn.ensemble import HistGradientBoostingRegressor
 from sklearn.exceptions import ConvergenceWarning
 from sklearn.neural_network import MLPRegressor
@@ -56,11 +57,15 @@ METHODS: dict[str, tuple[Callable[[Array, Array, int], Predict], tuple[int, ...]
 
 @dataclass(frozen=True)
 class Asked:
-    """A recording as it is compared: features and reading at the rate at which the diagnosis works, and its clock."""
+    """Recordings as they are compared: features and reading at the rate at which the diagnosis works, and the clock.
+
+    Rows that share a number in `zero` share the reading's zero.
+    """
 
     table: pd.DataFrame
     measured: Array
     time_s: Array
+    zero: NDArray[np.intp]
 
     @classmethod
     def of(cls, run: Run, samples: pd.DataFrame, span: float) -> "Asked":
@@ -70,7 +75,15 @@ class Asked:
             width = max(1, round(1.0 / (run.system.working_hz * step_s)))
         seen = averaged(samples.iloc[:, [0, 2]], width).to_numpy()
         table = features(samples, span, smoothed=not run.system.differentiates)
-        return cls(averaged(table, width), seen[:, 1], seen[:, 0])
+        return cls(averaged(table, width), seen[:, 1], seen[:, 0], np.zeros(len(seen), np.intp))
+
+    @classmethod
+    def joined(cls, parts: list["Asked"], free_zero: bool) -> "Asked":
+        """Several recordings one after the other, over the columns that all have; with `free_zero` each has its own."""
+        table = pd.concat([part.table for part in parts], join="inner", ignore_index=True)
+        number = [np.full(len(part.measured), at if free_zero else 0, np.intp) for at, part in enumerate(parts)]
+        measured, time_s = (np.concatenate([getattr(part, name) for part in parts]) for name in ("measured", "time_s"))
+        return cls(table, measured, time_s, np.concatenate(number))
 
 
 @dataclass(frozen=True)
@@ -92,16 +105,17 @@ class Learnt:
 
 
 def learn(method: str, seen: Asked, rows: int, columns: list[str]) -> Learnt:
-    """Fit a method to the first rows of a recording, over some of its columns."""
+    """Fit a method to the first rows, over some of the columns; of several zeros the first one's is predicted."""
     make, seeds = METHODS[method]
     known, measured = seen.table[columns].to_numpy()[:rows], seen.measured[:rows]
     mean, spread = known.mean(axis=0), known.std(axis=0)
     spread = np.where(spread > 1e-12, spread, 1.0)
     table = (known - mean) / spread
-    design = np.column_stack([np.ones(rows), table])
+    zeros = np.eye(seen.zero.max() + 1)[seen.zero[:rows]]
+    design = np.column_stack([zeros, table])
     line = np.linalg.lstsq(design, measured, rcond=1e-6)[0]
     predictors = tuple(make(table, measured - design @ line, seed) for seed in seeds)
-    return Learnt(predictors, columns, mean, spread, float(line[0]), line[1:])
+    return Learnt(predictors, columns, mean, spread, float(line[0]), line[zeros.shape[1] :])
 
 
 def first_held_out(samples: pd.DataFrame) -> int | None:

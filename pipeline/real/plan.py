@@ -10,6 +10,7 @@ from pipeline.errors import BadInput
 from pipeline.real.rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2
+ALL_OTHERS = "all others"  # where a method learnt from every other run of the group
 NONE_GIVEN = "give the folder with the downloaded files: --config recordings=DIR; docs/real.md says where to get them"
 
 

@@ -1,7 +1,6 @@
-"""What was learnt on one recording, asked about every other of the same thing: the diagnosis and the black boxes."""
+"""What was learnt on recordings, asked about others of the same thing: the diagnosis and the black boxes."""
 
 import argparse
-import json
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +11,16 @@ from pipeline.diagnosis.engine import at_own_rate
 from pipeline.errors import BadInput, program
 from pipeline.files import whole
 from pipeline.ingest import read_samples
+from pipeline.real.ask import ask
 from pipeline.real.blackbox import METHODS, Asked, Learnt, learn
 from pipeline.real.bring import usable
 from pipeline.real.features import Array, span_of
+from pipeline.real.plan import ALL_OTHERS
 from pipeline.run_yaml import Run
 from pipeline.simulate import read_diagnosis, state_of, tare
 
 COLUMNS = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]
+LEAST_OTHERS = 2
 Samples = tuple[Run, pd.DataFrame]
 
 
@@ -39,11 +41,12 @@ def simulated(content: dict[str, Any], about: Samples, path: Path) -> tuple[Arra
 
 
 class Source:
-    """A recording that every method learnt from, and its diagnosis where there is one."""
+    """Recordings that every method learnt from, and their diagnosis where there is one."""
 
-    def __init__(self, recording: Samples, diagnosis: Path) -> None:
-        self.span, self.diagnosis = span_of(recording[1]), diagnosis
-        self.seen = Asked.of(*recording, self.span)
+    def __init__(self, recordings: list[Samples], diagnosis: Path) -> None:
+        self.span, self.diagnosis = max(span_of(samples) for _, samples in recordings), diagnosis
+        parts = [Asked.of(run, samples, self.span) for run, samples in recordings]
+        self.seen = Asked.joined(parts, recordings[0][0].system.free_zero)
         self._learnt: dict[tuple[str, ...], Learnt] = {}
 
     def learnt(self, method: str, columns: list[str]) -> Learnt:
@@ -72,18 +75,34 @@ class Source:
         return found
 
 
+def rows_of(source: Source, learnt_from: str, runs: dict[str, Samples]) -> list[dict[str, Any]]:
+    """A row for every run that is asked about and every method: rms error in the reading's unit."""
+    rows = []
+    for name, about in runs.items():
+        unit = about[0].system.channel.rpartition("_")[2]
+        for method, (first, best) in source.asked_about(about).items():
+            pair = {"learnt_from": learnt_from, "asked_about": name, "method": method}
+            rows.append({**pair, "rms": first, "centred_rms": best, "unit": unit})
+    return rows
+
+
 def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[dict[str, Any]]:
-    """A row for every ordered pair of runs and method: rms error in the reading's unit."""
+    """Rows for every ordered pair of runs."""
     rows = []
     for name, recording in runs.items():
-        source = Source(recording, diagnoses[name])
-        for other, about in runs.items():
-            if other == name:
-                continue
-            unit = about[0].system.channel.rpartition("_")[2]
-            for method, (first, best) in source.asked_about(about).items():
-                pair = {"learnt_from": name, "asked_about": other, "method": method}
-                rows.append({**pair, "rms": first, "centred_rms": best, "unit": unit})
+        others = {other: about for other, about in runs.items() if other != name}
+        rows += rows_of(Source([recording], diagnoses[name]), name, others)
+    return rows
+
+
+def left_out(runs: dict[str, Samples], folders: dict[str, Path], out: Path) -> list[dict[str, Any]]:
+    """Rows for every run after learning from all the others together, whose diagnosis goes to `out`/<run>."""
+    rows: list[dict[str, Any]] = []
+    for name in runs if len(runs) > LEAST_OTHERS else ():
+        others = [other for other in runs if other != name]
+        ask([folders[other] for other in others], out / name)
+        source = Source([runs[other] for other in others], out / name / "diagnosis.json")
+        rows += rows_of(source, ALL_OTHERS, {name: runs[name]})
     return rows
 
 
@@ -97,22 +116,25 @@ def _read(folder: Path) -> Samples | None:
 
 @program
 def main() -> None:
-    """Write a row for every ordered pair of one group's runs and every method."""
+    """Write a row for every ordered pair of one group's runs, and for every run and all others, and every method."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.real.transfer", description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
     parser.add_argument("--group", required=True)
     parser.add_argument(
         "--diagnoses", type=Path, required=True, help="the folder with a folder of each run's diagnosis"
     )
+    parser.add_argument("--others", type=Path, required=True, help="folder for the diagnoses of all but one")
     parser.add_argument("--out", type=Path, required=True)
     told = parser.parse_args()
     read = {folder.name: _read(folder) for folder in told.run_dir}
     runs = {name: one for name, one in read.items() if one is not None}
+    folders = {folder.name: folder for folder in told.run_dir}
     rows = of_group(runs, {name: told.diagnoses / name / "diagnosis.json" for name in runs})
+    rows += left_out(runs, folders, told.others)
     table = pd.DataFrame([{"group": told.group, **row} for row in rows], columns=COLUMNS)
     with whole(told.out) as temporary:
         table.to_csv(temporary, index=False, float_format="%.5g")
-    print(json.dumps({"group": told.group, "pairs": len(table) // max(1, table["method"].nunique())}))
+    print(f"{told.group}: {len(table)} errors")
 
 
 if __name__ == "__main__":

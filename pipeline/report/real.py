@@ -10,11 +10,12 @@ import pandas as pd
 
 from pipeline.errors import BadInput, program
 from pipeline.files import whole, write_text
+from pipeline.real.plan import ALL_OTHERS
 from pipeline.real.rigs import Rig, read_rigs
 from pipeline.report.index import STYLE
 from pipeline.report.real_doubts import found_answer
 from pipeline.report.real_figures import figure
-from pipeline.report.real_results import TITLES, Result, expected_words, read_results
+from pipeline.report.real_results import CARRIED, TITLES, Result, apart, expected_words, read_results
 from pipeline.schemas import unit_of
 
 WIDE = """
@@ -113,22 +114,20 @@ def answers(rig: Rig, results: list[Result]) -> str:
     return "<h3>Published parameters</h3>" + table(head, rows, texts=2) if rows else ""
 
 
-def transferred(pairs: pd.DataFrame, unit: str) -> str:
-    """Errors on a recording after learning from another, zero set on the first second."""
-    if pairs.empty:
+def transferred(carried: pd.DataFrame, unit: str) -> str:
+    """Errors on a recording after learning from others, zero set on the first second."""
+    if carried.empty:
         return "<p>There is one recording of each thing: nothing to carry over.</p>"
-    rows = []
-    for group, some in pairs.groupby("group"):
-        errors = some.groupby("method")["rms"].median().to_dict()
-        count = len(some) // some["method"].nunique()
-        rows.append(
-            [html.escape(str(group)), str(count), *sizes(errors, [name for name in TITLES if name != "calibrated"])]
-        )
-    titles = [title for name, title in TITLES.items() if name != "calibrated"]
-    best = pairs.groupby("method")["centred_rms"].median()
-    centred = ", ".join(f"{TITLES[name]} {best[name]:.3g}" for name in TITLES if name in best)
-    note = f"<p>With the best zero instead of the first second's, in the median: {html.escape(centred)} {unit}.</p>"
-    return table([f"median rms error ({unit})", "Ordered pairs", *titles], rows) + note
+    rows, best = [], []
+    for some, source in zip(apart(carried), ("one other", ALL_OTHERS), strict=True):
+        for group, errors in some.groupby("group"):
+            middle = errors.groupby("method")[["rms", "centred_rms"]].median()
+            count = str(len(errors) // errors["method"].nunique())
+            rows.append([html.escape(str(group)), source, count, *sizes(middle["rms"].to_dict(), CARRIED)])
+            best.append([html.escape(str(group)), source, count, *sizes(middle["centred_rms"].to_dict(), CARRIED)])
+    head = ["Group", "Learnt from", "Cases", *(TITLES[name] for name in CARRIED)]
+    text = f"<p>Median rms error ({unit}), zero set on the first second:</p>{table(head, rows, texts=2)}"
+    return text + f"<p>The same with the best zero:</p>{table(head, best, texts=2)}"
 
 
 def anchor(one: Result) -> str:
@@ -152,7 +151,7 @@ def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: 
         f'<img src="{name}.png" alt="Errors of every method">',
         "<h3>Published figures</h3>", table(["Of what", "Value", "Source"], published, texts=3),
         f"<p>{html.escape(rig.note)}</p>", answers(rig, results),
-        "<h2>Learnt on one recording, asked about another</h2>", transferred(pairs, unit),
+        "<h2>Learnt on some recordings, asked about another</h2>", transferred(pairs, unit),
         "<h2>Each verdict</h2>",
     ]  # fmt: skip
     for one in results:
@@ -179,7 +178,7 @@ def main() -> None:
     if told.rig not in rigs:
         raise BadInput("arguments", "rig", f"{told.rig!r} is not a known rig", f"use {', '.join(rigs)}")
     rig = rigs[told.rig]
-    known = pd.DataFrame(columns=["group", "asked_about", "method", "rms", "centred_rms", "unit"])
+    known = pd.DataFrame(columns=["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"])
     pairs = pd.concat([pd.read_csv(path) for path in told.transfer]) if told.transfer else known
     results = read_results(told.verdicts, told.together, told.black_boxes, pairs)
     unit = next((one.spoken for one in results if one.unit), "")

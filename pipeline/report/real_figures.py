@@ -13,7 +13,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from pipeline.report.real_results import BLACK_BOXES, SIMULATORS, TITLES, Result
+from pipeline.report.real_results import BLACK_BOXES, SIMULATORS, TITLES, Result, apart
 
 COLOURS = {
     "nominal": "0.75", "calibrated": "0.45", "explained": "#d55e00",
@@ -45,8 +45,8 @@ def errors(axes: Axes, results: list[Result], unit: str) -> None:
     _logarithmic(axes, f"rms error ({unit})")
 
 
-def transfer(axes: Axes, pairs: pd.DataFrame, unit: str) -> None:
-    """Error on one recording after learning from another, a dot for each ordered pair and its median as a bar."""
+def transfer(axes: Axes, pairs: pd.DataFrame, left_out: pd.DataFrame, unit: str) -> None:
+    """Error after learning from another recording, a dot for each ordered pair; rings: from all others together."""
     methods = [method for method in TITLES if method in set(pairs["method"])]
     for at, method in enumerate(methods):
         values = pairs.loc[pairs["method"] == method, "rms"].to_numpy()
@@ -55,9 +55,13 @@ def transfer(axes: Axes, pairs: pd.DataFrame, unit: str) -> None:
         middle = float(np.median(values))
         axes.plot([middle, middle], [at - 0.34, at + 0.34], color=COLOURS[method], lw=2.5)
         axes.annotate(f"{middle:.2g}", (middle, at - 0.36), fontsize=7, ha="center", va="bottom")
+        rings = left_out.loc[left_out["method"] == method, "rms"].to_numpy()
+        axes.scatter(rings, np.full(len(rings), at + 0.3), s=26, facecolor="white", edgecolor="black", lw=0.8, zorder=3)
     axes.set_yticks(range(len(methods)), [TITLES[method] for method in methods], fontsize=7)
     axes.set_ylim(len(methods) - 0.4, -0.7)
-    axes.set_title(f"another recording, {len(pairs) // max(1, len(methods))} ordered pairs", fontsize=8, loc="left")
+    count = len(pairs) // max(1, len(methods))
+    rings = "; rings: learnt from all others" if len(left_out) else ""
+    axes.set_title(f"another recording, {count} ordered pairs{rings}", fontsize=8, loc="left")
     _logarithmic(axes, f"rms error ({unit}), zero set on the first second")
 
 
@@ -104,8 +108,9 @@ def matrices(pairs: pd.DataFrame) -> list[tuple[str, str]]:
     return [*found, (shown[0], str(others.idxmin()))] if len(shown) == 1 and len(others) else found
 
 
-def figure(results: list[Result], pairs: pd.DataFrame, unit: str) -> Figure:
+def figure(results: list[Result], carried: pd.DataFrame, unit: str) -> Figure:
     """All panels; those of what was learnt elsewhere only where there is any."""
+    pairs, left_out = apart(carried)
     shown = sum(1 for one in results if one.heldout)
     drawn_below = matrices(pairs)
     height, below = max(1.9 + 0.2 * shown, 3.0), 3.0 if drawn_below else 0.0
@@ -115,7 +120,7 @@ def figure(results: list[Result], pairs: pd.DataFrame, unit: str) -> Figure:
     upper = rows[0, 0].subplots(1, columns, squeeze=False)[0]
     errors(upper[0], results, unit)
     if not pairs.empty:
-        transfer(upper[1], pairs, unit)
+        transfer(upper[1], pairs, left_out, unit)
     if drawn_below:
         some = pairs[pairs["method"].isin([method for _, method in drawn_below])]["rms"]
         lower = rows[1, 0].subplots(1, len(drawn_below), squeeze=False)[0]

@@ -11,13 +11,14 @@ from pipeline.files import whole, write_text
 from pipeline.real.rigs import Rig, read_rigs
 from pipeline.report.index import STYLE
 from pipeline.report.real import WIDE, sizes, table
-from pipeline.report.real_results import BLACK_BOXES, ELSEWHERE, TITLES
+from pipeline.report.real_results import BLACK_BOXES, CARRIED, ELSEWHERE, OTHERS, TITLES
 
-CARRIED = [name for name in TITLES if name != "calibrated"]
+BLOCKS = (("", list(TITLES)), (ELSEWHERE, CARRIED), (OTHERS, CARRIED))
 INTRODUCTION = """\
 <p>Each recording was imported as it was published and diagnosed from its base model alone. Errors are rms. The first
 block: the last 30 % of a recording's strokes, after learning from the strokes before. The second: the whole of a
 recording after learning from another one of the same thing, zero set on the first second, median over the others.
+The third: the same after learning from all others of that thing together.
 The black boxes (boosted trees, a Gaussian process on 1,000 points, a neural network of 2 × 64, median of three
 seeds) get motion, its rate and acceleration, which way the motion came, delayed motion and load, and correct a straight
 line over these. They name nothing. Smallest of each block in bold.</p>
@@ -29,20 +30,17 @@ def numbers(row: pd.Series, prefix: str, methods: list[str]) -> dict[str, float]
     return {name: float(row[f"{prefix}{name}"]) for name in methods if pd.notna(row.get(f"{prefix}{name}"))}
 
 
+def blocks(row: pd.Series) -> list[str]:
+    """Cells of all the blocks of errors, the smallest of each in bold."""
+    return [cell for prefix, methods in BLOCKS for cell in sizes(numbers(row, prefix, methods), methods)]
+
+
 def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
     """The table over all rigs: single recordings, then those together, then the median of each rig."""
-    head = [
-        "Recording",
-        "Verdict",
-        "Left out",
-        "Unit",
-        *TITLES.values(),
-        *(TITLES[name] for name in CARRIED),
-    ]
-    over = (
-        f"<tr><th colspan=4></th><th colspan={len(TITLES)}>its last strokes</th>"
-        f"<th colspan={len(CARRIED)}>after learning from another recording</th></tr>\n"
-    )
+    head = ["Recording", "Verdict", "Left out", "Unit", *(TITLES[name] for _, methods in BLOCKS for name in methods)]
+    titles = ("its last strokes", "after learning from another recording", "after learning from all others")
+    over = "".join(f"<th colspan={len(of)}>{title}</th>" for title, (_, of) in zip(titles, BLOCKS, strict=True))
+    over = f"<tr><th colspan=4></th>{over}</tr>\n"
     text = []
     for rig, some in rows.groupby("rig", sort=False):
         title = html.escape(rigs[str(rig)].title)
@@ -52,13 +50,11 @@ def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
             ties = f" (or {int(row['ties'])} other{'s' * (row['ties'] > 1)})" if row["ties"] else ""
             told = [row["recording"], row["verdict"], f"{row['named']}{ties}", row["unit"]]
             cells = [html.escape(str(cell)) for cell in told]
-            blocks = numbers(row, "", list(TITLES)), numbers(row, ELSEWHERE, CARRIED)
-            lines.append([*cells, *sizes(blocks[0], list(TITLES)), *sizes(blocks[1], CARRIED)])
+            lines.append([*cells, *blocks(row)])
         single = some[some["together"] == "no"].median(numeric_only=True)
-        blocks = numbers(single, "", list(TITLES)), numbers(single, ELSEWHERE, CARRIED)
         unit = html.escape(str(next(iter(some["unit"][some["unit"] != ""]), "")))
         middle = ["median", "", "", unit]
-        lines.append([*middle, *sizes(blocks[0], list(TITLES)), *sizes(blocks[1], CARRIED)])
+        lines.append([*middle, *blocks(single)])
         text.append(table(head, lines, texts=4, over=over))
     return "\n".join(text)
 
@@ -76,7 +72,11 @@ def doubts(rows: pd.DataFrame) -> str:
 def beaten(rows: pd.DataFrame) -> str:
     """How often a black box predicts better than the explained simulator, on either kind of unseen data."""
     said = []
-    for prefix, words in (("", "unseen strokes of the same recording"), (ELSEWHERE, "another recording")):
+    for prefix, words in (
+        ("", "unseen strokes of the same recording"),
+        (ELSEWHERE, "another recording"),
+        (OTHERS, "a recording left out, learnt from all others"),
+    ):
         both = [
             (row[f"{prefix}explained"], min(others.values()))
             for _, row in rows.iterrows()

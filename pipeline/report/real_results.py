@@ -7,6 +7,7 @@ from typing import Any
 
 import pandas as pd
 
+from pipeline.real.plan import ALL_OTHERS
 from pipeline.real.rigs import Expected, Rig, expected_of
 from pipeline.report.real_doubts import doubt
 from pipeline.schemas import unit_of
@@ -14,7 +15,8 @@ from pipeline.schemas import unit_of
 SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
 BLACK_BOXES = {"gradient_boosting": "boosted trees", "gaussian_process": "Gaussian process", "mlp": "neural network"}
 TITLES = {**SIMULATORS, **BLACK_BOXES}
-ELSEWHERE = "elsewhere_"  # before a method's name: learnt on another recording
+CARRIED = [name for name in TITLES if name != "calibrated"]
+ELSEWHERE, OTHERS = "elsewhere_", "others_"  # before a method's name: learnt on another recording, on all others
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,7 @@ class Result:
     group: str = ""
     black_boxes: dict[str, float] = field(default_factory=dict)
     elsewhere: dict[str, float] = field(default_factory=dict)
+    others: dict[str, float] = field(default_factory=dict)
     unit: str = ""
     together: bool = False
 
@@ -66,7 +69,8 @@ class Result:
             "mismatch": (content["mismatch"] or {}).get(f"rms_{self.unit}"),
             "noise_floor": content["fit"].get(f"noise_floor_{self.unit}"),
             **{name: self.heldout.get(name) for name in TITLES},
-            **{f"{ELSEWHERE}{name}": self.elsewhere.get(name) for name in TITLES if name != "calibrated"},
+            **{f"{ELSEWHERE}{name}": self.elsewhere.get(name) for name in CARRIED},
+            **{f"{OTHERS}{name}": self.others.get(name) for name in CARRIED},
             "doubt": kind,
             "why": why,
         }
@@ -93,18 +97,27 @@ def read_result(folder: Path, together: bool = False) -> Result:
     return Result(name, folder, content, words, folder.name if together else "", unit=_unit(content), together=together)
 
 
+def apart(transfer: pd.DataFrame) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """What was learnt on one recording, and what on all the others."""
+    whole = transfer["learnt_from"] == ALL_OTHERS
+    return transfer[~whole], transfer[whole]
+
+
 def read_results(
     verdicts: list[Path], together: list[Path], black_boxes: list[Path], transfer: pd.DataFrame
 ) -> list[Result]:
     """The verdicts on single recordings, each with the other methods' errors, then those on several together."""
     others = {path.stem: json.loads(path.read_text(encoding="utf-8"))["heldout"] or {} for path in black_boxes}
     results = []
+    pairs, left_out = apart(transfer)
     for folder in verdicts:
         one = read_result(folder)
-        about = transfer[transfer["asked_about"] == one.name]
+        about = pairs[pairs["asked_about"] == one.name]
         elsewhere = about.groupby("method")["rms"].median().to_dict()
+        from_all = left_out[left_out["asked_about"] == one.name].set_index("method")["rms"].to_dict()
         unit = one.unit or next(iter(about["unit"]), "")
         group = next(iter(about["group"]), "")
-        extra = {"black_boxes": others.get(one.name, {}), "elsewhere": elsewhere, "unit": unit, "group": group}
+        extra = {"black_boxes": others.get(one.name, {}), "elsewhere": elsewhere, "others": from_all}
+        extra |= {"unit": unit, "group": group}
         results.append(Result(**{**one.__dict__, **extra}))
     return results + [read_result(folder, together=True) for folder in together]

@@ -107,7 +107,8 @@ rule transfer:
         runs=real_group,
         diagnoses=real_group_verdicts,
     output:
-        "processed/real/transfer/{rig}/{group}.csv",
+        table="processed/real/transfer/{rig}/{group}.csv",
+        others=directory("processed/real/others/{rig}/{group}"),
     log:
         "processed/logs/real-transfer-{rig}-{group}.log",
     params:
@@ -116,7 +117,7 @@ rule transfer:
         "ask what was learnt on each of {wildcards.group} about the others"
     shell:
         "exec python -m pipeline.real.transfer {input.runs:q} --group {wildcards.group:q}"
-        " --diagnoses reports/real/{wildcards.rig:q} --out {output:q} > {log:q} 2>&1"
+        " --diagnoses reports/real/{wildcards.rig:q} --others {output.others:q} --out {output.table:q} > {log:q} 2>&1"
 
 
 rule real_page:

@@ -13,6 +13,7 @@ from pipeline.ingest import read_samples
 from pipeline.real import transfer
 from pipeline.real.blackbox import METHODS, Asked, first_held_out, held_out
 from pipeline.real.features import averaged, features, low_pass, memory, span_of
+from pipeline.real.plan import ALL_OTHERS
 
 
 @pytest.fixture
@@ -99,6 +100,37 @@ def test_what_was_learnt_on_one_recording_predicts_another_but_for_its_zero(jaw,
     assert own["a-01", "explained"] > 0.9  # half of 3 deg of play, by 0.9, and the first second's zero
     assert all(own["a-01", method] < own["a-01", "nominal"] / 2 for method in METHODS), own
     assert (rows["centred_rms"] <= rows["rms"] + 1e-9).all() and set(rows["unit"]) == {"deg"}
+
+
+def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path, monkeypatch):
+    shown = {"a-01": (60.0, 70.0), "a-02": (50.0, 20.0), "a-03": (40.0, -30.0)}
+    folders = {name: jaw(name, amplitude_deg=top, constant_deg=zero) for name, (top, zero) in shown.items()}
+    runs = {name: read_samples(folder) for name, folder in folders.items()}
+    asked = []
+
+    def ask(others, out):
+        asked.append(([folder.name for folder in others], out.name))
+        out.mkdir(parents=True)
+        (out / "diagnosis.json").write_text(
+            json.dumps({"parameters": {"gear_ratio": {"value": 0.5}}, "simulation": []})
+        )
+
+    monkeypatch.setattr(transfer, "ask", ask)
+    rows = pd.DataFrame(transfer.left_out(runs, folders, tmp_path / "others"))
+    assert asked == [(["a-02", "a-03"], "a-01"), (["a-01", "a-03"], "a-02"), (["a-01", "a-02"], "a-03")]
+    assert set(rows["learnt_from"]) == {ALL_OTHERS} and len(rows) == 3 * (2 + len(METHODS))
+    errors = rows.groupby("method")["rms"].max()
+    assert errors["explained"] > 5.0 > errors["nominal"]  # a wrong gear is asked as it was said
+    assert all(errors[method] < errors["nominal"] / 2 for method in METHODS), errors
+    assert transfer.left_out({name: runs[name] for name in ("a-01", "a-02")}, folders, tmp_path / "none") == []
+
+
+def test_recordings_joined_keep_the_columns_that_all_have_and_a_zero_each():
+    one, other = (Asked(pd.DataFrame({"motion": [0.0, 1.0], name: 0.0}), np.ones(2), np.ones(2), np.zeros(2, int))
+                  for name in ("load_n", "x"))  # fmt: skip
+    assert list(Asked.joined([one, other], True).table) == ["motion"]
+    assert Asked.joined([one, other], True).zero.tolist() == [0, 0, 1, 1]
+    assert Asked.joined([one, other], False).zero.tolist() == [0, 0, 0, 0]
 
 
 def test_the_zero_is_set_on_the_first_second_alone():

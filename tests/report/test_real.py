@@ -101,6 +101,7 @@ def made(tmp_path):
         boxes.append(tmp_path / f"{name}.json")
         boxes[-1].write_text(json.dumps({"run": name, "heldout": errors}))
     pairs = [("b", "a", "explained", 0.2), ("c", "a", "explained", 0.4), ("b", "a", "mlp", 0.1), ("a", "b", "mlp", 0.7)]
+    pairs += [("all others", "a", "explained", 0.05), ("all others", "a", "mlp", 0.08)]
     columns = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]
     rows = [("module-1", *pair, pair[-1] / 2, "mm") for pair in pairs]
     pd.DataFrame(rows, columns=columns).to_csv(tmp_path / "transfer.csv", index=False)
@@ -127,6 +128,7 @@ def test_the_pages_say_what_the_files_say(made, tmp_path):
     assert "&lt;several&gt; fit alike" in page and "2 to 11 turns" in page and "1–4" in page
     assert "<span class=best>0.09</span>" in page  # of the six methods on a: boosted trees
     assert "74.0 %" in page and "3.4 %" in page and "Filter: 10 Hz" in page
+    assert "<td class=text>all others</td><td>1</td><td></td><td><span class=best>0.05</span></td>" in page
     assert "0.18 to 0.37 mm" in page and "https://github.com/FaragSeif/tsa_haptic" in page
     for link in re.findall(r'(?:src|href)="([^"#:]+)"', page):
         assert link == "index.html" or (out / link).is_file(), link
@@ -148,6 +150,7 @@ def test_the_table_holds_every_verdict_and_every_method(made, tmp_path):
     assert list(rows) == ["a", "b", "c", "module-1 together"]
     assert rows["a"]["explained"] == "0.12" and rows["a"]["gradient_boosting"] == "0.09" and rows["a"]["ties"] == "1"
     assert float(rows["a"]["elsewhere_explained"]) == pytest.approx(0.3)  # the median over both sources
+    assert rows["a"]["others_explained"] == "0.05" and rows["b"]["others_mlp"] == ""
     assert rows["b"]["elsewhere_mlp"] == "0.7" and rows["b"]["doubt"] == "" and rows["b"]["gradient_boosting"] == ""
     assert rows["c"]["doubt"] == "not decided" and rows["c"]["verdict"] == "not decided"
     assert rows["module-1 together"]["explained"] == "" and rows["module-1 together"]["doubt"] == "unknown"
@@ -171,4 +174,8 @@ def test_the_smallest_error_is_the_bold_one(made):
                          "gaussian_process": 0.5, "mlp": 0.6}  # fmt: skip
     assert c.heldout == {} and b.group == "module-1"
     rows = pd.DataFrame([{"rig": "tsa_haptic", **one.row(read_rigs()["tsa_haptic"])} for one in (a, b, c)])
-    assert real_index.beaten(rows).count("better on 1 of 1") == 2
+    said = real_index.beaten(rows)
+    assert (
+        said.count("better on 1 of 1") == 2
+        and "learnt from all others the best of the three black boxes is better on 0" in said
+    )
