@@ -71,6 +71,7 @@ include: "pipeline/rules/evaluate.smk"
 include: "pipeline/rules/report.smk"
 include: "pipeline/rules/diagnose.smk"
 include: "pipeline/rules/proof.smk"
+include: "pipeline/rules/real.smk"
 include: "pipeline/rules/said.smk"
 
 

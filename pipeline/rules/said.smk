@@ -13,3 +13,5 @@ onsuccess:
     print(summary(Path("reports"), MATERIALS, DIAGNOSED))
     if Path("reports/proof/proof.md").is_file():
         print("the concealed proof: reports/proof/proof.md")
+    if Path("reports/real/index.html").is_file():
+        print("public rigs: reports/real/index.html")

@@ -1,0 +1,1 @@
+"""Public recordings of rigs that nobody here built: found, imported, diagnosed, and set beside black boxes."""

@@ -1,0 +1,43 @@
+"""Run folders of one rig → their diagnosis, alone or together; a refusal is noted where the words would be."""
+
+import argparse
+from pathlib import Path
+
+from pipeline.diagnose import diagnose
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.real.bring import REFUSED, usable
+
+
+def ask(folders: list[Path], out: Path) -> str:
+    """Diagnose runs into `out`, together when they are several, and return the words, or why there is no verdict.
+
+    Of several, those that could not be imported are left out.
+    """
+    together = len(folders) > 1
+    good = [folder for folder in folders if usable(folder)]
+    try:
+        if len(good) > together:
+            return diagnose(good, out, together=together)
+        if not together:
+            words = (folders[0] / REFUSED).read_text(encoding="utf-8").strip()
+        else:
+            words = f"{out.name}: not decided: of {len(folders)} recordings {len(good)} could be imported"
+    except BadInput as error:
+        words = f"{out.name}: not decided: {error}"
+    write_text(out / "verdict.txt", words + "\n")
+    return words
+
+
+@program
+def main() -> None:
+    """Write the verdict on one run, or on several together."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.real.ask", description=__doc__)
+    parser.add_argument("run_dir", type=Path, nargs="+")
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    print(ask(told.run_dir, told.out))
+
+
+if __name__ == "__main__":
+    main()

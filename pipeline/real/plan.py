@@ -1,0 +1,102 @@
+"""A folder of downloaded files → the runs to make of them: which rig each shows, and which belong together."""
+
+import re
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import BadInput
+from pipeline.real.rigs import MAPPINGS, Rig, read_rigs
+
+LEAST_TOGETHER = 2
+ALL_OTHERS = "all others"  # where a method learnt from every other run of the group
+NONE_GIVEN = "give the folder with the downloaded files: --config recordings=DIR; docs/real.md says where to get them"
+
+
+@dataclass(frozen=True)
+class Recording:
+    """One run to make: a file, the mapping that reads it, and the group of runs that show the same thing."""
+
+    run: str
+    rig: str
+    group: str
+    file: Path
+    mapping: Path
+
+
+@dataclass(frozen=True)
+class RealPlan:
+    """All runs, in order of rig and name."""
+
+    recordings: tuple[Recording, ...]
+
+    def __getitem__(self, run: str) -> Recording:
+        """The recording of a run; raises KeyError."""
+        return {one.run: one for one in self.recordings}[run]
+
+    @property
+    def rigs(self) -> list[str]:
+        """Rigs of which there is a file."""
+        return list(dict.fromkeys(one.rig for one in self.recordings))
+
+    def runs(self, rig: str) -> list[str]:
+        """Names of a rig's runs."""
+        return [one.run for one in self.recordings if one.rig == rig]
+
+    def groups(self, rig: str) -> dict[str, list[str]]:
+        """Names of the runs of each group of a rig that has more than one."""
+        found: dict[str, list[str]] = {}
+        for one in self.recordings:
+            if one.rig == rig:
+                found.setdefault(one.group, []).append(one.run)
+        return {group: runs for group, runs in found.items() if len(runs) >= LEAST_TOGETHER}
+
+    def tables(self, _: Any) -> list[str]:
+        """What the page over all rigs is made of; raises BadInput when no recordings are given."""
+        if not self.recordings:
+            raise BadInput("configuration", "recordings", "is not given", NONE_GIVEN)
+        return [f"processed/real/table/{rig}.csv" for rig in self.rigs]
+
+
+def slug(text: str) -> str:
+    """A text in the letters that a run's name may have."""
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+
+
+def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
+    """Plan for every file below a folder that a rig's pattern knows.
+
+    Raises BadInput when the folder is not there, holds no such file, or holds one twice.
+    """
+    if not folder.is_dir():
+        raise BadInput(folder, "recordings", "is no folder", NONE_GIVEN)
+    files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.name.startswith("."))
+    found: list[tuple[str, str, str, Path, Path]] = []
+    for rig, described in rigs.items():
+        for kind in described.files:
+            for file in files:
+                plain = re.sub(r"\.gz$", "", file.name, flags=re.I)
+                match = re.fullmatch(kind.pattern, plain, re.I)
+                if match:
+                    run = f"{kind.name}-{slug(plain.rsplit('.', 1)[0])}"
+                    mapping = MAPPINGS / f"{kind.mapping}.yaml"
+                    found.append((run, rig, slug(match.expand(kind.group)), file, mapping))
+    if not found:
+        mend = "docs/real.md says where to get the files; leave their names as they are"
+        raise BadInput(folder, "recordings", "holds no recording of a known rig", mend)
+    times = Counter(run for run, *_ in found)
+    recordings: dict[str, Recording] = {}
+    for run, rig, group, file, mapping in found:
+        name = run if times[run] == 1 else f"{run}-{slug(file.parent.name)}"
+        if name in recordings:
+            raise BadInput(file, "recordings", f"is there already as {recordings[name].file}", "remove one of the two")
+        recordings[name] = Recording(name, rig, group, file, mapping)
+    order = list(rigs)
+    return RealPlan(tuple(sorted(recordings.values(), key=lambda one: (order.index(one.rig), one.run))))
+
+
+def plan_of(config: dict[str, Any]) -> RealPlan:
+    """The plan for `recordings` of the configuration, empty when that is not given; raises BadInput."""
+    folder = config.get("recordings")
+    return make_real_plan(Path(folder), read_rigs()) if folder else RealPlan(())

@@ -1,0 +1,141 @@
+"""What was learnt on recordings, asked about others of the same thing: the diagnosis and the black boxes."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from pipeline.diagnosis.engine import at_own_rate
+from pipeline.errors import BadInput, program
+from pipeline.files import whole
+from pipeline.ingest import read_samples
+from pipeline.real.ask import ask
+from pipeline.real.blackbox import METHODS, Asked, Learnt, learn
+from pipeline.real.bring import usable
+from pipeline.real.features import Array, span_of
+from pipeline.real.plan import ALL_OTHERS
+from pipeline.run_yaml import Run
+from pipeline.simulate import read_diagnosis, state_of, tare
+
+COLUMNS = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]
+LEAST_OTHERS = 2
+Samples = tuple[Run, pd.DataFrame]
+
+
+def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tuple[float, float]:
+    """Rms error with the zero set on the first second, where `tared`, and with the best zero of all."""
+    left = measured - predicted
+    first = left - tare(predicted, measured, time_s) if tared else left
+    return float(np.sqrt(np.mean(np.square(first)))), float(
+        np.std(left) if tared else np.sqrt(np.mean(np.square(left)))
+    )
+
+
+def simulated(content: dict[str, Any], about: Samples, path: Path) -> tuple[Array, Array, Array]:
+    """Prediction of a diagnosis for another recording, what that measured, and its time; its zero is left open."""
+    run, samples = about
+    problem = at_own_rate([run], [samples])
+    return problem.simulate(state_of(content, problem, path, run.run)), problem.measured, problem.record.time_s
+
+
+class Source:
+    """Recordings that every method learnt from, and their diagnosis where there is one."""
+
+    def __init__(self, recordings: list[Samples], diagnosis: Path) -> None:
+        self.span, self.diagnosis = max(span_of(samples) for _, samples in recordings), diagnosis
+        parts = [Asked.of(run, samples, self.span) for run, samples in recordings]
+        self.seen = Asked.joined(parts, recordings[0][0].system.free_zero)
+        self._learnt: dict[tuple[str, ...], Learnt] = {}
+
+    def learnt(self, method: str, columns: list[str]) -> Learnt:
+        """A black box that knows all of the recording, over some columns; fitted once."""
+        key = (method, *columns)
+        if key not in self._learnt:
+            self._learnt[key] = learn(method, self.seen, len(self.seen.table), columns)
+        return self._learnt[key]
+
+    def asked_about(self, about: Samples) -> dict[str, tuple[float, float]]:
+        """Both errors of every method on all of another recording, in the median of its seeds."""
+        run, samples = about
+        tared = run.system.free_zero
+        found = {}
+        if self.diagnosis.is_file():
+            content = read_diagnosis(self.diagnosis)
+            bare: dict[str, Any] = {"parameters": {}, "simulation": []}
+            for method, said in (("nominal", bare), ("explained", content)):
+                found[method] = errors(*simulated(said, about, self.diagnosis), tared)
+        asked = Asked.of(run, samples, self.span)
+        columns = [name for name in self.seen.table if name in asked.table]
+        for method in METHODS:
+            predicted = self.learnt(method, columns).predict(asked)
+            first, best = np.median([errors(one, asked.measured, asked.time_s, tared) for one in predicted], axis=0)
+            found[method] = float(first), float(best)
+        return found
+
+
+def rows_of(source: Source, learnt_from: str, runs: dict[str, Samples]) -> list[dict[str, Any]]:
+    """A row for every run that is asked about and every method: rms error in the reading's unit."""
+    rows = []
+    for name, about in runs.items():
+        unit = about[0].system.channel.rpartition("_")[2]
+        for method, (first, best) in source.asked_about(about).items():
+            pair = {"learnt_from": learnt_from, "asked_about": name, "method": method}
+            rows.append({**pair, "rms": first, "centred_rms": best, "unit": unit})
+    return rows
+
+
+def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[dict[str, Any]]:
+    """Rows for every ordered pair of runs."""
+    rows = []
+    for name, recording in runs.items():
+        others = {other: about for other, about in runs.items() if other != name}
+        rows += rows_of(Source([recording], diagnoses[name]), name, others)
+    return rows
+
+
+def left_out(runs: dict[str, Samples], folders: dict[str, Path], out: Path) -> list[dict[str, Any]]:
+    """Rows for every run after learning from all the others together, whose diagnosis goes to `out`/<run>."""
+    rows: list[dict[str, Any]] = []
+    for name in runs if len(runs) > LEAST_OTHERS else ():
+        others = [other for other in runs if other != name]
+        ask([folders[other] for other in others], out / name)
+        source = Source([runs[other] for other in others], out / name / "diagnosis.json")
+        rows += rows_of(source, ALL_OTHERS, {name: runs[name]})
+    return rows
+
+
+def _read(folder: Path) -> Samples | None:
+    """A run and its samples, or None when it is not usable, for which the report has the reason."""
+    try:
+        return read_samples(folder) if usable(folder) else None
+    except BadInput:
+        return None
+
+
+@program
+def main() -> None:
+    """Write a row for every ordered pair of one group's runs, and for every run and all others, and every method."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.real.transfer", description=__doc__)
+    parser.add_argument("run_dir", type=Path, nargs="+")
+    parser.add_argument("--group", required=True)
+    parser.add_argument(
+        "--diagnoses", type=Path, required=True, help="the folder with a folder of each run's diagnosis"
+    )
+    parser.add_argument("--others", type=Path, required=True, help="folder for the diagnoses of all but one")
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    read = {folder.name: _read(folder) for folder in told.run_dir}
+    runs = {name: one for name, one in read.items() if one is not None}
+    folders = {folder.name: folder for folder in told.run_dir}
+    rows = of_group(runs, {name: told.diagnoses / name / "diagnosis.json" for name in runs})
+    rows += left_out(runs, folders, told.others)
+    table = pd.DataFrame([{"group": told.group, **row} for row in rows], columns=COLUMNS)
+    with whole(told.out) as temporary:
+        table.to_csv(temporary, index=False, float_format="%.5g")
+    print(f"{told.group}: {len(table)} errors")
+
+
+if __name__ == "__main__":
+    main()

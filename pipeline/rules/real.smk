@@ -1,0 +1,159 @@
+from pipeline.real.plan import plan_of
+
+REAL = plan_of(config)
+
+
+def real_file(wildcards):
+    return REAL[wildcards.run].file
+
+
+def real_mapping(wildcards):
+    return REAL[wildcards.run].mapping
+
+
+def real_group(wildcards):
+    return [f"processed/real/raw/{run}" for run in REAL.groups(wildcards.rig)[wildcards.group]]
+
+
+def real_group_verdicts(wildcards):
+    return [f"reports/real/{wildcards.rig}/{run}" for run in REAL.groups(wildcards.rig)[wildcards.group]]
+
+
+def real_verdicts(wildcards):
+    return [f"reports/real/{wildcards.rig}/{run}" for run in REAL.runs(wildcards.rig)]
+
+
+def real_together(wildcards):
+    return [f"reports/real/{wildcards.rig}/together/{group}" for group in REAL.groups(wildcards.rig)]
+
+
+def real_black_boxes(wildcards):
+    return [f"processed/real/blackbox/{run}.json" for run in REAL.runs(wildcards.rig)]
+
+
+def real_transfer(wildcards):
+    return [f"processed/real/transfer/{wildcards.rig}/{group}.csv" for group in REAL.groups(wildcards.rig)]
+
+
+wildcard_constraints:
+    rig="(?!index)[a-z0-9_]+",
+    group="[a-z0-9-]+",
+
+
+# A file that cannot be imported or decided stops nothing: the pages say why.
+rule bring:
+    input:
+        file=real_file,
+        mapping=real_mapping,
+    output:
+        directory("processed/real/raw/{run}"),
+    log:
+        "processed/logs/real-bring-{run}.log",
+    params:
+        code=fingerprint("pipeline.real.bring"),
+    message:
+        "import {wildcards.run}"
+    shell:
+        "exec python -m pipeline.real.bring {input.file:q} --map {input.mapping:q} --out {output:q} > {log:q} 2>&1"
+
+
+rule real_verdict:
+    input:
+        "processed/real/raw/{run}",
+    output:
+        directory("reports/real/{rig}/{run}"),
+    log:
+        "processed/logs/real-verdict-{rig}-{run}.log",
+    params:
+        code=fingerprint("pipeline.real.ask", "pipeline.diagnosis.*", "pipeline.systems.*"),
+    message:
+        "diagnose {wildcards.run}"
+    shell:
+        "exec python -m pipeline.real.ask {input:q} --out {output:q} > {log:q} 2>&1"
+
+
+rule real_together:
+    input:
+        real_group,
+    output:
+        directory("reports/real/{rig}/together/{group}"),
+    log:
+        "processed/logs/real-together-{rig}-{group}.log",
+    params:
+        code=fingerprint("pipeline.real.ask", "pipeline.diagnosis.*", "pipeline.systems.*"),
+    message:
+        "diagnose all of {wildcards.group} of {wildcards.rig} together"
+    shell:
+        "exec python -m pipeline.real.ask {input:q} --out {output:q} > {log:q} 2>&1"
+
+
+rule black_boxes:
+    input:
+        "processed/real/raw/{run}",
+    output:
+        "processed/real/blackbox/{run}.json",
+    log:
+        "processed/logs/real-blackbox-{run}.log",
+    params:
+        code=fingerprint("pipeline.real.blackbox"),
+    message:
+        "ask black boxes about {wildcards.run}"
+    shell:
+        "exec python -m pipeline.real.blackbox {input:q} --out {output:q} > {log:q} 2>&1"
+
+
+rule transfer:
+    input:
+        runs=real_group,
+        diagnoses=real_group_verdicts,
+    output:
+        table="processed/real/transfer/{rig}/{group}.csv",
+        others=directory("processed/real/others/{rig}/{group}"),
+    log:
+        "processed/logs/real-transfer-{rig}-{group}.log",
+    params:
+        code=fingerprint("pipeline.real.transfer", "pipeline.diagnosis.*", "pipeline.systems.*"),
+    message:
+        "ask what was learnt on each of {wildcards.group} about the others"
+    shell:
+        "exec python -m pipeline.real.transfer {input.runs:q} --group {wildcards.group:q}"
+        " --diagnoses reports/real/{wildcards.rig:q} --others {output.others:q} --out {output.table:q} > {log:q} 2>&1"
+
+
+rule real_page:
+    input:
+        verdicts=real_verdicts,
+        together=real_together,
+        black_boxes=real_black_boxes,
+        transfer=real_transfer,
+        known=Path(workflow.basedir) / "pipeline/config/real.yaml",
+    output:
+        page="reports/real/{rig}.html",
+        figure="reports/real/{rig}.png",
+        table="processed/real/table/{rig}.csv",
+    log:
+        "processed/logs/real-page-{rig}.log",
+    params:
+        code=fingerprint("pipeline.report.real"),
+    message:
+        "write the page of {wildcards.rig}"
+    shell:
+        "exec python -m pipeline.report.real {wildcards.rig:q} --verdicts {input.verdicts:q}"
+        " --together {input.together:q} --black-boxes {input.black_boxes:q} --transfer {input.transfer:q}"
+        " --out {output.page:q} --figure {output.figure:q} --table {output.table:q} > {log:q} 2>&1"
+
+
+rule real:
+    input:
+        REAL.tables,
+    output:
+        page="reports/real/index.html",
+        table="reports/real/table.csv",
+    log:
+        "processed/logs/real.log",
+    params:
+        code=fingerprint("pipeline.report.real_index"),
+    message:
+        "write the table over all public rigs"
+    shell:
+        "exec python -m pipeline.report.real_index {input:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"

@@ -1,0 +1,139 @@
+"""Which runs a folder of downloaded files makes, and what becomes of a file that is no recording."""
+
+import gzip
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+from made_recording import content, recording
+
+from pipeline.errors import BadInput
+from pipeline.import_run import read_mapping
+from pipeline.real.ask import ask
+from pipeline.real.bring import REFUSED, bring, usable
+from pipeline.real.plan import RealPlan, make_real_plan, plan_of
+from pipeline.real.rigs import MAPPINGS, expected_of, read_rigs
+
+RECORDINGS = Path(__file__).parent.parent.parent.parent / "shared" / "recordings"
+
+
+@pytest.fixture
+def downloaded(tmp_path):
+    """Files under the names that their sources give them."""
+
+    def make(*names):
+        for name in names:
+            path = tmp_path / "downloads" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(b"")
+        return tmp_path / "downloads"
+
+    return make
+
+
+def test_the_committed_rigs_name_mappings_that_read():
+    for rig in read_rigs().values():
+        for kind in rig.files:
+            assert read_mapping(MAPPINGS / f"{kind.mapping}.yaml")["channels"]["time_s"]
+        assert all(re.match("https://github.com/", rig.repository) for _ in rig.files)
+
+
+def test_every_file_of_a_known_rig_becomes_its_runs(downloaded):
+    folder = downloaded(
+        "a/z_motion.csv.gz", "b/DATA_EMPS.mat", "b/DATA_EMPS_PULSES.MAT", "Tool_4_Maryland_R_5_00.TXT.gz",
+        "Tool_4_Maryland_R_5_43.TXT", "Tool_9_Bowl_L.txt", "README.md", "a/.hidden.csv",
+    )  # fmt: skip
+    plan = make_real_plan(folder, read_rigs())
+    assert plan.runs("tsa_haptic") == [f"tsa-haptic-{module}-z-motion" for module in (1, 2, 3)]
+    assert plan["tsa-haptic-2-z-motion"].mapping.name == "tsa_haptic_2.yaml" and plan.groups("tsa_haptic") == {}
+    tools = ["davinci-tool-4-maryland-r-5-00", "davinci-tool-4-maryland-r-5-43"]
+    assert plan.groups("davinci_tool") == {"tool-4-maryland-r-5": tools}
+    assert plan["davinci-tool-9-bowl-l"].group == "tool-9-bowl-l"
+    assert plan["emps-data-emps"].mapping.name == "emps.yaml"
+    assert plan["emps-data-emps-pulses"].mapping.name == "emps_pulses.yaml"
+    assert plan.groups("emps") == {"emps": ["emps-data-emps", "emps-data-emps-pulses"]}
+    assert plan.tables(None) == [f"processed/real/table/{rig}.csv" for rig in ("tsa_haptic", "davinci_tool", "emps")]
+
+
+def test_files_of_one_name_are_told_apart_by_their_folder_or_refused(downloaded):
+    folder = downloaded("mon/DATA_EMPS.mat", "tue/DATA_EMPS.mat")
+    assert make_real_plan(folder, read_rigs()).runs("emps") == ["emps-data-emps-mon", "emps-data-emps-tue"]
+    with pytest.raises(BadInput, match=r"is there already as .*remove one"):
+        make_real_plan(downloaded("mon/data_emps.mat"), read_rigs())
+
+
+def test_a_folder_without_recordings_says_what_to_do(downloaded, tmp_path):
+    with pytest.raises(BadInput, match="no recording of a known rig"):
+        make_real_plan(downloaded("notes.txt"), read_rigs())
+    with pytest.raises(BadInput, match="--config recordings=DIR"):
+        make_real_plan(tmp_path / "nowhere", read_rigs())
+    assert plan_of({}) == RealPlan(())
+    with pytest.raises(BadInput, match="--config recordings=DIR"):
+        plan_of({}).tables(None)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        ({"files": [{"pattern": "(", "mapping": "emps", "name": "x", "group": "x"}]}, "no regular expression"),
+        ({"files": [{"pattern": "x", "mapping": "no_such", "name": "x", "group": "x"}]}, "no mapping 'no_such'"),
+        ({"expcted": []}, "emps.expcted"),
+    ],
+)
+def test_a_bad_list_of_rigs_is_named(tmp_path, change, says):
+    whole = yaml.safe_load((MAPPINGS.parent / "config" / "real.yaml").read_text())
+    path = tmp_path / "real.yaml"
+    path.write_text(yaml.safe_dump({"emps": {**whole["emps"], **change}}))
+    with pytest.raises(BadInput, match=says):
+        read_rigs(path)
+
+
+def test_the_first_expectation_that_matches_counts():
+    rig = read_rigs()["tsa_haptic"]
+    assert expected_of(rig, "tsa-haptic-1-cartesian-points-v1").names is None
+    assert expected_of(rig, "tsa-haptic-1-z-motion").names == [["friction_hysteresis", "backlash"]]
+
+
+@pytest.fixture
+def imported(tmp_path):
+    """Run folders imported from a logger's file, or refused."""
+    mapping = tmp_path / "map.yaml"
+    mapping.write_text(yaml.safe_dump(content("x", run=None)))
+
+    def make(name, text=None):
+        file = tmp_path / f"{name}.csv.gz"
+        file.write_bytes(gzip.compress((recording(1).to_csv(index=False) if text is None else text).encode()))
+        bring(file, mapping, tmp_path / "raw" / name)
+        return tmp_path / "raw" / name
+
+    return make
+
+
+def test_a_file_that_cannot_be_imported_leaves_a_reason_in_place_of_a_verdict(imported, tmp_path):
+    folder = imported("bad", "time_s,motor_turns\n1,2\n")
+    assert not usable(folder) and "displacement_mm" in (folder / REFUSED).read_text()
+    words = ask([folder], tmp_path / "verdict")
+    assert "bad.csv.gz: not imported" in words and not (tmp_path / "verdict" / "diagnosis.json").exists()
+    assert (tmp_path / "verdict" / "verdict.txt").read_text().strip() == words
+
+
+def test_a_run_that_cannot_be_decided_and_runs_too_few_to_go_together_say_why(imported, tmp_path):
+    short = imported("short")
+    assert usable(short)
+    assert "not decided" in ask([short], tmp_path / "one") and "1 stroke" in ask([short], tmp_path / "one")
+    words = ask([short, imported("bad", "")], tmp_path / "both")
+    assert words == "both: not decided: of 2 recordings 1 could be imported"
+
+
+@pytest.mark.skipif(
+    not RECORDINGS.is_dir(),
+    reason="no recordings here: github.com/FaragSeif/tsa_haptic, MRDLab/mis-tool-characterization, wmkouw/NSI-EMPS",
+)
+def test_the_recordings_that_are_here_are_found_and_import(tmp_path):
+    plan = make_real_plan(RECORDINGS, read_rigs())
+    assert set(plan.rigs) == {"tsa_haptic", "davinci_tool", "emps"}
+    assert set(plan.groups("tsa_haptic")) == {"module-1", "module-2", "module-3"}
+    for one in plan.recordings:
+        said = bring(one.file, one.mapping, tmp_path / one.run)
+        assert usable(tmp_path / one.run), said
