@@ -80,7 +80,10 @@ def better(results: list[Result], unit: str) -> str:
     rows.append(["median", *sizes(middle, list(TITLES))])
     note = ""
     if any(one.together for one in results):
-        note = "<p>Recordings together have no row: what is held out of them are other recordings, of unknown zero.</p>"
+        note = (
+            "<p>Held out of recordings together are the last of them, whole ones too; these get their zero on their"
+            " first second. The median is over single recordings.</p>"
+        )
     return table([f"rms error ({unit})", *TITLES.values()], rows) + note
 
 

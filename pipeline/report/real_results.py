@@ -47,8 +47,6 @@ class Result:
     @property
     def heldout(self) -> dict[str, float]:
         """Error of every method on the strokes that no fit has seen."""
-        if self.together:
-            return {}  # the strokes held out are other recordings, whose zero nobody fitted
         held = (self.content or {"fit": {}})["fit"].get("heldout") or {}
         own = {name: held[f"{name}_{self.unit}"] for name in SIMULATORS if f"{name}_{self.unit}" in held}
         return {**own, **self.black_boxes}

@@ -153,7 +153,8 @@ def test_the_table_holds_every_verdict_and_every_method(made, tmp_path):
     assert rows["a"]["others_explained"] == "0.05" and rows["b"]["others_mlp"] == ""
     assert rows["b"]["elsewhere_mlp"] == "0.7" and rows["b"]["doubt"] == "" and rows["b"]["gradient_boosting"] == ""
     assert rows["c"]["doubt"] == "not decided" and rows["c"]["verdict"] == "not decided"
-    assert rows["module-1 together"]["explained"] == "" and rows["module-1 together"]["doubt"] == "unknown"
+    assert rows["module-1 together"]["explained"] == "0.12" and rows["module-1 together"]["mlp"] == ""
+    assert rows["module-1 together"]["doubt"] == "unknown"
 
 
 def test_a_rig_with_one_recording_and_no_verdict_has_its_page_all_the_same(made, tmp_path):
