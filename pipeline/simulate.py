@@ -77,7 +77,7 @@ def main() -> None:
     unit = problem.system.channel.rpartition("_")[2]
     if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
         predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)
-    else:
+    elif problem.system.free_zero:
         predicted = predicted + tare(predicted, problem.measured, problem.record.time_s)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(f"warning: {arguments.simulation} counts time from the start of {content['run'][0]}", file=sys.stderr)

@@ -108,6 +108,7 @@ def test_a_strangers_rig_is_diagnosed_in_its_own_units(house):
     assert "angle_rad" in content["mismatch"]["location"]
     assert content["fit"]["heldout"]["explained_nm"] < 0.3 * content["fit"]["heldout"]["calibrated_nm"]
     assert list(simulated.columns) == ["time_s", "torque_nm"] and len(simulated) == len(samples)
+    assert abs(np.mean(simulated["torque_nm"] - samples["torque_nm"])) < 0.004  # a true zero is not tared away
     error = np.std(simulated["torque_nm"] - samples["torque_nm"])
     assert error < 0.4 * np.std(samples["torque_nm"] - WEIGHT_NM * np.sin(samples["angle_rad"]))
 
