@@ -29,7 +29,7 @@ def title(content: dict[str, Any]) -> str:
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it, whole or not at all."""
     problem, drivers, floor = found.problem, found.problem.drivers, found.floor
-    unit = problem.system.channel.rpartition("_")[2]
+    ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     simulated = {
         name: problem.simulate(state)
         for name, state in (("nominal", found.nominal), ("calibrated", found.base), ("as diagnosed", found.state))
@@ -59,7 +59,7 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     maps.colorbar(image, ax=both, label=unit, pad=0.01)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     panels.ranking(ranked, found)
-    panels.held_out(held, content["fit"]["heldout"], content["fit"][f"noise_floor_{unit}"], unit)
+    panels.held_out(held, content["fit"]["heldout"], content["fit"][f"noise_floor_{ending}"], ending, unit)
     followed = list(panels.listeners(drivers).items())[:6]
     grid = bottom.subplots(2, 3, sharey=True).ravel()
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=False):

@@ -49,9 +49,10 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
                         extent=(0, 2 * BINS, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip
     axes.axvline(BINS, color="k", lw=0.6)
+    low, high = (f"{edge:.3g}" if abs(edge) > 1e-3 * np.ptp(edges) else "0" for edge in (edges[0], edges[-1]))
     axes.set_xticks(
         [0, BINS / 2, BINS, 3 * BINS / 2, 2 * BINS],
-        [f"{edges[0]:.3g}", "up →", f"{edges[-1]:.3g}", "→ down", f"{edges[0]:.3g}"],
+        [low, "up →", high, "→ down", low],
     )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     unit = drivers.units.motion
@@ -84,15 +85,15 @@ def ranking(axes: Axes, found: Study) -> None:
     axes.set_title("explanations: what each leaves")
 
 
-def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, unit: str) -> None:
-    """Error on strokes that no fit has seen, with the noise floor."""
+def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str) -> None:
+    """Error on strokes that no fit has seen, with the noise floor; `ending` is that of the keys."""
     axes.set_title("error on unseen strokes")
     if not held:
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])
         return
     names = ("nominal", "calibrated", "explained")
-    values = [held[f"{name}_{unit}"] for name in names]
+    values = [held[f"{name}_{ending}"] for name in names]
     bars = axes.bar(names, values, color=[OTHER, BEFORE, AFTER], width=0.65)
     axes.bar_label(bars, [f"{value:.3g}" for value in values], fontsize=8)
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {floor:.3g}")
@@ -112,7 +113,7 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
         f"rate ({units.motion}/s)": (drivers.rate, everywhere),
         f"load ({units.load})": (drivers.load * units.load_size, everywhere),
     }
-    if drivers.turn:
+    if drivers.turn and drivers.span > drivers.turn:
         found["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
     if drivers.temperature_c is not None:
         found["temperature (°C)"] = (drivers.smooth(drivers.temperature_c), everywhere)
