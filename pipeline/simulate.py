@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from scipy.ndimage import uniform_filter1d
 
 from pipeline import schemas
 from pipeline.diagnosis.adopt import acts_from
@@ -75,6 +76,9 @@ def main() -> None:
     problem = at_own_rate([run], [samples], thin=False)
     predicted = problem.simulate(state_of(content, problem, arguments.simulation, run.run))
     unit = problem.system.channel.rpartition("_")[2]
+    if problem.system.differentiates and problem.system.working_hz:  # as it was compared, and not the encoder's steps
+        width = round(1.0 / (problem.system.working_hz * problem.drivers.step_s))
+        predicted = uniform_filter1d(predicted, max(width, 1), mode="nearest")
     if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
         predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)
     elif problem.system.free_zero:

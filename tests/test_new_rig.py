@@ -126,3 +126,23 @@ def test_nothing_is_named_where_nothing_is_missing(house):
     content, _ = diagnosed(house, recorded(3))
     assert content["verdict"] in ("consistent", "parameters") and not content["mechanisms"]
     assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(INERTIA_KG_M2, rel=0.03)
+
+
+def test_a_mechanism_of_ones_own_alone_counts_as_unknown_but_is_told_with_its_simulation(house):
+    content, _ = diagnosed(house, recorded(5, air=0.05))
+    assert content["verdict"] == "unknown" and not content["mechanisms"] and not content["simulation"]
+    (own,) = content["of_your_own"]["mechanisms"]
+    assert own["parameters"]["square_nm_per_rad2_s2"]["value"] == pytest.approx(0.05, rel=0.1)
+    assert [entry["id"] for entry in content["of_your_own"]["simulation"]] == ["x_air_drag"]
+    assert not {"load", "wind", "twist"} & set(re.findall(r"\w+", content["next_experiment"]))
+
+
+def test_the_tests_that_the_page_names_accept_its_files(house):
+    root, _ = house
+    shutil.copytree(ROOT / "tests", root / "tests", ignore=shutil.ignore_patterns("__pycache__", "data"))
+    named = ["tests/test_systems.py", "tests/diagnosis/test_library.py"]
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *named, "-k", "not longer_recording"],
+        cwd=root, env={**os.environ, "PYTHONPATH": str(root)}, capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout[-2000:]

@@ -90,7 +90,7 @@ def totals(terms: list[Term], parameters: dict[str, float], said: Units) -> dict
 
 def unit_of_shape(name: str) -> str:
     """Unit of a shape's value, from its name."""
-    endings = {"_s": "s", "_mm": "mm", "_turns": "turns", "_hz": "Hz"}
+    endings = {"_turns_per_s": "turns/s", "_s": "s", "_mm": "mm", "_turns": "turns", "_hz": "Hz"}
     return next((unit for ending, unit in endings.items() if name.endswith(ending)), "1")
 
 

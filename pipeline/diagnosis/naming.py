@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from pipeline.schemas import unit_of
 from pipeline.systems import System
 
+UNLOADED = "load"  # unit of a load that no recording has
 OTHERWISE = (
+    ("unwind to", "go to"), ("wind to", "go to"), ("full twist", "the top"), ("the motor stands", "the motion stands"),
     ("Winding and unwinding", "The two directions"), ("load or twist", "load"), ("The string", "The drive"),
     ("the string", "the drive"), ("contraction", "output"), ("displacement", "output"), ("twisting rate", "rate"),
     ("twist", "motion"), ("Twist", "Motion"),
@@ -25,7 +27,7 @@ class Units:
     @classmethod
     def of(cls, system: System) -> "Units":
         """Units of a system, from the endings of its columns."""
-        load = unit_of(system.load) if system.load else "load"
+        load = unit_of(system.load) if system.load else UNLOADED
         return cls(unit_of(system.driver), unit_of(system.channel), load, system.load_unit)
 
     @property
@@ -34,8 +36,7 @@ class Units:
 
     def name(self, name: str) -> str:
         """A name of the library in these units, as `straight_mm_per_turn_s` or `toe_5_n_mm`."""
-        words = {"mm": self.reading, "mm2": f"{self.reading}2", "turns": self.motion, "turn": self.motion.rstrip("s"),
-                 "turn2": f"{self.motion.rstrip('s')}2"}  # fmt: skip
+        words = {"mm": self.reading, "turns": self.motion, "turn": self.motion.rstrip("s")}
         if not self._strange:
             return name
 
@@ -43,7 +44,12 @@ class Units:
             return f"{float(found[1]) / 10.0 * self.load_size:g}_{self.load}"
 
         said = re.sub(r"([0-9.]+)_n(?=_|$)", load, name)
-        return "_".join(words.get(word, word) for word in said.split("_")).lower()
+
+        def word(said: str) -> str:
+            stem = said.rstrip("0123456789")  # the power of a unit stays
+            return words[stem] + said[len(stem) :] if stem in words else said
+
+        return "_".join(map(word, said.split("_"))).lower()
 
     def unit(self, unit: str) -> str:
         """A unit of the library in these units, as `mm/10N`."""
@@ -51,7 +57,9 @@ class Units:
         return re.sub(r"10N|mm|turns?", lambda found: words[found.group()], unit) if self._strange else unit
 
     def words(self, sentence: str) -> str:
-        """A sentence of the library in words that fit what is no string."""
+        """A sentence of the library in words that fit what is no string, and nothing of a load where there is none."""
+        if self._strange and self.load == UNLOADED:
+            sentence = sentence.replace(", which grows with load or twist", "").replace(" x load", "")
         for own, other in OTHERWISE if self._strange else ():
             sentence = sentence.replace(own, other)
         return sentence

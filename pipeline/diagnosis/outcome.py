@@ -75,13 +75,14 @@ def decide(
     mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
     remainder = float(np.sqrt(max(left["best"] ** 2 - noise.floor**2, 0.0)))
     share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)
+    better = left["nominal"] ** 2 - left["base"] ** 2
     new = {id_: shape for id_, shape in random.items() if id_ not in {act.id for act in problem.included}}
     if new:
         sets = [replace(one, ids=tuple(sorted({*one.ids, *new}))) for one in sets or [search.nothing]]
         best = replace(best, acts=best.acts + tuple(chance.act(problem, id_, shape) for id_, shape in new.items()))
     if not sets:
         verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"
-        if verdict == "consistent" and left["nominal"] ** 2 - left["base"] ** 2 > (PARAMETERS_FROM * floor) ** 2:
+        if verdict == "consistent" and better > (PARAMETERS_FROM * floor) ** 2:
             verdict = "parameters"
     elif (
         not physics(sets[0].ids)
@@ -92,6 +93,8 @@ def decide(
         verdict = "unknown"
     else:
         verdict = "explained" if len(sets) == 1 else "ambiguous"
+    if verdict == "unknown" and mismatch <= UNKNOWN_FROM * floor:  # noise, whatever was found to fit it
+        verdict = "parameters" if better > (PARAMETERS_FROM * floor) ** 2 else "consistent"
     state = best if verdict in ("explained", "ambiguous") else base
     jerks *= bool(new)
     return Study(
@@ -128,7 +131,10 @@ def refuse_faint(found: Study, folder: Path) -> None:
     moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
     if moved < LEAST_MOTION * floor:
         gap = f"should move by {moved:.3g} and has a noise of {floor:.3g}: nothing can be told from it"
-        raise BadInput(folder, problem.system.channel, gap, "record strokes over more turns, or with a finer sensor")
+        mend = "record strokes over more turns, or with a finer sensor"
+        if problem.system.differentiates:
+            mend += "; or set a lower working_hz in its system"
+        raise BadInput(folder, problem.system.channel, gap, mend)
 
 
 def physics(ids: tuple[str, ...]) -> bool:

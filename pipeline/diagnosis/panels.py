@@ -97,7 +97,7 @@ def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str,
     bars = axes.bar(names, values, color=[OTHER, BEFORE, AFTER], width=0.65)
     axes.bar_label(bars, [f"{value:.3g}" for value in values], fontsize=8)
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {floor:.3g}")
-    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * floor, 2.0 * max(*values, floor)))
+    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 2.0 * max(*values, floor)))
     axes.legend(fontsize=7, frameon=False)
 
 

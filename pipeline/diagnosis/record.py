@@ -97,7 +97,8 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
         measured = despiked(measured)
 
     def optional(name: str) -> Array | None:
-        return mean(despiked(samples[name].to_numpy())) if name in samples else None
+        there = name in samples and name not in (system.driver, system.channel, system.load)
+        return mean(despiked(samples[name].to_numpy())) if there else None
 
     return Record(
         mean(time_s), mean(motion), mean(velocity), mean(acceleration), mean(measured), mean(load),

@@ -42,6 +42,8 @@ def sentences(content: dict[str, Any], system: System, moved: dict[str, float]) 
             f"{place['strokes'][1]}, {place['phase']}; it follows {driver}"
         )
     lines += [f"  {entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
+    own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
+    lines += [f"  but of your own does {entry['id']}: {entry['sentence']}" for entry in own]
     lines += ["  cannot be ruled out: " + " + ".join(other) for other in content["alternatives"]]
     lines += [f"  re-measure {name}: it had to move by {value:.1f} sigma" for name, value in moved.items()]
     if content["next_experiment"]:

@@ -73,6 +73,12 @@ def relative(found: Study) -> dict[str, Any]:
     return {**{name: value / whole for name, value in left.items()}, "filter": said}
 
 
+def own_alone(found: Study) -> bool:
+    """Whether mechanisms of a user's own, which the contract does not count, are what explains."""
+    ids = found.sets[0].ids if found.sets else ()
+    return bool(ids) and not physics(ids) and not any(mechanisms()[id_].helper for id_ in ids)
+
+
 def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
     """What to record next, in words and as legs."""
     if found.verdict == "unknown":
@@ -101,7 +107,8 @@ def diagnosis(
         if found.verdict == "parameters":
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
             driver = "the dimensions themselves"
-        mismatch = {f"rms_{unit}": found.mismatch, "location": locate.box(signal, problem), "driver": driver}
+        place, driver = locate.box(signal, problem), problem.drivers.units.words(driver)
+        mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
     fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, found)}
     fit[f"detectable_{unit}"] = detectable(found.search, found.noise.floor)
@@ -129,7 +136,7 @@ def diagnosis(
         "mismatch": mismatch,
         "mechanisms": listed(found, fine, sizes, shapes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
-        "next_experiment": experiment[0] if experiment else None,
+        "next_experiment": problem.drivers.units.words(experiment[0]) if experiment else None,
         "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **as_entry(interval)} for name, interval in parameters.items()
@@ -141,6 +148,10 @@ def diagnosis(
     }
     if without:
         content["without"] = sorted(without)
+    if found.verdict == "unknown" and own_alone(found):
+        _, sizes, shapes = intervals(problem, found.best, found.noise)
+        own = {"mechanisms": listed(found, fine, sizes, shapes, unit)}
+        content["of_your_own"] = own | {"simulation": entries(found.best.acts, problem.drivers)}
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():

@@ -100,7 +100,8 @@ class System:
     @property
     def columns(self) -> tuple[str, ...]:
         """Columns that a recording may have, the first three of which it must."""
-        return ("time_s", self.driver, self.channel, *([self.load] if self.load else []), *LISTENED)
+        own = (self.driver, self.channel, *([self.load] if self.load else []))
+        return ("time_s", *own, *(name for name in LISTENED if name not in own))
 
     def parameters(self, run: Described) -> list[Parameter]:
         """Dimensions with nominal values and tolerances; a free zero is not among them."""

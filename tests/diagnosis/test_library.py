@@ -50,7 +50,9 @@ def test_terms_are_finite_named_once_and_as_long_as_the_recording(id_: str, prob
 def test_the_engine_names_no_mechanism_and_no_system_and_mechanisms_know_no_other() -> None:
     names = set(IDS) | set(systems())
     for path in HERE.rglob("*.py"):
-        words = {node.value for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Constant)}
+        tree = ast.parse(path.read_text())
+        told = [node.value for node in ast.walk(tree) if isinstance(node, ast.keyword) and node.arg == "confused_with"]
+        words = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and node not in told}
         assert not words & (names - {path.stem}), path
 
 
