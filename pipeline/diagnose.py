@@ -41,6 +41,11 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
             if described(run, field) != described(runs[0], field):
                 mend = "diagnose the runs of each string on each rig apart"
                 raise BadInput(folder, field, f"is not that of {runs[0].run}", mend)
+    load = runs[0].system.load
+    for folder, table in zip(folders, tables, strict=True):
+        if load and (load in table) != (load in tables[0]):
+            mend = "diagnose runs with and without it apart"
+            raise BadInput(folder, load, f"is in {'it' if load in table else folders[0]} only", mend)
     problem = engine.make_problem(runs, tables, folders, without=without)
     found = engine.study(problem, say)
     outcome.refuse_faint(found, folders[0])

@@ -109,6 +109,8 @@ def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
     """Raise BadInput unless the samples of a run, read from `path`, can be what their names say and hold a stroke."""
     check_finite(samples, path)
     check_clock(samples, path)
+    if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:
+        raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
         check_string(samples, geometry(run), path)
     segment(samples, run.system.driver, path)

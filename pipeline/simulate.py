@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from scipy.ndimage import uniform_filter1d
 
 from pipeline import schemas
 from pipeline.diagnosis.adopt import acts_from
@@ -63,6 +62,12 @@ def tare(predicted: Array, measured: Array, time_s: Array) -> float:
     return float(np.median((measured - predicted)[start]))
 
 
+def at_rows(time_s: Array, working_s: Array, predicted: Array) -> Array:
+    """A prediction at the working rate, at the recording's own stamps; the first and last mean lie as far inside."""
+    inside = (np.ptp(time_s) - np.ptp(working_s)) / 2.0
+    return np.interp(time_s - time_s[0], working_s - working_s[0] + inside, predicted)
+
+
 @program
 def main() -> None:
     """Command line."""
@@ -73,18 +78,17 @@ def main() -> None:
     arguments = parser.parse_args()
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(arguments.simulation)
-    problem = at_own_rate([run], [samples], thin=False)
+    problem = at_own_rate([run], [samples], thin=run.system.differentiates)
     predicted = problem.simulate(state_of(content, problem, arguments.simulation, run.run))
     unit = problem.system.channel.rpartition("_")[2]
-    if problem.system.differentiates and problem.system.working_hz:  # as it was compared, and not the encoder's steps
-        width = round(1.0 / (problem.system.working_hz * problem.drivers.step_s))
-        predicted = uniform_filter1d(predicted, max(width, 1), mode="nearest")
     if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
         predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)
     elif problem.system.free_zero:
         predicted = predicted + tare(predicted, problem.measured, problem.record.time_s)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(f"warning: {arguments.simulation} counts time from the start of {content['run'][0]}", file=sys.stderr)
+    if run.system.differentiates:  # compared, and so simulated, at the working rate
+        predicted = at_rows(samples["time_s"].to_numpy(), problem.record.time_s, predicted)
     table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})
     schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
     print(f"{run.run}: {len(table)} samples simulated")

@@ -25,8 +25,8 @@ def within(signals: Array, first: NDArray[np.intp], step_s: float, band_hz: floa
     return out
 
 
-def words(band_hz: float | None) -> str:
+def words(band_hz: float | None, step_s: float) -> str:
     """The filter, as a page states it."""
-    if band_hz is None:
+    if band_hz is None or band_hz * step_s >= HIGHEST / 2.0:
         return "nothing more"
     return f"Butterworth low-pass of order {ORDER} at {band_hz:g} Hz, forward and backward"

@@ -5,7 +5,8 @@ import numpy as np
 from pipeline.diagnosis import generic
 from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.problem import Problem, State, placed
+from pipeline.systems.interface import PORTS
 
 
 def suggested(problem: Problem, state: State) -> dict[str, list[Shape]]:
@@ -17,6 +18,11 @@ def suggested(problem: Problem, state: State) -> dict[str, list[Shape]]:
 def catalogue(problem: Problem, more: dict[str, list[Shape]]) -> dict[str, list[Shape]]:
     """All shapes of all mechanisms that the recording could show, and those that it suggests."""
     found = {id_: mechanism.shapes(problem.drivers) + more[id_] for id_, mechanism in problem.library.items()}
+    if not set(PORTS) <= set(problem.system.ports):  # the shapes that act where the system has a port
+        found = {
+            id_: [shape for shape in shapes if placed(problem.system, problem.terms(mechanisms()[id_], shape))]
+            for id_, shapes in found.items()
+        }
     return {id_: shapes for id_, shapes in found.items() if shapes}
 
 

@@ -60,6 +60,10 @@ class Drivers:
         """Rate of the motion, per second."""
         return self.slope(self.motion) if self.velocity is None else self.velocity
 
+    def inputs(self, rows: NDArray[np.bool_]) -> "Moved":
+        """What a system simulates from, of some rows."""
+        return Moved(self.time_s[rows], self.motion[rows], self.rate[rows], self.acceleration[rows], self.load[rows])
+
     @cached_property
     def span(self) -> float:
         """Range of the motion."""

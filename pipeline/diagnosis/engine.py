@@ -13,10 +13,10 @@ from pipeline.diagnosis.drivers import Drivers, drivers_of
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
-from pipeline.diagnosis.outcome import Study, cancels, decide, rms
-from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.outcome import Study, bare, cancels, decide, rms
+from pipeline.diagnosis.problem import Problem, State, placed
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
-from pipeline.diagnosis.search import Explanation, Search
+from pipeline.diagnosis.search import INEXACT, Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run
 from pipeline.systems import Parameter, System
@@ -50,8 +50,13 @@ def make_problem(
     drivers = drivers_of(system, record, runs[0])
     homes = homes_of(system, runs)
     parameters = (*system.parameters(runs[0]), *homes)
+    nowhere = unplaced(system, drivers)
+    for number, entry in enumerate(runs[0].simulation):
+        if entry.get("id") in nowhere:
+            problem = f"{entry['id']} acts where a {system.name} has nothing"
+            raise BadInput(where / "run.yaml", f"simulation[{number}].id", problem, "remove it")
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
-    without = without | nowhere(system, drivers)
+    without = without | nowhere
     return Problem(system, record, drivers, parameters, record.measured, len(record), included, len(homes), without)
 
 
@@ -64,15 +69,15 @@ def homes_of(system: System, runs: list[Run]) -> list[Parameter]:
     return [replace(first, name=f"{first.name}_{number}", nominal=0.0) for number in range(2, len(runs) + 1)]
 
 
-def nowhere(system: System, drivers: Drivers) -> frozenset[str]:
-    """Mechanisms that act where a system has no port."""
+def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
+    """Mechanisms all of whose shapes act where a system has no port."""
     if set(system.ports) == set(PORTS):
         return frozenset()
+    found = {id_: (mechanism, mechanism.shapes(drivers)) for id_, mechanism in mechanisms().items()}
     return frozenset(
         id_
-        for id_, mechanism in mechanisms().items()
-        for shape in mechanism.shapes(drivers)[:1]
-        if not {term.port for term in mechanism.terms(drivers, shape)} <= set(system.ports)
+        for id_, (mechanism, shapes) in found.items()
+        if shapes and not any(placed(system, mechanism.terms(drivers, shape)) for shape in shapes)
     )
 
 
@@ -113,6 +118,8 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     shapes = candidates.catalogue(problem, more)
     random = chance.seen(problem, base)
     least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
+    if problem.included:  # what was adopted is as inexact as any formula
+        least = max(least, INEXACT * bare(problem, noise))
     say("searching explanations")
     search = Search(Linear(problem, base, noise, shapes), least)
     chosen, best = search.select(noise.floor, largest=1), base

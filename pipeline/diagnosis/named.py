@@ -43,7 +43,8 @@ def parameters_of(
         for name, value in (entry["parameters"] | {name: value for name, (value, _) in sums.items()}).items():
             half = shapes.get((act.id, number, own.get(name, name)), 0.0)  # none where it was chosen from a few
             low, high = sorted(value * factor for factor in (relative if name in units else (1.0 - half, 1.0 + half)))
-            unit = units.get(name, said.unit(unit_of_shape(own.get(name, name))))
+            shape = own.get(name, name)
+            unit = units.get(name, said.unit(mechanisms()[act.id].units.get(shape, unit_of_shape(shape))))
             label = name if number == 0 else f"{name}_{number + 1}"
             found[label] = {"value": value, "low": low, "high": high, "unit": unit}
     return found
@@ -64,7 +65,7 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
             size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
         said = problem.drivers.units
-        sentence = said.words(mechanisms()[act.id].sentence)
+        sentence = said.words(mechanisms()[act.id].sentence, problem.drivers.loaded)
         entries_.append(
             {
                 "id": act.id,

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pipeline.schemas import unit_of
 from pipeline.systems import System
 
-UNLOADED = "load"  # unit of a load that no recording has
 OTHERWISE = (
     ("unwind to", "go to"), ("wind to", "go to"), ("full twist", "the top"), ("the motor stands", "the motion stands"),
     ("Winding and unwinding", "The two directions"), ("load or twist", "load"), ("The string", "The drive"),
@@ -27,7 +26,7 @@ class Units:
     @classmethod
     def of(cls, system: System) -> "Units":
         """Units of a system, from the endings of its columns."""
-        load = unit_of(system.load) if system.load else UNLOADED
+        load = unit_of(system.load) if system.load else "load"
         return cls(unit_of(system.driver), unit_of(system.channel), load, system.load_unit)
 
     @property
@@ -56,9 +55,9 @@ class Units:
         words = {"mm": self.reading, "turns": self.motion, "turn": self.motion.rstrip("s"), "10N": self._load}
         return re.sub(r"10N|mm|turns?", lambda found: words[found.group()], unit) if self._strange else unit
 
-    def words(self, sentence: str) -> str:
-        """A sentence of the library in words that fit what is no string, and nothing of a load where there is none."""
-        if self._strange and self.load == UNLOADED:
+    def words(self, sentence: str, loaded: bool) -> str:
+        """A sentence of the library in words that fit what is no string, and of the load only where it varies."""
+        if self._strange and not loaded:
             sentence = sentence.replace(", which grows with load or twist", "").replace(" x load", "")
         for own, other in OTHERWISE if self._strange else ():
             sentence = sentence.replace(own, other)

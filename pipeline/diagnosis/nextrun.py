@@ -78,7 +78,7 @@ def separation(
 def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:
     """The candidate that parts the closest pair of the explanations most, in words and as legs."""
     rig = Rig(problem.record)
-    possible = CANDIDATES if problem.system.load else {n: legs for n, legs in CANDIDATES.items() if "load" not in n}
+    possible = {name: legs for name, legs in CANDIDATES.items() if problem.record.load.any() or "load" not in name}
     options = {name: [rig.home(), *legs(rig)] for name, legs in possible.items()}
     scores = {
         name: separation(problem, run, noise, search, sets[:4], appended(problem.record, legs))
@@ -94,7 +94,7 @@ def after_unknown(problem: Problem, run: Run, driver: str) -> Proposal:
     """What to record when nothing in the library explains a mismatch that follows a driver most."""
     rig = Rig(problem.record)
     name, legs = AFTER_UNKNOWN.get(driver, AFTER_UNKNOWN["twist"])
-    if "load" in name and not problem.system.load:
+    if "load" in name and not problem.record.load.any():
         name, legs = AFTER_UNKNOWN["speed"]
     going = [rig.home(), *legs(rig)]
     return f"{name}: {in_words(going, rig.at, run)}; it shows whether the mismatch follows {driver}", going

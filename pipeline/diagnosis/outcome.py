@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.diagnosis import chance, form
+from pipeline.diagnosis.calibrate import calibrate
 from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
@@ -93,7 +94,9 @@ def decide(
         verdict = "unknown"
     else:
         verdict = "explained" if len(sets) == 1 else "ambiguous"
-    if verdict == "unknown" and mismatch <= UNKNOWN_FROM * floor:  # noise, whatever was found to fit it
+    explained = (1.0 - EXPLAINED) * bare(problem, noise) ** 2 if problem.included and verdict == "unknown" else 0.0
+    # noise, or what an adopted explanation may leave, is nothing unknown
+    if verdict == "unknown" and mismatch**2 <= max((UNKNOWN_FROM * floor) ** 2, explained):
         verdict = "parameters" if better > (PARAMETERS_FROM * floor) ** 2 else "consistent"
     state = best if verdict in ("explained", "ambiguous") else base
     jerks *= bool(new)
@@ -102,12 +105,19 @@ def decide(
     )  # fmt: skip
 
 
+def bare(problem: Problem, noise: Noise) -> float:
+    """What calibration would leave of a recording without what its `run.yaml` adopted, rms, noise taken off."""
+    without = replace(problem, included=())
+    left = rms((problem.measured - without.simulate(calibrate(without, noise)))[: problem.rows])
+    return float(np.sqrt(max(left**2 - noise.floor**2, 0.0)))
+
+
 def surely(noise: Noise) -> float:
     """Noise floors of mismatch that no noise makes; more, where the floor itself is known badly.
 
     In a short recording of slow noise the dictionary swallows much of it, and how loud it was is an estimate.
     """
-    doubt = max(noise.swallowed - SWALLOWED, 0.0)
+    doubt = 0.5 * max(noise.swallowed - SWALLOWED, 0.0)
     return float(np.sqrt((np.hypot(1.0, UNKNOWN_FROM) + doubt) ** 2 - 1.0))
 
 

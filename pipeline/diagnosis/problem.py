@@ -32,6 +32,11 @@ class State:
     acts: tuple[Act, ...] = ()
 
 
+def placed(system: System, terms: list[Term]) -> bool:
+    """Whether a system has a port for each of some terms."""
+    return {term.port for term in terms} <= set(system.ports)
+
+
 @dataclass(frozen=True)
 class Problem:
     """Everything that a fit needs; `rows` samples from the start are seen by it, the drivers cover all."""
@@ -114,7 +119,16 @@ class Problem:
             port = self.system.ports["twist"]
             shift = np.concatenate([[0.0], values[own:]])[self.record.run_index]
             added = {**added, port: added[port] + shift if port in added else shift}
-        return self.system.simulate(values[:own], self.drivers, added)
+        if not self.system.remembers or self.runs == 1:
+            return self.system.simulate(values[:own], self.drivers, added)
+        parts = [self.record.run_index == run for run in range(self.runs)]  # no memory reaches from run to run
+        moved = {port: np.broadcast_to(np.asarray(acting, float), len(self.record)) for port, acting in added.items()}
+        return np.concatenate(
+            [
+                self.system.simulate(values[:own], self.drivers.inputs(rows), {p: a[rows] for p, a in moved.items()})
+                for rows in parts
+            ]
+        )
 
     def reading(self, values: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
         """Reading without zero: the simulated channel, then what operators and the sensor port add to it."""

@@ -103,7 +103,7 @@ AFTER_UNKNOWN: dict[str, tuple[str, Callable[[Rig], list[Leg]]]] = {
 
 def in_words(legs: list[Leg], start: float, run: Run) -> str:
     """Legs as steps with numbers: where to, how fast, how long, under what; pauses of under a second go without."""
-    driver, load_name = run.system.driver, run.system.load
+    driver, load_name = run.system.driver, run.system.load if any(force for _, _, force in legs) else None
     unit = schemas.unit_of(driver)
     said, at, load = [], start, None
     for seconds, to, force in legs:
@@ -122,7 +122,7 @@ def in_words(legs: list[Leg], start: float, run: Run) -> str:
 
 def as_legs(legs: list[Leg], run: Run) -> dict[str, Any]:
     """Legs for a machine to follow: how long each takes, and the driver and the load at its end, by their channels."""
-    driver, load_name = run.system.driver, run.system.load
+    driver, load_name = run.system.driver, run.system.load if any(force for _, _, force in legs) else None
     found = []
     for seconds, to, force in legs:
         leg = {"seconds": seconds, driver: to}

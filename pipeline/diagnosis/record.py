@@ -14,6 +14,7 @@ from pipeline.systems import System
 
 WORKING_SAMPLES = 15_000
 BETWEEN_RUNS_S = 60.0
+FINER = 10.0  # times the working rate, at which a motion is differentiated
 OUTLIER, LOCAL = 6.0, 8.0  # spreads of a residual, of all and of its neighbours, that make a reading wild
 PHASES = ("winding", "hold", "unwinding", "rest")
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
@@ -82,8 +83,7 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
     phase_index = np.array([PHASES.index(name) for name in phase])
     nothing = pd.Series(np.zeros(len(samples)))
     load = despiked(samples.get(system.load, nothing).to_numpy())
-    velocity = np.gradient(motion, time_s)
-    acceleration = np.gradient(velocity, time_s)
+    velocity, acceleration = derivatives(time_s, motion, system.working_hz if system.differentiates else None)
     bins = _bins(time_s, width) if width > 1 else np.arange(len(time_s))
     count = np.bincount(bins)
 
@@ -107,11 +107,26 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
     )  # fmt: skip
 
 
-def averaged(system: System, samples: list[pd.DataFrame]) -> int:
+def derivatives(time_s: Array, motion: Array, working_hz: float | None) -> tuple[Array, Array]:
+    """Rate and acceleration of a motion, of means over a tenth of a working period: finer only differentiates steps."""
+    step_s = float(np.median(np.diff(time_s)))
+    width = max(1, round(1.0 / (FINER * working_hz * step_s))) if working_hz else 1
+    if width == 1:
+        velocity = np.gradient(motion, time_s)
+        return velocity, np.gradient(velocity, time_s)
+    bins = _bins(time_s, width)
+    count = np.bincount(bins)
+    middle, mean = (np.bincount(bins, weights=values) / count for values in (time_s, motion))
+    velocity = np.gradient(mean, middle)
+    acceleration = np.gradient(velocity, middle)
+    return np.interp(time_s, middle, velocity), np.interp(time_s, middle, acceleration)
+
+
+def averaged(system: System, samples: pd.DataFrame) -> int:
     """Samples to average where a system is compared at a working rate: what is faster is noise."""
     if system.working_hz is None:
         return 1
-    usual_s = float(np.median(np.diff(samples[0]["time_s"].to_numpy())))
+    usual_s = float(np.median(np.diff(samples["time_s"].to_numpy())))
     return max(1, round(1.0 / (system.working_hz * usual_s)))
 
 
@@ -120,11 +135,12 @@ def joined(runs: list[Run], samples: list[pd.DataFrame], most: int = WORKING_SAM
 
     Without `thin` a system's working rate is no reason to average.
     """
-    width = max(1, -(-sum(map(len, samples)) // most), averaged(runs[0].system, samples) if thin else 1)
+    common = max(1, -(-sum(map(len, samples)) // most))
     parts: list[Record] = []
     clock_s, stroke0 = 0.0, 0
     for index, (run, table) in enumerate(zip(runs, samples, strict=True)):
         before = run.string.strokes_before if run.string else 0
+        width = max(common, averaged(run.system, table) if thin else 1)
         part = one(run, table, width, index, max(stroke0, before))
         time_s = part.time_s - part.time_s[0] + clock_s
         clock_s, stroke0 = float(time_s[-1]) + BETWEEN_RUNS_S, int(part.stroke.max())

@@ -69,7 +69,7 @@ def relative(found: Study) -> dict[str, Any]:
     states = (("nominal", found.nominal), ("calibrated", found.base), ("explained", found.state))
     left = {name: size(problem.measured - problem.simulate(state)) for name, state in states}
     whole = size(problem.measured)
-    said = f"averages of {problem.drivers.step_s * 1e3:.3g} ms, then {band.words(below_hz)}"
+    said = f"averages of {problem.drivers.step_s * 1e3:.3g} ms, then {band.words(below_hz, problem.drivers.step_s)}"
     return {**{name: value / whole for name, value in left.items()}, "filter": said}
 
 
@@ -107,7 +107,7 @@ def diagnosis(
         if found.verdict == "parameters":
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
             driver = "the dimensions themselves"
-        place, driver = locate.box(signal, problem), problem.drivers.units.words(driver)
+        place, driver = locate.box(signal, problem), problem.drivers.units.words(driver, problem.drivers.loaded)
         mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
     fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, found)}
@@ -130,13 +130,14 @@ def diagnosis(
             for number, zero in enumerate(found.state.zeros)
         }
     )
+    words = problem.drivers.units.words
     content: dict[str, Any] = {
         "run": runs[0].run,
         "verdict": found.verdict,
         "mismatch": mismatch,
         "mechanisms": listed(found, fine, sizes, shapes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
-        "next_experiment": problem.drivers.units.words(experiment[0]) if experiment else None,
+        "next_experiment": words(experiment[0], problem.drivers.loaded) if experiment else None,
         "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **as_entry(interval)} for name, interval in parameters.items()

@@ -8,6 +8,7 @@ from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Array, loaded_radius
 from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
 
 LOAD_UNIT_N = 10.0
+SEPARATOR = {"torsion_zone_mm": "the length in mm", "separator_mm": "the length in mm"}
 FLATTEST = 0.98  # of its length, that a pair can be wound
 
 
@@ -64,16 +65,17 @@ class TwistedString(System):
 
 
 class Pair(TwistedString):
-    """x = L - sqrt(L^2 - (theta r)^2)."""
+    """x = L - sqrt(L^2 - (theta r)^2); a separator's dimensions are read, and used for nothing."""
 
     name = "twisted_pair"
+    optional_rig: Mapping[str, str] = {**TwistedString.optional_rig, **SEPARATOR}
 
 
 class Separated(TwistedString):
     """Eqs 1–4 of the paper."""
 
     name = "separator"
-    rig: Mapping[str, str] = {"torsion_zone_mm": "the length in mm", "separator_mm": "the length in mm"}
+    rig: Mapping[str, str] = SEPARATOR
     never_zero = frozenset({"torsion_zone_mm"})
 
     def _zone(self, run: Described) -> list[Parameter]:

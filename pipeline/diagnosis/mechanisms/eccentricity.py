@@ -20,11 +20,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Sine and cosine of the turn: on the reading, and on the twist."""
+    """Sine and cosine of the turn: on the reading, and on the twist, which behind a constant gear is the same."""
     angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
     waves = {"sine": np.sin(2.0 * np.pi * angle), "cosine": np.cos(2.0 * np.pi * angle)}
     found = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
-    if not shape["wheel_mm"]:
+    if not shape["wheel_mm"] and drivers.levered:
         found += [Term(f"{name}_turns", "twist", wave, "turns", -np.inf) for name, wave in waves.items()]
     return found
 

@@ -68,7 +68,8 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         if shape["loaded"] and not drivers.levered:
             signals["slack_mm"] = side * np.exp(-np.abs(drivers.load) / SLACK_LOAD)
         found += [
-            Term(f"{name}_{key}", "resistance", signal, "mm", total=TOTALS.get(key)) for key, signal in signals.items()
+            Term(f"{name}_{key}", "resistance", signal, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
+            for key, signal in signals.items()
         ]
     return found
 
