@@ -98,6 +98,7 @@ def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[dict[
 def left_out(runs: dict[str, Samples], folders: dict[str, Path], out: Path) -> list[dict[str, Any]]:
     """Rows for every run after learning from all the others together, whose diagnosis goes to `out`/<run>."""
     rows: list[dict[str, Any]] = []
+    out.mkdir(parents=True, exist_ok=True)  # also where too few are left to learn from
     for name in runs if len(runs) > LEAST_OTHERS else ():
         others = [other for other in runs if other != name]
         ask([folders[other] for other in others], out / name)

@@ -123,6 +123,7 @@ def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path
     assert errors["explained"] > 5.0 > errors["nominal"]  # a wrong gear is asked as it was said
     assert all(errors[method] < errors["nominal"] / 2 for method in METHODS), errors
     assert transfer.left_out({name: runs[name] for name in ("a-01", "a-02")}, folders, tmp_path / "none") == []
+    assert (tmp_path / "none").is_dir()  # which the workflow waits for
 
 
 def test_recordings_joined_keep_the_columns_that_all_have_and_a_zero_each():
