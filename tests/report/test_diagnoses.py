@@ -1,19 +1,13 @@
 """Verdicts on the page and at the end of the main job."""
 
-import json
+from made_verdict import made_verdict
 
 from pipeline.report.diagnoses import row, section, verdicts
 from pipeline.report.summary import summary
 
 
 def made(reports, run, words, **content):
-    folder = reports / "diagnosis" / run
-    folder.mkdir(parents=True)
-    (folder / "verdict.txt").write_text(words + "\n")
-    if content:
-        (folder / "diagnosis.json").write_text(json.dumps(content))
-        (folder / "diagnosis.png").write_bytes(b"")
-    return folder
+    return made_verdict(reports / "diagnosis" / run, words, content)
 
 
 HELD = {"nominal_mm": 1.92, "calibrated_mm": 0.81, "explained_mm": 0.034}

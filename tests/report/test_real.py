@@ -8,6 +8,7 @@ import sys
 
 import pandas as pd
 import pytest
+from made_verdict import made_verdict
 
 from pipeline.real.rigs import Answer, Expected, read_rigs
 from pipeline.report import real, real_index
@@ -80,13 +81,7 @@ def made(tmp_path):
     rig = tmp_path / "reports" / "real" / "tsa_haptic"
 
     def verdict(name, content, words):
-        folder = rig / name
-        folder.mkdir(parents=True)
-        (folder / "verdict.txt").write_text(words + "\n")
-        if content:
-            (folder / "diagnosis.json").write_text(json.dumps(content))
-            (folder / "diagnosis.png").write_bytes(b"")
-        return folder
+        return made_verdict(rig / name, words, content)
 
     tied = diagnosis("ambiguous", ["backlash"], ["sensor_lag"])
     tied["fit"]["relative_residual"] = {"nominal": 0.74, "calibrated": 0.7, "explained": 0.034, "filter": "10 Hz"}
