@@ -29,33 +29,34 @@ class Coupling(nn.Module):
 
     As printed, the second line has s₁(y₂) and t₂(y₁), implicit and not what eq. 7 inverts. Each s is bounded
     softly, clamp·(2/π)·atan(s): the paper says only that exp avoids "numerical complications", and without a
-    bound the inverse loses its digits away from the data.
+    bound the inverse loses its digits away from the data. Conditions, which pass through unmoved, are read by both
+    nets beside the half that they know.
     """
 
-    def __init__(self, size: int, width: int, layers: int, clamp: float) -> None:
+    def __init__(self, size: int, width: int, layers: int, clamp: float, conditions: int = 0) -> None:
         super().__init__()
         self.first, self.second, self.clamp = size // 2, size - size // 2, clamp
-        self.net_1 = relu_net(self.first, 2 * self.second, width, layers)  # s₁, t₁: read y₁, move x₂
-        self.net_2 = relu_net(self.second, 2 * self.first, width, layers)  # s₂, t₂: read x₂, move x₁
+        self.net_1 = relu_net(self.first + conditions, 2 * self.second, width, layers)  # s₁, t₁: read y₁, move x₂
+        self.net_2 = relu_net(self.second + conditions, 2 * self.first, width, layers)  # s₂, t₂: read x₂, move x₁
 
-    def forward(self, x: Tensor) -> Tensor:
-        """y for x, both of shape (points, size) (eq. 6)."""
+    def forward(self, x: Tensor, given: Tensor | None = None) -> Tensor:
+        """y for x, both of shape (points, size), under conditions of shape (points, conditions) (eq. 6)."""
         x_1, x_2 = x.split([self.first, self.second], dim=1)
-        s_2, t_2 = self._scale_and_shift(self.net_2, x_2)
+        s_2, t_2 = self._scale_and_shift(self.net_2, x_2, given)
         y_1 = x_1 * torch.exp(s_2) + t_2
-        s_1, t_1 = self._scale_and_shift(self.net_1, y_1)
+        s_1, t_1 = self._scale_and_shift(self.net_1, y_1, given)
         return torch.cat([y_1, x_2 * torch.exp(s_1) + t_1], dim=1)
 
-    def inverse(self, y: Tensor) -> Tensor:
+    def inverse(self, y: Tensor, given: Tensor | None = None) -> Tensor:
         """x for y, both of shape (points, size) (eq. 7); x₂ comes first, because x₁ needs it."""
         y_1, y_2 = y.split([self.first, self.second], dim=1)
-        s_1, t_1 = self._scale_and_shift(self.net_1, y_1)
+        s_1, t_1 = self._scale_and_shift(self.net_1, y_1, given)
         x_2 = (y_2 - t_1) * torch.exp(-s_1)
-        s_2, t_2 = self._scale_and_shift(self.net_2, x_2)
+        s_2, t_2 = self._scale_and_shift(self.net_2, x_2, given)
         return torch.cat([(y_1 - t_2) * torch.exp(-s_2), x_2], dim=1)
 
-    def _scale_and_shift(self, net: nn.Sequential, known: Tensor) -> tuple[Tensor, Tensor]:
-        scale, shift = net(known).chunk(2, dim=1)
+    def _scale_and_shift(self, net: nn.Sequential, known: Tensor, given: Tensor | None) -> tuple[Tensor, Tensor]:
+        scale, shift = net(known if given is None else torch.cat([known, given], dim=1)).chunk(2, dim=1)
         return self.clamp * (2.0 / torch.pi) * torch.atan(scale), shift
 
 
@@ -95,22 +96,30 @@ class InvertibleNet(nn.Module):
     """Coupling blocks with a mixing layer between each two, from (points, size) to (points, size) and back."""
 
     def __init__(
-        self, size: int, blocks: int, width: int, layers: int, clamp: float, composite: str, seed: int
+        self,
+        size: int,
+        blocks: int,
+        width: int,
+        layers: int,
+        clamp: float,
+        composite: str,
+        seed: int,
+        conditions: int = 0,
     ) -> None:
         super().__init__()
-        self.blocks = nn.ModuleList(Coupling(size, width, layers, clamp) for _ in range(blocks))
+        self.blocks = nn.ModuleList(Coupling(size, width, layers, clamp, conditions) for _ in range(blocks))
         self.mixing = mixing_layers(blocks - 1, size, composite, seed)
         self.unmixing = [torch.argsort(permutation) for permutation in self.mixing]
 
-    def forward(self, x: Tensor) -> Tensor:
+    def forward(self, x: Tensor, given: Tensor | None = None) -> Tensor:
         """Outputs for inputs, in standard deviations."""
         for number, block in enumerate(self.blocks):
-            x = block(x if number == 0 else x[:, self.mixing[number - 1]])
+            x = block(x if number == 0 else x[:, self.mixing[number - 1]], given)
         return x
 
-    def inverse(self, y: Tensor) -> Tensor:
+    def inverse(self, y: Tensor, given: Tensor | None = None) -> Tensor:
         """Inputs for outputs, in standard deviations: the blocks backwards."""
         for number in reversed(range(len(self.blocks))):
-            y = cast(Coupling, self.blocks[number]).inverse(y)
+            y = cast(Coupling, self.blocks[number]).inverse(y, given)
             y = y if number == 0 else y[:, self.unmixing[number - 1]]
         return y

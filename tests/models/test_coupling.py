@@ -73,7 +73,7 @@ def test_a_fresh_net_is_its_composite() -> None:
 @torch.no_grad()
 def test_the_scale_is_bounded_however_far_the_input() -> None:
     block = shaken(Coupling(4, 8, 2, 0.5))
-    scale, _ = block._scale_and_shift(block.net_1, torch.full((1, 2), 1e12).double())
+    scale, _ = block._scale_and_shift(block.net_1, torch.full((1, 2), 1e12).double(), None)
     assert scale.abs().max() <= 0.5
 
 

@@ -20,9 +20,10 @@ MODELS = sorted(
 # Budgets that make a test quick; a model that is not named here is fitted with its defaults.
 QUICK = {
     "inn": {"blocks": 4, "width": 24, "layers": 2, "epochs": 16, "batch": 60, "rates": [8e-3, 4e-3, 1e-3, 5e-4]},
+    "cinn": {"blocks": 4, "width": 16, "epochs": 16, "batch": 60},
     "mlp": {"width": 16, "epochs": 16, "batch": 60, "rate": 1e-2},
 }
-WITHOUT_TORCH = ["traditional", "calibrated"]
+WITHOUT_TORCH = ["traditional", "calibrated", "polynomial", "spline"]
 
 named = pytest.mark.parametrize("name", MODELS)
 
@@ -49,7 +50,7 @@ def rmse(error: np.ndarray) -> float:
 
 
 def test_the_folder_holds_the_papers_models() -> None:
-    assert {"traditional", "calibrated", "inn", "mlp"} <= set(MODELS)
+    assert {"traditional", "calibrated", "polynomial", "inn", "mlp", "cinn", "spline"} <= set(MODELS)
 
 
 def test_predictions_are_finite_floats_one_a_point(case: tuple[str, Model, pd.DataFrame]) -> None:

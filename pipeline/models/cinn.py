@@ -1,0 +1,132 @@
+"""A conditional INN on top of eq. 4: small coupling blocks that bend what the physics says, knowing the direction.
+
+As the paper's INN it maps five numbers to five through 7 blocks, but the first is eq. 4's contraction, not θ: the
+physics bends the curve and the network corrects it. The direction of motion, and where they vary the load, the torsion
+zone, the stiffness and the material, are conditions that every block reads. The permutations compose to the identity
+(`coupling.mixing_layers`), so the forward error alone trains both ways. θ follows by the blocks backwards and eq. 5.
+"""
+
+import math
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import torch
+from torch.nn.functional import mse_loss
+
+from pipeline.files import whole
+from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
+from pipeline.models.box import Box
+from pipeline.models.conditions import Conditions
+from pipeline.models.coupling import InvertibleNet
+from pipeline.models.features import conditions
+from pipeline.models.scaling import Scaling
+from pipeline.models.training import minimise, repeatable, tensor
+
+SIZE = 5
+WARM_UP = 0.1  # of the epochs
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The network's shape, its training, and what it is told."""
+
+    blocks: int = 7
+    width: int = 64
+    layers: int = 2
+    clamp: float = 1.0
+    permutation_seed: int = 0
+    epochs: int = 30
+    batch: int = 125
+    rate: float = 4e-3  # the highest; it rises to it and falls as a cosine
+    direction: bool = True  # whether it may know winding from unwinding
+
+
+class Cinn:
+    """The conditional INN with eq. 4 as its base."""
+
+    def __init__(self, **settings: object) -> None:
+        self.settings = Settings(**settings)  # type: ignore[arg-type]
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Train from fresh weights on points; the seed draws the weights and the batches."""
+        self.box, self.conditions = Box.of(points), Conditions.of(points)
+        inputs, outputs = _physics_side(points), _measured_side(points)
+        self.inputs, self.outputs = Scaling.of(inputs), Scaling.of(outputs)
+        x, y = tensor(self.inputs.scaled(inputs)), tensor(self.outputs.scaled(outputs))
+        given, s = tensor(self._given(points)), self.settings
+        warm = max(1, round(WARM_UP * s.epochs))
+        rates = [s.rate * min((i + 1) / warm, (1 + math.cos(math.pi * i / s.epochs)) / 2) for i in range(s.epochs)]
+        with repeatable(seed):
+            self.network = self._fresh()
+            minimise(
+                self.network,
+                lambda rows: mse_loss(self.network(x[rows], given[rows]), y[rows]),
+                len(points),
+                s.batch,
+                rates,
+            )
+
+    @torch.no_grad()
+    def forward(self, points: pd.DataFrame) -> Array:
+        """Contraction in mm, shape (points,): the first of the five outputs."""
+        scaled = tensor(self.inputs.scaled(_physics_side(points)))
+        return self.outputs.restored(self.network(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+
+    @torch.no_grad()
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """Twist in turns, shape (points,), within the twists that were seen."""
+        scaled = tensor(self.outputs.scaled(_measured_side(points)))
+        base_mm = self.inputs.restored(self.network.inverse(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+        return self.box.clipped("motor_turns", point_motor_turns(points.assign(displacement_mm=base_mm)))
+
+    def save(self, path: Path) -> None:
+        """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
+        scalings = [self.inputs.mean, self.inputs.std, self.outputs.mean, self.outputs.std]
+        saved = {
+            "settings": asdict(self.settings),
+            "box": self.box.saved(),
+            "conditions": self.conditions.saved(),
+            "scalings": [torch.from_numpy(values) for values in scalings],
+            "weights": self.network.state_dict(),
+        }
+        with whole(path) as temporary:
+            torch.save(saved, temporary)
+
+    def load(self, path: Path) -> None:
+        """Take over what a file holds."""
+        saved = torch.load(path, weights_only=True)
+        self.settings = Settings(**saved["settings"])
+        self.box, self.conditions = Box.from_saved(saved["box"]), Conditions.from_saved(saved["conditions"])
+        scalings = [values.numpy() for values in saved["scalings"]]
+        self.inputs, self.outputs = Scaling(*scalings[:2]), Scaling(*scalings[2:])
+        with repeatable(0):
+            self.network = self._fresh()
+        self.network.load_state_dict(saved["weights"])
+
+    def _given(self, points: pd.DataFrame) -> Array:
+        """The conditions that the blocks read, shape (points, conditions): direction, then what varies besides."""
+        way = points["direction"].to_numpy(float)[:, None]
+        others = self.conditions.table(points)
+        return np.column_stack([way, others]) if self.settings.direction else others
+
+    def _fresh(self) -> InvertibleNet:
+        """The untrained network of the settings."""
+        s, given = self.settings, self.conditions.size + self.settings.direction
+        return InvertibleNet(
+            SIZE, s.blocks, s.width, s.layers, s.clamp, "identity", s.permutation_seed, conditions=given
+        )
+
+
+def _physics_side(points: pd.DataFrame) -> Array:
+    """Contraction by eq. 4 in mm, then b, l, r and n, shape (points, 5)."""
+    return np.column_stack([point_contraction_mm(points), conditions(points, log_stroke=True)])
+
+
+def _measured_side(points: pd.DataFrame) -> Array:
+    """Measured contraction in mm, then b, l, r and n, shape (points, 5)."""
+    return np.column_stack([points["displacement_mm"], conditions(points, log_stroke=True)])
+
+
+MODEL = Cinn

@@ -1,0 +1,94 @@
+"""Two ridge regressions on products of polynomials, one for each way: the plain baseline that any spreadsheet can fit.
+
+Terms are powers of θ (or x) to the seventh, times 1, L and L² with L = log(1 + n), times 1 and the direction; what else
+varies (dimensions, load, material) multiplies the powers to the third. Inputs beyond the training range are taken as
+its edge, where a polynomial would run away.
+"""
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.polynomial.legendre import legvander
+
+from pipeline import files
+from pipeline.kinematics import Array
+from pipeline.models.box import Box
+from pipeline.models.conditions import Conditions
+
+GIVEN = ("motor_turns", "displacement_mm")  # of the forward and of the inverse map; each gives the other
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Degrees of the polynomials and the ridge's weight."""
+
+    degree: int = 7
+    stroke_degree: int = 2
+    other_degree: int = 3
+    ridge: float = 1e-6  # of the points' number, terms being of size 1
+
+
+class Polynomial:
+    """The pair of ridge regressions; `weights` has one row of terms for each map."""
+
+    def __init__(self, **settings: object) -> None:
+        self.settings = Settings(**settings)  # type: ignore[arg-type]
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Solve both regressions; nothing is drawn by the seed."""
+        self.box, self.conditions = Box.of(points), Conditions.of(points)
+        self.weights = {}
+        for given, wanted in (GIVEN, GIVEN[::-1]):
+            terms = self._terms(points, given)
+            square = terms.T @ terms + self.settings.ridge * len(points) * np.eye(terms.shape[1])
+            self.weights[given] = np.linalg.solve(square, terms.T @ points[wanted].to_numpy(float))
+
+    def forward(self, points: pd.DataFrame) -> Array:
+        """Contraction in mm, shape (points,)."""
+        return self._terms(points, GIVEN[0]) @ self.weights[GIVEN[0]]
+
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """Twist in turns, shape (points,)."""
+        return self._terms(points, GIVEN[1]) @ self.weights[GIVEN[1]]
+
+    def save(self, path: Path) -> None:
+        """Write all of it as JSON."""
+        content = {
+            "settings": asdict(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
+            "weights": {given: weights.tolist() for given, weights in self.weights.items()},
+        }  # fmt: skip
+        files.write_text(path, json.dumps(content))
+
+    def load(self, path: Path) -> None:
+        """Take over what a JSON file holds."""
+        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        self.settings = Settings(**content["settings"])
+        self.box, self.conditions = Box.from_saved(content["box"]), Conditions.from_saved(content["conditions"])
+        self.weights = {given: np.array(weights) for given, weights in content["weights"].items()}
+
+    def _terms(self, points: pd.DataFrame, given: str) -> Array:
+        """The products that a map is a sum of, shape (points, terms)."""
+        s = self.settings
+        powers = legvander(self._within(given, points[given].to_numpy(float)), s.degree)
+        grown = legvander(self._grown(points["stroke"].to_numpy(float)), s.stroke_degree)
+        way = np.column_stack([np.ones(len(points)), points["direction"].to_numpy(float)])
+        others = self.conditions.table(points)
+        main = powers[:, :, None, None] * grown[:, None, :, None] * way[:, None, None, :]
+        beside = powers[:, : s.other_degree + 1, None] * others[:, None, :]
+        return np.column_stack([main.reshape(len(points), -1), beside.reshape(len(points), -1)])
+
+    def _within(self, column: str, values: Array) -> Array:
+        """Values of a column as −1 to 1 over its training range."""
+        low, high = self.box.low[column], self.box.high[column]
+        return np.clip(2.0 * (values - low) / ((high - low) or 1.0) - 1.0, -1.0, 1.0)
+
+    def _grown(self, stroke: Array) -> Array:
+        """log(1 + n) as −1 to 1 over the training strokes, and on in the same measure beyond them."""
+        low, high = np.log1p(self.box.low["stroke"]), np.log1p(self.box.high["stroke"])
+        return 2.0 * (np.log1p(stroke) - low) / max(high - low, np.log(2.0)) - 1.0
+
+
+MODEL = Polynomial

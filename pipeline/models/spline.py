@@ -1,0 +1,142 @@
+"""A conditional monotone spline over eq. 4: the physics bends the curve, the spline learns what the physics misses.
+
+The contraction by eq. 4 over the torsion zone, u = x₄(θ) / d, is the coordinate; a rational-quadratic spline S of u,
+whose knots depend on the direction of motion, the strokes n and whatever else varies (load, dimensions, material),
+gives x = d · S(u). Every rise and slope is an exponential of a linear form of these conditions, so x rises with θ
+whatever was learnt, and θ follows from x exactly: S backwards, then eq. 5. A pair has its own equation and d = l.
+
+Fitted by Levenberg and Marquardt on the forward error; the law of n is the one that best foresees the last strokes.
+"""
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline import files
+from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
+from pipeline.models import rational
+from pipeline.models.box import Box
+from pipeline.models.conditions import Conditions
+from pipeline.models.growth import Law, chosen
+from pipeline.models.marquardt import least_squares
+
+SHORTEST = 1e-9  # of what the knots span: one twist only is still a spline
+CHOICE_POINTS, CHOICE_STEPS = 3000, 3  # with which the law of n is chosen
+NOISE_MM = 0.03  # a displacement sensor's, about: what the pull towards no change at all is weighed against
+LOOSE, TIGHT = 1.0, 0.2  # spread expected of the logarithms of rises and slopes, and of their change by a condition
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The spline's size and what it is told."""
+
+    bins: int = 16
+    steps: int = 30
+    direction: bool = True  # whether it may know winding from unwinding
+
+
+class Spline:
+    """The conditional monotone spline; `weights` has shape (2 · bins + 2, features)."""
+
+    def __init__(self, **settings: object) -> None:
+        self.settings = Settings(**settings)  # type: ignore[arg-type]
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Choose the law of n, then fit all weights; nothing is drawn by the seed."""
+        self.box, self.conditions = Box.of(points), Conditions.of(points)
+        u = self._coordinate(points)
+        self.knots_at = np.linspace(u.min(), max(u.max(), u.min() + SHORTEST), self.settings.bins + 1)
+        thin = points.iloc[:: max(1, len(points) // CHOICE_POINTS)]
+        weights = np.zeros((2 * self.settings.bins + 2, self._features(thin, Law()).shape[1]))
+
+        def foresight(law: Law, early: pd.DataFrame, late: pd.DataFrame) -> float:
+            fitted = self._fitted(early, law, weights, CHOICE_STEPS)
+            error = self._spline(late, law, fitted)[1] - late["displacement_mm"].to_numpy()
+            return float(np.sqrt(np.mean(error**2)))
+
+        self.law = Law().standardised(thin["stroke"].to_numpy())
+        weights = self._fitted(thin, self.law, weights, 2 * CHOICE_STEPS)
+        self.law = chosen(thin, foresight)
+        self.weights = self._fitted(points, self.law, weights, self.settings.steps)
+
+    def forward(self, points: pd.DataFrame) -> Array:
+        """Contraction in mm, shape (points,)."""
+        return self._spline(points, self.law, self.weights)[1]
+
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """Twist in turns, shape (points,), within the twists that were seen."""
+        zone_mm = _zone_mm(points)
+        y = points["displacement_mm"].to_numpy(float) / zone_mm
+        u = rational.inverse(self._knots(points, self.law, self.weights), y)
+        return self.box.clipped("motor_turns", point_motor_turns(points.assign(displacement_mm=u * zone_mm)))
+
+    def save(self, path: Path) -> None:
+        """Write all of it as JSON."""
+        content = {
+            "settings": asdict(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
+            "law": asdict(self.law), "knots": self.knots_at.tolist(), "weights": self.weights.tolist(),
+        }  # fmt: skip
+        files.write_text(path, json.dumps(content))
+
+    def load(self, path: Path) -> None:
+        """Take over what a JSON file holds."""
+        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        self.settings, self.law = Settings(**content["settings"]), Law(**content["law"])
+        self.box, self.conditions = Box.from_saved(content["box"]), Conditions.from_saved(content["conditions"])
+        self.knots_at, self.weights = np.array(content["knots"]), np.array(content["weights"])
+
+    def _coordinate(self, points: pd.DataFrame) -> Array:
+        """u = x₄(θ) / d of points, shape (points,)."""
+        return point_contraction_mm(points) / _zone_mm(points)
+
+    def _features(self, points: pd.DataFrame, law: Law) -> Array:
+        """What the knots depend on, shape (points, features); the first is 1."""
+        one, grown = np.ones(len(points)), law.of(points["stroke"].to_numpy())
+        first = points["stroke"].to_numpy() == 1  # a new string beds in while it is wound for the first time
+        base = np.column_stack([one, grown, first])
+        others = self.conditions.table(points)
+        told = np.column_stack([base, others, others * grown[:, None]])
+        if not self.settings.direction:
+            return told
+        way = points["direction"].to_numpy(float)[:, None]
+        return np.column_stack([told, way * base, way * others])
+
+    def _knots(self, points: pd.DataFrame, law: Law, weights: Array) -> rational.Knots:
+        """Every point's own knots."""
+        bins, linear = self.settings.bins, self._features(points, law) @ weights.T
+        rise = np.diff(self.knots_at) * np.exp(linear[:, 1 : bins + 1])
+        start = self.knots_at[0] + linear[:, 0] / _zone_mm(points)
+        return rational.Knots(self.knots_at, start, rise, np.exp(linear[:, bins + 1 :]))
+
+    def _spline(self, points: pd.DataFrame, law: Law, weights: Array) -> tuple[rational.Knots, Array]:
+        """Every point's knots, and its contraction in mm."""
+        knots = self._knots(points, law, weights)
+        return knots, rational.value(knots, self._coordinate(points)) * _zone_mm(points)
+
+    def _fitted(self, points: pd.DataFrame, law: Law, start: Array, steps: int) -> Array:
+        """Weights that fit the points, of the shape of `start`."""
+        features, measured_mm = self._features(points, law), points["displacement_mm"].to_numpy()
+        u, zone_mm = self._coordinate(points), _zone_mm(points)
+
+        def problem(flat: Array) -> tuple[Array, Array]:
+            knots, predicted_mm = self._spline(points, law, flat.reshape(start.shape))
+            rises, slopes = rational.by_logarithms(knots, u)
+            by_linear = np.column_stack([np.ones(len(points)), rises * zone_mm[:, None], slopes * zone_mm[:, None]])
+            jacobian = by_linear[:, :, None] * features[:, None, :]
+            return predicted_mm - measured_mm, jacobian.reshape(len(points), -1)
+
+        ridge = np.full(start.shape, (NOISE_MM / TIGHT) ** 2)
+        ridge[:, 0] = (NOISE_MM / LOOSE) ** 2
+        ridge[0] *= 1e-6  # the offset: any
+        return least_squares(problem, start.ravel(), ridge.ravel(), steps).reshape(start.shape)
+
+
+def _zone_mm(points: pd.DataFrame) -> Array:
+    """Length that contractions are taken relative to: the torsion zone, or a pair's whole length."""
+    return points["torsion_zone_mm"].fillna(points["length_mm"]).to_numpy(np.float64)
+
+
+MODEL = Spline
