@@ -1,9 +1,11 @@
 """A conditional INN on top of eq. 4: small coupling blocks that bend what the physics says, knowing the direction.
 
 As the paper's INN it maps five numbers to five through 7 blocks, but the first is eq. 4's contraction, not θ: the
-physics bends the curve and the network corrects it. The direction of motion, and where they vary the load, the torsion
-zone, the stiffness and the material, are conditions that every block reads. The permutations compose to the identity
-(`coupling.mixing_layers`), so the forward error alone trains both ways. θ follows by the blocks backwards and eq. 5.
+physics bends the curve and the network corrects it. Contractions enter and leave as roots √(x + c), which are about
+proportional to the twist: in x itself, which grows as θ² at first, the first turns are too small for a network to see.
+The direction of motion, and where they vary the load, the torsion zone, the stiffness and the material, are conditions
+that every block reads. The permutations compose to the identity (`coupling.mixing_layers`), so the forward error alone
+trains both ways. θ follows by the blocks backwards and eq. 5.
 """
 
 import math
@@ -26,6 +28,7 @@ from pipeline.models.training import minimise, repeatable, tensor
 
 SIZE = 5
 WARM_UP = 0.1  # of the epochs
+ABOVE_ZERO = 0.005  # of the contraction's range, that the root's argument stays above 0 in the whole box
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,7 @@ class Settings:
     layers: int = 2
     clamp: float = 1.0
     permutation_seed: int = 0
-    epochs: int = 30
+    epochs: int = 45
     batch: int = 125
     rate: float = 4e-3  # the highest; it rises to it and falls as a cosine
     direction: bool = True  # whether it may know winding from unwinding
@@ -52,7 +55,9 @@ class Cinn:
     def fit(self, points: pd.DataFrame, seed: int) -> None:
         """Train from fresh weights on points; the seed draws the weights and the batches."""
         self.box, self.conditions = Box.of(points), Conditions.of(points)
-        inputs, outputs = _physics_side(points), _measured_side(points)
+        low_mm, high_mm = self.box.low["displacement_mm"], self.box.high["displacement_mm"]
+        self.shift_mm = max(-low_mm, 0.0) + ABOVE_ZERO * (high_mm - low_mm)
+        inputs, outputs = self._physics_side(points), self._measured_side(points)
         self.inputs, self.outputs = Scaling.of(inputs), Scaling.of(outputs)
         x, y = tensor(self.inputs.scaled(inputs)), tensor(self.outputs.scaled(outputs))
         given, s = tensor(self._given(points)), self.settings
@@ -71,14 +76,16 @@ class Cinn:
     @torch.no_grad()
     def forward(self, points: pd.DataFrame) -> Array:
         """Contraction in mm, shape (points,): the first of the five outputs."""
-        scaled = tensor(self.inputs.scaled(_physics_side(points)))
-        return self.outputs.restored(self.network(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+        scaled = tensor(self.inputs.scaled(self._physics_side(points)))
+        root = self.outputs.restored(self.network(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+        return np.asarray(np.square(root) - self.shift_mm)
 
     @torch.no_grad()
     def inverse(self, points: pd.DataFrame) -> Array:
         """Twist in turns, shape (points,), within the twists that were seen."""
-        scaled = tensor(self.outputs.scaled(_measured_side(points)))
-        base_mm = self.inputs.restored(self.network.inverse(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+        scaled = tensor(self.outputs.scaled(self._measured_side(points)))
+        root = self.inputs.restored(self.network.inverse(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+        base_mm = np.square(root) - self.shift_mm
         return self.box.clipped("motor_turns", point_motor_turns(points.assign(displacement_mm=base_mm)))
 
     def save(self, path: Path) -> None:
@@ -88,6 +95,7 @@ class Cinn:
             "settings": asdict(self.settings),
             "box": self.box.saved(),
             "conditions": self.conditions.saved(),
+            "shift_mm": self.shift_mm,
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
         }
@@ -99,11 +107,25 @@ class Cinn:
         saved = torch.load(path, weights_only=True)
         self.settings = Settings(**saved["settings"])
         self.box, self.conditions = Box.from_saved(saved["box"]), Conditions.from_saved(saved["conditions"])
+        self.shift_mm = saved["shift_mm"]
         scalings = [values.numpy() for values in saved["scalings"]]
         self.inputs, self.outputs = Scaling(*scalings[:2]), Scaling(*scalings[2:])
         with repeatable(0):
             self.network = self._fresh()
         self.network.load_state_dict(saved["weights"])
+
+    def _physics_side(self, points: pd.DataFrame) -> Array:
+        """Root of the contraction by eq. 4, then b, l, r and n, shape (points, 5)."""
+        return np.column_stack([self._root(point_contraction_mm(points)), conditions(points, log_stroke=True)])
+
+    def _measured_side(self, points: pd.DataFrame) -> Array:
+        """Root of the measured contraction, then b, l, r and n, shape (points, 5)."""
+        measured_mm = points["displacement_mm"].to_numpy(float)
+        return np.column_stack([self._root(measured_mm), conditions(points, log_stroke=True)])
+
+    def _root(self, contraction_mm: Array) -> Array:
+        """√(x + c); what lies below −c, beyond the box, is taken as −c."""
+        return np.sqrt(np.maximum(contraction_mm + self.shift_mm, 0.0))
 
     def _given(self, points: pd.DataFrame) -> Array:
         """The conditions that the blocks read, shape (points, conditions): direction, then what varies besides."""
@@ -117,16 +139,6 @@ class Cinn:
         return InvertibleNet(
             SIZE, s.blocks, s.width, s.layers, s.clamp, "identity", s.permutation_seed, conditions=given
         )
-
-
-def _physics_side(points: pd.DataFrame) -> Array:
-    """Contraction by eq. 4 in mm, then b, l, r and n, shape (points, 5)."""
-    return np.column_stack([point_contraction_mm(points), conditions(points, log_stroke=True)])
-
-
-def _measured_side(points: pd.DataFrame) -> Array:
-    """Measured contraction in mm, then b, l, r and n, shape (points, 5)."""
-    return np.column_stack([points["displacement_mm"], conditions(points, log_stroke=True)])
 
 
 MODEL = Cinn
