@@ -41,8 +41,14 @@ def recorded(
     step_s = 1.0 / rate_hz / STEPS_PER_SAMPLE
     told = commands(motion, step_s)
     contraction_mm = String(specimen.true, effects, step_s).pull(told.motor_turns, told.load_n)
-    truth = {"motor_turns": told.motor_turns, "displacement_mm": contraction_mm}
-    columns = {"time_s": told.time_s[::STEPS_PER_SAMPLE]}
+    samples = sampled(told.time_s, told.motor_turns, contraction_mm, rng)
+    return Recorded(samples, told, contraction_mm - contraction_mm[0])
+
+
+def sampled(time_s: Array, motor_turns: Array, contraction_mm: Array, rng: np.random.Generator) -> pd.DataFrame:
+    """What the sensors say of steps of shape (steps,): one row a sample, the first at the first step."""
+    truth = {"motor_turns": motor_turns, "displacement_mm": contraction_mm}
+    columns = {"time_s": time_s[::STEPS_PER_SAMPLE]}
     for (name, sensor), stream in zip(SENSORS.items(), rng.spawn(len(SENSORS)), strict=True):
         columns[name] = sensor.quantum * sensors.read(sensor, truth[name][::STEPS_PER_SAMPLE], stream)
-    return Recorded(pd.DataFrame(columns), told, contraction_mm - contraction_mm[0])
+    return pd.DataFrame(columns)
