@@ -1,0 +1,31 @@
+"""Record a synthetic campaign: a run folder for each of many strings, whose dimensions, load and material vary."""
+
+import argparse
+from pathlib import Path
+
+from pipeline.errors import program
+from pipeline.rig.campaign.plan import plan
+from pipeline.rig.folder import whole_folder, write_run
+
+
+@program
+def main() -> None:
+    """Write OUT/<run>/ for every string."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.rig.campaign", description=__doc__)
+    parser.add_argument("--strings", type=int, required=True)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--strokes", type=int, default=9)
+    parser.add_argument("--rate-hz", type=float, default=10.0)
+    asked = parser.parse_args()
+    if not (1 <= asked.strings <= 1000 and asked.strokes >= 1 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):
+        parser.error("--strings must be 1 to 1000, --strokes 1 or more, --seed 0 or more, --rate-hz 10 to 1000")
+    with whole_folder(asked.out) as folder:
+        for planned in plan(asked.seed, asked.strings, asked.strokes):
+            write_run(planned.specimen.described(planned.run), planned.recorded(asked.rate_hz).samples,
+                      folder / planned.run)  # fmt: skip
+    print(f"{asked.out}: {asked.strings} strings, {asked.strokes} strokes each")
+
+
+if __name__ == "__main__":
+    main()

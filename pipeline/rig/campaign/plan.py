@@ -1,0 +1,59 @@
+"""Which strings a campaign has, and what is done with each; every string has random numbers of its own."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.rig import effects
+from pipeline.rig.campaign.recorded import Recorded, recorded
+from pipeline.rig.campaign.specimen import Specimen, draw_specimen, materials
+from pipeline.rig.motion import Motion, Strokes
+
+RAMP_S = 0.3
+
+
+@dataclass(frozen=True)
+class Planned:
+    """One string of a campaign: its run's name, what it is, and what is done with it."""
+
+    run: str
+    specimen: Specimen
+    motion: Motion
+    noise: np.random.Generator
+
+    def recorded(self, rate_hz: float) -> Recorded:
+        """The recording; to be made once, for it uses the noise up."""
+        made = [effects.make(*effect) for effect in self.specimen.effects.items()]
+        return recorded(self.specimen, made, self.motion, rate_hz, self.noise)
+
+
+def material_of(seed: int, index: int) -> str:
+    """Material of a string: every so many strings in a row have each material once, in an order that is drawn."""
+    known = list(materials())
+    block, place = divmod(index, len(known))
+    return known[np.random.default_rng([seed, block, len(known)]).permutation(len(known))[place]]
+
+
+def plan(seed: int, strings: int, strokes: int) -> Iterator[Planned]:
+    """The strings of a campaign one by one; more strings leave the first ones as they are."""
+    for index in range(strings):
+        material = material_of(seed, index)
+        rng = np.random.default_rng([seed, index])
+        specimen = draw_specimen(material, rng)
+        motion = Motion(
+            rest_s=5.0,
+            strokes=[
+                Strokes(
+                    repeat=strokes,
+                    top_turns=specimen.top_turns,
+                    speed_turns_per_s=round(rng.uniform(1.0, 3.0), 2),
+                    speed_up_s=RAMP_S,
+                    slow_down_s=RAMP_S,
+                    hold_s=round(rng.uniform(1.0, 3.0), 1),
+                    rest_s=round(rng.uniform(3.0, 8.0), 1),
+                    load_n=specimen.load_n,
+                )
+            ],
+        )
+        yield Planned(f"campaign-{index:03d}-{material.lower()}", specimen, motion, rng.spawn(1)[0])

@@ -1,0 +1,54 @@
+"""What the sensors of a rig record of a specimen in motion, and the truth behind it; in memory."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pipeline.kinematics import Array
+from pipeline.rig import sensors
+from pipeline.rig.campaign.specimen import Specimen
+from pipeline.rig.effect import Effect
+from pipeline.rig.motion import Commands, Motion, commands
+from pipeline.rig.sensors import Sensor
+from pipeline.rig.string import String
+
+STEPS_PER_SAMPLE = 4
+SENSORS = {
+    "motor_turns": Sensor(quantum=1.0 / 4096.0, type="i32", zeroed=False),
+    "displacement_mm": Sensor(quantum=0.02, noise=0.03, type="i32", zeroed=True),
+}
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """`samples` has `time_s`, `motor_turns` and `displacement_mm`, one row a sample.
+
+    `told` holds the commands of all steps, (steps,); `contraction_mm` what the sensor says without noise, with the
+    recording's zero, (steps,).
+    """
+
+    samples: pd.DataFrame
+    told: Commands
+    contraction_mm: Array
+
+
+def recorded(
+    specimen: Specimen, effects: Iterable[Effect], motion: Motion, rate_hz: float, rng: np.random.Generator
+) -> Recorded:
+    """Move a specimen with these effects in it, and record it at `rate_hz`."""
+    step_s = 1.0 / rate_hz / STEPS_PER_SAMPLE
+    told = commands(motion, step_s)
+    contraction_mm = String(specimen.true, effects, step_s).pull(told.motor_turns, told.load_n)
+    samples = sampled(told.time_s, told.motor_turns, contraction_mm, rng)
+    return Recorded(samples, told, contraction_mm - contraction_mm[0])
+
+
+def sampled(time_s: Array, motor_turns: Array, contraction_mm: Array, rng: np.random.Generator) -> pd.DataFrame:
+    """What the sensors say of steps of shape (steps,): one row a sample, the first at the first step."""
+    truth = {"motor_turns": motor_turns, "displacement_mm": contraction_mm}
+    columns = {"time_s": time_s[::STEPS_PER_SAMPLE]}
+    for (name, sensor), stream in zip(SENSORS.items(), rng.spawn(len(SENSORS)), strict=True):
+        columns[name] = sensor.quantum * sensors.read(sensor, truth[name][::STEPS_PER_SAMPLE], stream)
+    return pd.DataFrame(columns)

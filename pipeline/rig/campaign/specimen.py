@@ -1,0 +1,130 @@
+"""One string on its rig, drawn: what it is truly, what its run.yaml says of it, and what its material hides."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import yaml
+
+from pipeline.kinematics import RAD_PER_TURN, Geometry
+
+SIGMA = {"radius": 0.015, "separator_mm": 0.2, "torsion_zone_mm": 0.5, "length_mm": 1.0}  # of how well it is measured
+STIFFNESS_SIGMA = 0.05  # relative
+SPREAD = 0.10  # log-normal, of each parameter among strings of one material
+MOST_MPA = 60.0  # tension that nobody exceeds: thin strings get the lighter loads
+REFERENCE_MM, REFERENCE_ZONE_MM, REFERENCE_N = 0.40, 150.0, 20.0  # the string that the materials are told of
+STRAIN_BY_TENSION = 0.5  # exponent
+Band = tuple[float, float]
+Material = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Bands:
+    """Between which values the dimensions of strings and rigs are drawn, evenly."""
+
+    radius_mm: Band = (0.25, 0.60)
+    separator_mm: Band = (4.0, 12.0)
+    torsion_zone_mm: Band = (100.0, 200.0)
+    length_mm: Band = (300.0, 500.0)
+    load_n: Band = (10.0, 40.0)
+    helix_tangent: Band = (0.35, 0.60)  # of the helix angle at the top, by the measured dimensions
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """A string on its rig; dimensions in mm, the load in N, the top twist in turns."""
+
+    material: str
+    measured: Geometry
+    true: Geometry
+    load_n: float
+    top_turns: float
+    effects: dict[str, dict[str, Any]]  # parameters by the name of the rig's effect
+
+    def described(self, run: str) -> dict[str, Any]:
+        """Content of the run.yaml: the dimensions as measured, and how well they were."""
+        said = self.measured
+        string = {"radius_mm": said.radius_mm, "length_mm": said.length_mm}
+        return {
+            "run": run,
+            "actuator": "separator",
+            "string": {"material": self.material, **string, "stiffness_n_per_mm": said.stiffness_n_per_mm},
+            "rig": {
+                "torsion_zone_mm": said.torsion_zone_mm,
+                "separator_mm": said.separator_mm,
+                "load_n": self.load_n,
+            },
+            "tolerance": dict(SIGMA),
+        }
+
+
+@cache
+def materials() -> dict[str, Material]:
+    """The materials by name, as `materials.yaml` tells of them."""
+    content: dict[str, Material] = yaml.safe_load(Path(__file__).with_name("materials.yaml").read_text("utf-8"))
+    return content
+
+
+def draw_specimen(material: str, rng: np.random.Generator, bands: Bands | None = None) -> Specimen:
+    """A string of a material on a rig, its dimensions drawn from `bands`."""
+    bands = bands or Bands()
+    measured = Geometry(
+        "separator",
+        radius_mm=round(rng.uniform(*bands.radius_mm), 3),
+        length_mm=round(rng.uniform(*bands.length_mm), 1),
+        stiffness_n_per_mm=1.0,
+        torsion_zone_mm=round(rng.uniform(*bands.torsion_zone_mm), 1),
+        separator_mm=round(rng.uniform(*bands.separator_mm), 1),
+    )
+    lightest_n, heaviest_n = bands.load_n
+    bearable_n = MOST_MPA * 2.0 * np.pi * measured.radius_mm**2
+    load_n = round(rng.uniform(lightest_n, min(heaviest_n, bearable_n)), 1)
+    opened_mm = rng.uniform(*bands.helix_tangent) * measured.torsion_zone_mm - measured.separator_mm
+    top_turns = round(opened_mm / measured.radius_mm / RAD_PER_TURN, 1)
+    told = materials()[material]
+    miss = dict(zip(SIGMA, rng.standard_normal(len(SIGMA)) * list(SIGMA.values()), strict=True))
+    true = replace(
+        measured,
+        radius_mm=measured.radius_mm * (1.0 + miss["radius"]),
+        length_mm=measured.length_mm + miss["length_mm"],
+        torsion_zone_mm=measured.torsion_zone_mm + miss["torsion_zone_mm"],
+        separator_mm=measured.separator_mm + miss["separator_mm"],
+    )
+    modulus_mpa = 1e3 * told["modulus_gpa"] * _spread(1.0, rng)
+    true = replace(true, stiffness_n_per_mm=float(modulus_mpa * np.pi * true.radius_mm**2 / true.length_mm))
+    read = true.stiffness_n_per_mm * (1.0 + STIFFNESS_SIGMA * rng.standard_normal())
+    measured = replace(measured, stiffness_n_per_mm=round(float(read), 2))
+    return Specimen(material, measured, true, load_n, top_turns, _hidden(told, true, load_n, rng))
+
+
+def _hidden(told: Material, true: Geometry, load_n: float, rng: np.random.Generator) -> dict[str, dict[str, Any]]:
+    """A material's effects on a string of these dimensions, which is a little unlike all others of its kind.
+
+    Contact works the zone alone: what lengthens is in proportion to it, and what must be done to the volume in it.
+    """
+    wide, long = true.radius_mm / REFERENCE_MM, true.torsion_zone_mm / REFERENCE_ZONE_MM
+    tension = load_n / REFERENCE_N / wide**2
+    plastic, creep = told["plastic_elongation"], told["creep"]
+    stretch_mm = 0.01 * true.torsion_zone_mm * tension**STRAIN_BY_TENSION * np.array(plastic["strain_percent"])
+    hidden = {
+        "radius_compaction": told["radius_compaction"],
+        "plastic_elongation": {
+            "stretch_mm": stretch_mm,
+            "work_n_mm": np.array(plastic["work_n_mm"]) * wide**2 * long,
+        },
+        "friction_hysteresis": told["friction_hysteresis"],
+        "creep": {
+            "compliance_mm_per_n": np.array(creep["compliance_mm_per_n"]) * long / wide**2,
+            "tau_s": creep["tau_s"],
+        },
+    }
+    return {name: {key: _spread(value, rng) for key, value in own.items()} for name, own in hidden.items()}
+
+
+def _spread(value: Any, rng: np.random.Generator) -> Any:
+    """A parameter of one string about its material's, number by number."""
+    nominal = np.asarray(value, float)
+    return (nominal * np.exp(SPREAD * rng.standard_normal(nominal.shape))).tolist()

@@ -1,0 +1,41 @@
+"""Work synthetic strings until they fail: a run folder for each whole life, and truth.parquet of all strokes."""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline.errors import program
+from pipeline.files import whole
+from pipeline.rig.endurance.life import live
+from pipeline.rig.endurance.plan import plan
+from pipeline.rig.folder import whole_folder, write_run
+
+
+@program
+def main() -> None:
+    """Write OUT/<run>/ for every string, and OUT/truth.parquet."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.rig.endurance", description=__doc__)
+    parser.add_argument("--strings", type=int, required=True)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--rate-hz", type=float, default=10.0)
+    asked = parser.parse_args()
+    if not (1 <= asked.strings <= 1000 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):
+        parser.error("--strings must be 1 to 1000, --seed 0 or more, --rate-hz 10 to 1000")
+    truths = []
+    with whole_folder(asked.out) as folder:
+        for planned in plan(asked.seed, asked.strings):
+            life = live(planned, asked.rate_hz)
+            write_run(planned.specimen.described(planned.run), life.samples, folder / planned.run)
+            life.truth.insert(0, "run", planned.run)
+            truths.append(life.truth)
+        with whole(folder / "truth.parquet") as temporary:
+            pd.concat(truths, ignore_index=True).to_parquet(temporary, index=False)
+    strokes = [len(truth) for truth in truths]
+    print(f"{asked.out}: {asked.strings} strings of {min(strokes)} to {max(strokes)} strokes, {np.sum(strokes)} in all")
+
+
+if __name__ == "__main__":
+    main()
