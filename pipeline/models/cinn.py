@@ -27,6 +27,7 @@ from pipeline.models.scaling import Scaling
 from pipeline.models.training import minimise, repeatable, tensor
 
 SIZE = 5
+BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are among the five
 WARM_UP = 0.1  # of the epochs
 ABOVE_ZERO = 0.005  # of the contraction's range, that the root's argument stays above 0 in the whole box
 
@@ -54,7 +55,7 @@ class Cinn:
 
     def fit(self, points: pd.DataFrame, seed: int) -> None:
         """Train from fresh weights on points; the seed draws the weights and the batches."""
-        self.box, self.conditions = Box.of(points), Conditions.of(points)
+        self.box, self.conditions = Box.of(points), Conditions.of(points, BESIDE)
         low_mm, high_mm = self.box.low["displacement_mm"], self.box.high["displacement_mm"]
         self.shift_mm = max(-low_mm, 0.0) + ABOVE_ZERO * (high_mm - low_mm)
         inputs, outputs = self._physics_side(points), self._measured_side(points)

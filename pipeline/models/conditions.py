@@ -21,14 +21,14 @@ class Conditions:
     materials: tuple[str, ...] = ()
 
     @classmethod
-    def of(cls, points: pd.DataFrame) -> "Conditions":
-        """The conditions that vary among training points."""
-        table = _measured(points, MEASURED)
+    def of(cls, points: pd.DataFrame, columns: tuple[str, ...] = MEASURED) -> "Conditions":
+        """The conditions that vary among training points, of these columns, and the material."""
+        table = _measured(points, columns)
         mean, std = table.mean(axis=0), table.std(axis=0)
-        kept = [i for i in range(len(MEASURED)) if std[i] > VARIES * abs(mean[i])]
+        kept = [i for i in range(len(columns)) if std[i] > VARIES * abs(mean[i])]
         materials = sorted(set(points["material"])) if "material" in points else []
         return cls(
-            tuple(MEASURED[i] for i in kept),
+            tuple(columns[i] for i in kept),
             tuple(float(mean[i]) for i in kept),
             tuple(float(std[i]) for i in kept),
             tuple(materials if len(materials) > 1 else ()),

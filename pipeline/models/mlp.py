@@ -1,7 +1,7 @@
 """A pair of small multilayer perceptrons, one forward and one inverse, that know the direction of motion.
 
-Each is the plain regression of its own output, so the two are not exact inverses of each other. The load is no
-input: where it hardly varies, standardising it would only blow up the noise of its sensor.
+Each is the plain regression of its own output, so the two are not exact inverses of each other. Load, torsion zone,
+stiffness and material are inputs where they vary.
 """
 
 import math
@@ -17,9 +17,12 @@ from torch.nn.functional import mse_loss
 
 from pipeline.files import whole
 from pipeline.kinematics import Array
+from pipeline.models.conditions import Conditions
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
 from pipeline.models.scaling import Scaling
 from pipeline.models.training import minimise, repeatable, tensor
+
+BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are inputs in any case
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,8 @@ class Mlp:
 
     def fit(self, points: pd.DataFrame, seed: int) -> None:
         """Train both networks from fresh weights on points; the seed draws the weights and the batches."""
-        tables = [_twist_side(points), _contraction_side(points)]
+        self.conditions = Conditions.of(points, BESIDE)
+        tables = [self._twist_side(points), self._contraction_side(points)]
         self.scalings = [Scaling.of(table) for table in tables]
         twist, contraction = (
             tensor(scaling.scaled(table)) for scaling, table in zip(self.scalings, tables, strict=True)
@@ -61,18 +65,19 @@ class Mlp:
     @torch.no_grad()
     def forward(self, points: pd.DataFrame) -> Array:
         """Contraction in mm, shape (points,)."""
-        return self._predicted(0, _twist_side(points))
+        return self._predicted(0, self._twist_side(points))
 
     @torch.no_grad()
     def inverse(self, points: pd.DataFrame) -> Array:
         """Twist in turns, shape (points,)."""
-        return self._predicted(1, _contraction_side(points))
+        return self._predicted(1, self._contraction_side(points))
 
     def save(self, path: Path) -> None:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [values for scaling in self.scalings for values in (scaling.mean, scaling.std)]
         saved = {
             "settings": asdict(self.settings),
+            "conditions": self.conditions.saved(),
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.networks.state_dict(),
         }
@@ -83,6 +88,7 @@ class Mlp:
         """Take over the settings, scalings and weights of a file."""
         saved = torch.load(path, weights_only=True)
         self.settings = Settings(**saved["settings"])
+        self.conditions = Conditions.from_saved(saved["conditions"])
         scalings = [values.numpy() for values in saved["scalings"]]
         self.scalings = [Scaling(*scalings[:2]), Scaling(*scalings[2:])]
         with repeatable(0):
@@ -95,6 +101,12 @@ class Mlp:
         other = self.scalings[1 - side]
         return np.asarray(scaled * other.std[0] + other.mean[0])
 
+    def _twist_side(self, points: pd.DataFrame) -> Array:
+        return np.column_stack([twist_and_conditions(points), points["direction"], self.conditions.table(points)])
+
+    def _contraction_side(self, points: pd.DataFrame) -> Array:
+        return np.column_stack([contraction_and_conditions(points), points["direction"], self.conditions.table(points)])
+
     def _fresh(self, inputs: int) -> nn.ModuleList:
         """The untrained forward and inverse network of the settings."""
         return nn.ModuleList(_silu_net(inputs, self.settings.width, self.settings.layers) for _ in range(2))
@@ -105,14 +117,6 @@ def _silu_net(inputs: int, width: int, layers: int) -> nn.Sequential:
     sizes = [inputs] + [width] * layers
     hidden = [part for a, b in pairwise(sizes) for part in (nn.Linear(a, b), nn.SiLU())]
     return nn.Sequential(*hidden, nn.Linear(width, 1))
-
-
-def _twist_side(points: pd.DataFrame) -> Array:
-    return np.column_stack([twist_and_conditions(points), points["direction"]])
-
-
-def _contraction_side(points: pd.DataFrame) -> Array:
-    return np.column_stack([contraction_and_conditions(points), points["direction"]])
 
 
 MODEL = Mlp

@@ -1,0 +1,74 @@
+"""Run folders of many strings → one dataset in which dimensions, load and material vary, parted by whole strings.
+
+The split `strings` labels each string "train", "tune" or "test", so that no string is in two of them: models learn on
+the first, what an adaptation to a new string may expect is learnt on the second, and the third is asked about.
+"""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pyarrow as pa
+
+from pipeline import schemas
+from pipeline.dataset import points_of
+from pipeline.errors import BadInput, program
+from pipeline.ingest import read_samples
+from pipeline.recorded import Recorded, tare_mm
+from pipeline.runs import find_runs
+from pipeline.strokes import segment
+
+SCHEMA = pa.unify_schemas(
+    [schemas.DATASET, pa.schema([pa.field(n, pa.string(), nullable=False) for n in ("material", "strings")])]
+)
+PARTS = ("train", "train", "tune", "test", "test")  # of every five strings of a material, in the order of their names
+MOST_POINTS = 40  # of one winding or unwinding; more tell no more about a string
+
+
+def string_points(folder: Path) -> pd.DataFrame:
+    """Moving points of one run, tared, evenly thinned, with its material; raises BadInput as reading does."""
+    run, samples = read_samples(folder)
+    if run.string is None:
+        raise BadInput(folder / "run.yaml", "string", "is missing", "a campaign is of strings")
+    recorded = Recorded(run, "", samples, segment(samples, samples.columns[1], folder))
+    points = points_of(recorded, run.string.strokes_before, tare_mm(recorded))
+    passage = points.groupby(["stroke", "phase"])
+    place, count = passage.cumcount(), passage["stroke"].transform("size")
+    step = np.maximum(count / MOST_POINTS, 1.0)
+    kept = points[np.floor(place / step) != np.floor((place - 1) / step)]
+    return kept.assign(material=run.string.material)
+
+
+def labelled(points: pd.DataFrame) -> pd.DataFrame:
+    """The points with each string's part of the campaign; every material has its strings in all parts."""
+    names = points[["string", "material"]].drop_duplicates().sort_values("string")
+    place = names.groupby("material").cumcount().to_numpy()
+    part = dict(zip(names["string"], np.array(PARTS)[place % len(PARTS)], strict=True))
+    return points.assign(strings=points["string"].map(part), within="", later="")
+
+
+def campaign_points(folder: Path) -> pd.DataFrame:
+    """Points of every run in a folder, with the columns of `SCHEMA`; raises BadInput when there is none."""
+    folders = list(find_runs(folder))
+    if not folders:
+        raise BadInput(folder, "runs", "there is none", "make some: python -m pipeline.rig.campaign")
+    points = pd.concat([string_points(one) for one in folders], ignore_index=True)
+    return labelled(points)[SCHEMA.names]
+
+
+@program
+def main() -> None:
+    """Write `dataset.parquet` of a campaign."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path, help="a folder of run folders")
+    parser.add_argument("--out", type=Path, required=True)
+    asked = parser.parse_args()
+    points = campaign_points(asked.folder)
+    schemas.write(points, SCHEMA, asked.out)
+    for part, rows in points.groupby("strings"):
+        print(f"{part}: {rows['string'].nunique()} strings, {len(rows)} points")
+
+
+if __name__ == "__main__":
+    main()
