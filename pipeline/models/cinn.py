@@ -1,11 +1,12 @@
 """A conditional INN on top of eq. 4: small coupling blocks that bend what the physics says, knowing the direction.
 
-As the paper's INN it maps five numbers to five through 7 blocks, but the first is eq. 4's contraction, not θ: the
-physics bends the curve and the network corrects it. Contractions enter and leave as roots √(x + c), which are about
-proportional to the twist: in x itself, which grows as θ² at first, the first turns are too small for a network to see.
-The direction of motion, and where they vary the load, the torsion zone, the stiffness and the material, are conditions
-that every block reads. The permutations compose to the identity (`coupling.mixing_layers`), so the forward error alone
-trains both ways. θ follows by the blocks backwards and eq. 5.
+As the paper's INN it maps five numbers to five, but the first is eq. 4's contraction, not θ: the physics bends the
+curve and the network corrects it, so that fewer and narrower blocks do. Contractions enter and leave as roots √(x + c),
+about proportional to the twist: in x itself, which grows as θ² at first, the first turns are too small for a network to
+see. The direction of motion, and where they vary the load, the torsion zone, the stiffness and the material, are
+conditions that every block reads. The permutations compose to the identity (`coupling.mixing_layers`), so the forward
+error alone trains both ways. θ follows by the blocks backwards and eq. 5. Backwards the blocks want b, l, r and n as
+they came out, which is a little off: a few steps of the secant make good for it, and both ways undo each other.
 """
 
 import math
@@ -29,6 +30,8 @@ from pipeline.models.training import minimise, repeatable, tensor
 SIZE = 5
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are among the five
 WARM_UP = 0.1  # of the epochs
+SECANTS = 4  # steps
+FLATTEST, STEEPEST, NEAREST = 0.2, 5.0, 1e-5  # of the secant's slope and width, in standard deviations
 ABOVE_ZERO = 0.005  # of the contraction's range, that the root's argument stays above 0 in the whole box
 
 
@@ -36,12 +39,12 @@ ABOVE_ZERO = 0.005  # of the contraction's range, that the root's argument stays
 class Settings:
     """The network's shape, its training, and what it is told."""
 
-    blocks: int = 7
-    width: int = 64
+    blocks: int = 5
+    width: int = 32
     layers: int = 2
     clamp: float = 1.0
     permutation_seed: int = 0
-    epochs: int = 45
+    epochs: int = 60
     batch: int = 125
     rate: float = 4e-3  # the highest; it rises to it and falls as a cosine
     direction: bool = True  # whether it may know winding from unwinding
@@ -84,8 +87,20 @@ class Cinn:
     @torch.no_grad()
     def inverse(self, points: pd.DataFrame) -> Array:
         """Twist in turns, shape (points,), within the twists that were seen."""
-        scaled = tensor(self.outputs.scaled(self._measured_side(points)))
-        root = self.inputs.restored(self.network.inverse(scaled, tensor(self._given(points))).double().numpy())[:, 0]
+        given, wanted = tensor(self._given(points)), tensor(self.outputs.scaled(self._measured_side(points)))
+        # b, l, r and n are the same numbers on both sides, and so are their scalings
+        there = self.network.inverse(wanted, given)[:, :1]
+        slope, last, missed = torch.ones_like(there), there, torch.zeros_like(there)
+        for step in range(SECANTS):
+            short = wanted[:, :1] - self.network(torch.cat([there, wanted[:, 1:]], dim=1), given)[:, :1]
+            if step:
+                apart = there - last
+                secant = ((missed - short) / torch.where(apart.abs() < NEAREST, NEAREST, apart)).clamp(
+                    FLATTEST, STEEPEST
+                )
+                slope = torch.where(apart.abs() < NEAREST, slope, secant)
+            last, missed, there = there, short, there + short / slope
+        root = self.inputs.restored(torch.cat([there, wanted[:, 1:]], dim=1).double().numpy())[:, 0]
         base_mm = np.square(root) - self.shift_mm
         return self.box.clipped("motor_turns", point_motor_turns(points.assign(displacement_mm=base_mm)))
 

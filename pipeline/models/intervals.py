@@ -68,7 +68,8 @@ class Intervals:
         foreseen = [self._foreseen(known, rest, seed) for known, rest in _parts(points)]
         errors = pd.concat(foreseen, ignore_index=True)
         count = points["stroke"].nunique()
-        self.scatter, self.scores = {}, {}
+        self.scatter: dict[str, Scatter] = {}
+        self.scores: dict[str, dict[int, Array]] = {}
         for wanted in GIVEN:
             seen = errors[errors["ahead"] == 0]
             columns = (seen[f"{wanted}_at"].to_numpy(), seen["direction"].to_numpy(), seen[wanted].to_numpy())
