@@ -28,6 +28,11 @@ def html_table(path: Path, caption: str) -> str:
     return f"<table><caption>{html.escape(caption)}</caption>\n<tr>{cells}</tr>\n{lines}</table>\n"
 
 
+def figure(material: str, stem: str, words: str) -> str:
+    """A figure as HTML, a link to its pdf."""
+    return f'<a href={material}/{stem}.pdf><img src={material}/{stem}.png alt="{words}"></a>'
+
+
 def page(reports: Path, materials: list[str], runs: list[str]) -> str:
     """The page's HTML; links are relative to the reports' folder, so that it can be moved as a whole."""
     text = [f"<!doctype html>\n<html lang=en><meta charset=utf-8><title>twistbench</title><style>{STYLE}</style>"]
@@ -39,10 +44,11 @@ def page(reports: Path, materials: list[str], runs: list[str]) -> str:
             for number, title in paper.TITLES.items()
         ]
         text.append(f"<p><a href={material}/comparison.md>Beside the paper's numbers</a></p>")
-        text += [
-            f'<a href={material}/figure_{number}.pdf><img src={material}/figure_{number}.png alt="Figure {number}"></a>'
-            for number in (4, 5)
-        ]
+        every = "Every model by stroke, direction and angle, beside the floor of the data"
+        text.append(f"<p><a href={material}/models.md>{every}</a> (<a href={material}/models.csv>csv</a>)</p>")
+        text += [figure(material, f"figure_{number}", f"Figure {number}") for number in (4, 5)]
+        if (reports / material / "figure_leak.png").is_file():
+            text.append(figure(material, "figure_leak", "What forward-only training does to the INN's inverse"))
     if runs:
         text.append(section(reports, runs))
     return "\n".join(text) + "\n"
