@@ -11,6 +11,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from pipeline import schemas
 from pipeline.errors import program
@@ -19,7 +20,7 @@ from pipeline.report.figures import COLOURS, STYLE, save
 GROUPS = {
     "random_forward": "random\npermutations,\nforward loss",
     "random_both": "random\npermutations,\nboth losses",
-    "identity_forward": "closed to the\nidentity,\nforward loss",
+    "identity_forward": "permutations\nundo each other,\nforward loss",
     "inn": "the INN of\nTables I, II",
 }
 PARTS = {"rmse": ("o", "whole error"), "leak_rmse": ("^", "leak alone"), "residual_rmse": ("_", "residual alone")}
@@ -42,7 +43,8 @@ def dots(axes: Axes, leak: pd.DataFrame, metric: str, way: str, style: tuple[str
         values = chosen[chosen["model"] == group].sort_values("seed")["value"].to_numpy()
         at = place + WIDTH * (np.arange(len(values)) / max(len(values) - 1, 1) - 0.5) * (len(values) > 1)
         filled = colour if metric == "rmse" or metric in OUTPUTS else "none"
-        axes.plot(at, values, ls="", marker=marker, ms=6, color=colour, mfc=filled, mew=1.2, zorder=3)
+        size = 11 if marker == "_" else 6  # a dash must show on both sides of a dot
+        axes.plot(at, values, ls="", marker=marker, ms=size, color=colour, mfc=filled, mew=1.2, zorder=3)
     filled = "none" if metric == "leak_rmse" else "0.35"
     axes.plot([], [], ls="", marker=marker, ms=6, color="0.35", mfc=filled, mew=1.2, label=label)
 
@@ -51,24 +53,31 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
     """Forward error, inverse error and its parts, and how steeply the inverse answers to constant outputs."""
     figure, (forward, inverse, steep) = plt.subplots(1, 3, figsize=(10.4, 4.0))
     dots(forward, leak, "rmse", "forward", PARTS["rmse"])
-    forward.set_title("(a) forward RMSE (mm)", loc="left")
+    forward.set_title("(a) forward", loc="left")
+    forward.set_ylabel("RMSE of x (mm)")
     forward.set_ylim(0.0, 1.6 * float(leak.loc[(leak["map"] == "forward") & (leak["metric"] == "rmse"), "value"].max()))
     for metric, style in PARTS.items():
         dots(inverse, leak, metric, "inverse", style)
-    inverse.set_title("(b) inverse RMSE (turns)", loc="left")
+    inverse.set_title("(b) inverse, and its parts", loc="left")
+    inverse.set_ylabel("RMSE of θ/2π (turns)")
     for axes, way in ((forward, "forward"), (inverse, "inverse")):
         axes.axhline(floor(metrics, way), color="k", ls="--", lw=0.9, label="floor without direction")
     for metric, style in OUTPUTS.items():
         dots(steep, leak, metric, "inverse", style)
-    steep.set_title("(c) slope of θ over a constant output (std/std)", loc="left")
+    steep.set_title("(c) what a constant's error does to θ", loc="left")
+    steep.set_ylabel("slope of θ over the output, rms (std/std)")
     for axes in (inverse, steep):
         axes.set_yscale("log")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axes.yaxis.set_major_formatter("{x:g}")
+        axes.yaxis.set_minor_formatter(NullFormatter())
     for axes in (forward, inverse, steep):
         axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=6.5)
         axes.set_xlim(-0.6, len(GROUPS) - 0.4)
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper right", fontsize=7)
-    figure.suptitle(f"{material}: INNs on held-out points, one mark a draw of permutations and weights")
+    title = f"{material}: INNs on held-out points, one mark a draw of permutations and weights"
+    figure.suptitle(f"{title}\nThe first three groups differ in nothing but what is named")
     return figure
 
 
