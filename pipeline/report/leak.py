@@ -18,10 +18,10 @@ from pipeline.errors import program
 from pipeline.report.figures import COLOURS, STYLE, save
 
 GROUPS = {
-    "random_forward": "random\npermutations,\nforward loss",
-    "random_both": "random\npermutations,\nboth losses",
-    "identity_forward": "permutations\nundo each other,\nforward loss",
-    "inn": "the INN of\nTables I, II",
+    "random_forward": "random,\nforward loss",
+    "random_both": "random,\nboth losses",
+    "identity_forward": "identity,\nforward loss",
+    "inn": "INN of\nTables I, II",
 }
 PARTS = {"rmse": ("o", "whole error"), "leak_rmse": ("^", "leak alone"), "residual_rmse": ("_", "residual alone")}
 OUTPUTS = {"slope_b": ("o", "separator b"), "slope_l": ("^", "length l"), "slope_r": ("s", "radius r")}
@@ -72,7 +72,8 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.yaxis.set_major_formatter("{x:g}")
         axes.yaxis.set_minor_formatter(NullFormatter())
     for axes in (forward, inverse, steep):
-        axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=6.5)
+        axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=8)
+        axes.set_xlabel("product of the permutations, loss that is trained")
         axes.set_xlim(-0.6, len(GROUPS) - 0.4)
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper right", fontsize=7)
