@@ -73,7 +73,7 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.yaxis.set_minor_formatter(NullFormatter())
     for axes in (forward, inverse, steep):
         axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=8)
-        axes.set_xlabel("product of the permutations, loss that is trained")
+        axes.set_xlabel("product of permutations, loss")
         axes.set_xlim(-0.6, len(GROUPS) - 0.4)
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper right", fontsize=7)
