@@ -100,7 +100,7 @@ def test_imports_have_no_loops():
 
 
 def test_what_needs_no_torch_does_not_import_it():
-    stages = ("ingest", "strokes", "dataset", "evaluate", "import_run", "new_run", "dag", "capture", "train")
+    stages = ("ingest", "strokes", "dataset", "floor", "evaluate", "import_run", "new_run", "dag", "capture", "train")
     report = [module for module in MODULES if part(module) == "report"]
     wanted = [f"pipeline.{stage}" for stage in stages] + report + ["pipeline.models.traditional"]
     program = f"import sys, {', '.join(wanted)}; sys.exit('torch' in sys.modules)"

@@ -17,6 +17,10 @@ caption { text-align: left; font-weight: 600 } th, td { padding: .15rem .8rem; b
 th, td:nth-child(-n+2) { text-align: left } td { text-align: right } img { max-width: 100%; margin: .5rem 0 }
 pre { white-space: pre-wrap; font: 14px/1.5 system-ui, sans-serif } .verdicts td:nth-child(3) { text-align: left }
 """
+LEAK = """\
+What training on the forward error alone does to the INN's inverse, by chance of its permutations, and two cures: the
+error of both ways, or permutations that undo each other. A constant input comes out of the network with a small error,
+and where θ had to pass through that output, the inverse magnifies it."""
 
 
 def html_table(path: Path, caption: str) -> str:
@@ -26,6 +30,11 @@ def html_table(path: Path, caption: str) -> str:
     cells = "".join(f"<th>{html.escape(name)}</th>" for name in head)
     lines = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
     return f"<table><caption>{html.escape(caption)}</caption>\n<tr>{cells}</tr>\n{lines}</table>\n"
+
+
+def figure(material: str, stem: str, words: str) -> str:
+    """A figure as HTML, a link to its pdf."""
+    return f'<a href={material}/{stem}.pdf><img src={material}/{stem}.png alt="{words}"></a>'
 
 
 def page(reports: Path, materials: list[str], runs: list[str]) -> str:
@@ -39,10 +48,12 @@ def page(reports: Path, materials: list[str], runs: list[str]) -> str:
             for number, title in paper.TITLES.items()
         ]
         text.append(f"<p><a href={material}/comparison.md>Beside the paper's numbers</a></p>")
-        text += [
-            f'<a href={material}/figure_{number}.pdf><img src={material}/figure_{number}.png alt="Figure {number}"></a>'
-            for number in (4, 5)
-        ]
+        every = "Every model by stroke, direction and angle, beside the floor of the data"
+        text.append(f"<p><a href={material}/models.md>{every}</a> (<a href={material}/models.csv>csv</a>)</p>")
+        text += [figure(material, f"figure_{number}", f"Figure {number}") for number in (4, 5)]
+        if (reports / material / "figure_leak.png").is_file():
+            text.append(f"<p>{LEAK}</p>")
+            text.append(figure(material, "figure_leak", "The INN's inverse error and its parts"))
     if runs:
         text.append(section(reports, runs))
     return "\n".join(text) + "\n"

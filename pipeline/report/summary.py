@@ -18,6 +18,7 @@ def summary(reports: Path, materials: list[str], runs: list[str]) -> str:
         figures = [str(folder / f"figure_{number}.png") for number in (4, 5)]
         text.append(f"figures: {', '.join(path for path in figures if Path(path).is_file()) or 'not drawn'}")
         text.append(f"beside the paper: {folder / 'comparison.md'}")
+        text.append(f"beside the floor: {folder / 'models.md'}")
     words = verdicts(reports, runs)
     if words:
         text.append("\n== what the simulator leaves out " + "=" * 62)

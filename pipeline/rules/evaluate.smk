@@ -6,6 +6,7 @@ rule evaluate:
     input:
         dataset="processed/{material}/dataset.parquet",
         predictions=fits_of_material,
+        floors=rules.floor.output,
     output:
         "processed/{material}/metrics.parquet",
     log:
@@ -15,4 +16,5 @@ rule evaluate:
     message:
         "evaluate the models of {wildcards.material}"
     shell:
-        "exec python -m pipeline.evaluate {input.dataset} {input.predictions} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.evaluate {input.dataset} {input.predictions} {input.floors}"
+        " --out {output} > {log} 2>&1"

@@ -35,6 +35,25 @@ rule comparison:
         "exec python -m pipeline.report.comparison {input} --titles {params.titles:q} --out {output} > {log} 2>&1"
 
 
+rule models:
+    input:
+        "processed/{material}/metrics.parquet",
+    output:
+        page="reports/{material}/models.md",
+        table="reports/{material}/models.csv",
+    log:
+        "processed/logs/models-{material}.log",
+    params:
+        titles=TITLES,
+        directed=[model for model, settings in config["models"].items() if settings["direction"]],
+        code=fingerprint("pipeline.report.models"),
+    message:
+        "hold the models of {wildcards.material} against its floor"
+    shell:
+        "exec python -m pipeline.report.models {input} --titles {params.titles:q} --directed {params.directed}"
+        " --out {output.page} --table {output.table} > {log} 2>&1"
+
+
 rule figures:
     input:
         dataset="processed/{material}/dataset.parquet",
@@ -69,7 +88,8 @@ rule metrics:
 
 rule index:
     input:
-        expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, "comparison.md"]),
+        expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
+        LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
     output:
         "reports/index.html",

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+import yaml
 from made_dataset import made_dataset
 
 from pipeline import models
@@ -158,3 +159,15 @@ def test_a_pair_without_separator_is_fine(name: str, pair_points: pd.DataFrame) 
 def test_the_analytic_models_do_not_import_torch(name: str) -> None:
     program = f"import sys, pipeline.train, pipeline.models.{name}; sys.exit('torch' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
+
+
+def test_the_configuration_says_truly_who_is_told_the_direction(case: tuple[str, Model, pd.DataFrame]) -> None:
+    """It decides the floor that a model is held against: who is told answers otherwise on the way back."""
+    name, model, test = case
+    listed = yaml.safe_load((FOLDER.parent / "config" / "default.yaml").read_text("utf-8"))["models"]
+    if name not in listed:
+        pytest.skip("the configuration does not list it")
+    phase = test["phase"].map({"winding": "unwinding", "unwinding": "winding"})
+    back = test.assign(direction=-test["direction"], phase=phase)
+    answers = [np.stack([model.forward(way), model.inverse(way)]) for way in (test, back)]
+    assert (not np.array_equal(*answers)) == listed[name]["direction"]

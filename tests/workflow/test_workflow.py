@@ -36,6 +36,7 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     reports = project.folder / "reports"
     names = [f"table_{n}.{suffix}" for n in (1, 2) for suffix in ("csv", "md", "tex")]
     names += [f"figure_{n}.{suffix}" for n in (4, 5) for suffix in ("png", "pdf")] + ["comparison.md"]
+    names += ["models.md", "models.csv", "figure_leak.png", "figure_leak.pdf"]
     assert all((reports / "synthetic" / name).stat().st_size > 0 for name in names)
     assert "TABLE I: FORWARD" in printed and "TABLE II: INVERSE" in printed and "figure_4.png" in printed
     with open(reports / "synthetic" / "table_1.csv", encoding="utf-8", newline="") as file:
@@ -44,10 +45,12 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     assert all(row[2] for row in rows if row[1] in ("n=1", "n=5")) and not any(
         row[2] for row in rows if row[1] == "n=9"
     )
-    header = (reports / "metrics.csv").read_text().splitlines()[0]
+    header, *lines = (reports / "metrics.csv").read_text().splitlines()
     assert header == "material,model,split,map,stroke,phase,angle_band,seed,metric,unit,value"
+    assert {line.split(",")[1] for line in lines} >= {"inn", "traditional", "floor", "floor_blind"}
+    assert "The INN model loses forward, within strokes, to" in (reports / "synthetic" / "models.md").read_text()
     index = (reports / "index.html").read_text()
-    assert index.count("<table>") == 2
+    assert index.count("<table>") == 2 and "synthetic/models.md" in index and "synthetic/figure_leak.png" in index
     verdict = json.loads((reports / "diagnosis" / "synthetic-01" / "diagnosis.json").read_text())["verdict"]
     assert f"synthetic-01: {verdict}" in printed and f"<td>{verdict}</td>" in index
     assert (
@@ -73,7 +76,7 @@ def test_the_tables_alone(tmp_path, finished):
     assert not (other.folder / "reports" / "index.html").exists()
 
 
-LATE = {"evaluate": 1, "table": 1, "comparison": 1, "figures": 1, "metrics": 1, "index": 1}
+LATE = dict.fromkeys(("evaluate", "table", "comparison", "models", "figures", "leak_figure", "metrics", "index"), 1)
 
 
 @pytest.mark.parametrize(
@@ -84,7 +87,8 @@ LATE = {"evaluate": 1, "table": 1, "comparison": 1, "figures": 1, "metrics": 1, 
         ("pipeline/import_run.py", {}),
         (
             "pipeline/rig/setups/small.yaml",
-            {"record": 1, "ingest": 1, "strokes": 1, "dataset": 1, "train": 9, "diagnose": 1, **LATE},
+            {"record": 1, "ingest": 1, "strokes": 1, "dataset": 1, "floor": 1, "train": 9, "leak_fit": 3, "leak": 1}
+            | {"diagnose": 1, **LATE},
         ),
         ("pipeline/diagnosis/locate.py", {"diagnose": 1, "index": 1}),
     ],
@@ -98,8 +102,8 @@ def test_a_change_of_code_makes_again_what_it_made(project, module, rules):
 def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project):
     add_run(project, "nylon-01", "nylon")
     before = digest(project.folder / "raw")
-    fits = {"train": 9, "dataset": 1, "evaluate": 1, "table": 1, "comparison": 1, "figures": 1}
-    late = {"diagnose": 1, "metrics": 1, "index": 1}
+    fits = {"train": 9, "dataset": 1, "floor": 1}
+    late = {"diagnose": 1, **{rule: 1 for rule in LATE if rule != "leak_figure"}}
     assert project.rules_to_run() == {"ingest": 1, "strokes": 1, **fits, **late}
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr

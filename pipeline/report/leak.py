@@ -1,0 +1,99 @@
+"""Leak and metrics → figure_leak: what forward-only training does to the INN's inverse, and what cures it."""
+
+import argparse
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pandas as pd
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from pipeline import schemas
+from pipeline.errors import program
+from pipeline.report.figures import COLOURS, STYLE, save
+
+GROUPS = {
+    "random_forward": "random,\nforward loss",
+    "random_both": "random,\nboth losses",
+    "identity_forward": "identity,\nforward loss",
+    "inn": "INN of\nTables I, II",
+}
+PARTS = {"rmse": ("o", "whole error"), "leak_rmse": ("^", "leak alone"), "residual_rmse": ("_", "residual alone")}
+OUTPUTS = {"slope_b": ("o", "separator b"), "slope_l": ("^", "length l"), "slope_r": ("s", "radius r")}
+WIDTH = 0.56  # of a group's fits, of the distance between groups
+
+
+def floor(metrics: pd.DataFrame, way: str) -> float:
+    """RMSE within strokes that no model without the direction beats, in mm or turns."""
+    whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1) & (metrics["metric"] == "rmse")
+    mine = metrics[whole & (metrics["model"] == "floor_blind") & (metrics["split"] == "within")]
+    return float(mine.loc[mine["map"] == way, "value"].iloc[0])
+
+
+def dots(axes: Axes, leak: pd.DataFrame, metric: str, way: str, style: tuple[str, str]) -> None:
+    """One mark a fit, the fits of a group side by side in order of their seeds, in the group's colour."""
+    marker, label = style
+    chosen = leak[(leak["metric"] == metric) & (leak["map"] == way)]
+    for place, (group, colour) in enumerate(zip(GROUPS, COLOURS, strict=True)):
+        values = chosen[chosen["model"] == group].sort_values("seed")["value"].to_numpy()
+        at = place + WIDTH * (np.arange(len(values)) / max(len(values) - 1, 1) - 0.5) * (len(values) > 1)
+        filled = colour if metric == "rmse" or metric in OUTPUTS else "none"
+        size = 11 if marker == "_" else 6  # a dash must show on both sides of a dot
+        axes.plot(at, values, ls="", marker=marker, ms=size, color=colour, mfc=filled, mew=1.2, zorder=3)
+    filled = "none" if metric == "leak_rmse" else "0.35"
+    axes.plot([], [], ls="", marker=marker, ms=6, color="0.35", mfc=filled, mew=1.2, label=label)
+
+
+def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Figure:
+    """Forward error, inverse error and its parts, and how steeply the inverse answers to constant outputs."""
+    figure, (forward, inverse, steep) = plt.subplots(1, 3, figsize=(10.4, 4.0))
+    dots(forward, leak, "rmse", "forward", PARTS["rmse"])
+    forward.set_title("(a) forward", loc="left")
+    forward.set_ylabel("RMSE of x (mm)")
+    forward.set_ylim(0.0, 1.6 * float(leak.loc[(leak["map"] == "forward") & (leak["metric"] == "rmse"), "value"].max()))
+    for metric, style in PARTS.items():
+        dots(inverse, leak, metric, "inverse", style)
+    inverse.set_title("(b) inverse, and its parts", loc="left")
+    inverse.set_ylabel("RMSE of θ/2π (turns)")
+    for axes, way in ((forward, "forward"), (inverse, "inverse")):
+        axes.axhline(floor(metrics, way), color="k", ls="--", lw=0.9, label="floor without direction")
+    for metric, style in OUTPUTS.items():
+        dots(steep, leak, metric, "inverse", style)
+    steep.set_title("(c) what a constant's error does to θ", loc="left")
+    steep.set_ylabel("slope of θ over the output, rms (std/std)")
+    for axes in (inverse, steep):
+        axes.set_yscale("log")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axes.yaxis.set_major_formatter("{x:g}")
+        axes.yaxis.set_minor_formatter(NullFormatter())
+    for axes in (forward, inverse, steep):
+        axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=8)
+        axes.set_xlabel("product of permutations, loss")
+        axes.set_xlim(-0.6, len(GROUPS) - 0.4)
+        axes.grid(axis="x", visible=False)
+        axes.legend(loc="upper right", fontsize=7)
+    title = f"{material}: INNs on held-out points, one mark a draw of permutations and weights"
+    figure.suptitle(f"{title}\nThe first three groups differ in nothing but what is named")
+    return figure
+
+
+@program
+def main() -> None:
+    """Draw the figure of one material."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("leak", type=Path)
+    parser.add_argument("metrics", type=Path)
+    parser.add_argument("--out-dir", type=Path, required=True)
+    arguments = parser.parse_args()
+    leak, metrics = (schemas.read(path, schemas.METRICS) for path in (arguments.leak, arguments.metrics))
+    with plt.rc_context({**STYLE, "figure.constrained_layout.use": True}):
+        save(figure_leak(leak, metrics, str(leak["material"].iloc[0])), arguments.out_dir / "figure_leak")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,154 @@
+"""Metrics → models.md and models.csv: every model's RMSE by stroke, direction and angle, beside the data's floor."""
+
+import argparse
+from collections.abc import Iterable
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline import schemas
+from pipeline.errors import program
+from pipeline.files import write_text
+from pipeline.report import paper
+from pipeline.report.comparison import line
+from pipeline.report.titles import titles_of
+
+FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
+NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
+SPLITS = {"within": "within strokes", "later": "later strokes"}
+WHERE = ["stroke", "phase", "angle_band"]
+PAPER = "inn"  # the model whose defeats are told
+NOTES = """\
+RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
+the lowest and the highest in brackets where they differ. `within` holds out blocks inside strokes (one in four),
+`later` the last quarter of the strokes, whole. Angle bands are quarters of the material's twist range. **Bold**: the
+least of a column.
+
+The floors are no models. An oracle that sees the held-out answers draws the best smooth curve through each stroke, one
+for each direction of motion (floor with direction) or one for both (floor without): what it leaves is noise, and
+without the direction also the loop between winding and unwinding. `× floor` holds a model against the floor that its
+inputs entitle it to. The floors bound the RMSE, no other metric, of models that know the twist (or contraction), the
+string, the stroke and perhaps the direction. A model that knows more, the load or the past, may get below; so may one
+that leans towards winding or unwinding below the floor without direction, in that column, at the cost of the other.
+"""
+
+
+def columns(metrics: pd.DataFrame) -> dict[str, tuple[str, str, str]]:
+    """Heads of the columns and the stroke, phase and angle band that each is of.
+
+    Strokes are those that the paper tables, and the first and last held out where it tables none but one.
+    """
+    there = sorted({int(stroke) for stroke in metrics["stroke"] if stroke != "all"})
+    shown = [stroke for stroke in there if stroke in paper.STROKES]
+    shown = shown if len(shown) > 1 else sorted({*there[:1], *shown, *there[-1:]})
+    bands = sorted(set(metrics["angle_band"]) - {"all"}, key=lambda band: int(band.split("-")[0]))
+    return {
+        "all": ("all", "all", "all"),
+        **{f"n={stroke}": (str(stroke), "all", "all") for stroke in shown},
+        **{phase: ("all", phase, "all") for phase in ("winding", "unwinding")},
+        **{band: ("all", "all", band) for band in bands},
+    }
+
+
+def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[str]) -> pd.DataFrame:
+    """Median, lowest and highest RMSE of every model and floor in every column of both splits and maps, a row each.
+
+    `directed` names the models that are told the direction. `ratio` is the median over the floor that the model's
+    inputs entitle it to.
+    """
+    known, rows = {*directed, "floor"}, []
+    rmse = metrics[metrics["metric"] == "rmse"]
+    for (split, way), chosen in rmse.groupby(["split", "map"], sort=False):
+        values = {key: group["value"] for key, group in chosen.groupby(["model", *WHERE])}
+        for model, title in {**titles, **FLOORS}.items():
+            for head, where in columns(chosen).items():
+                seeds, floor = values.get((model, *where)), "floor" if model in known else "floor_blind"
+                if seeds is None:
+                    continue
+                spread = [seeds.median(), seeds.min(), seeds.max()]
+                least = values[floor, *where].median() if (floor, *where) in values else float("nan")
+                told, unit = model in known, chosen["unit"].iloc[0]
+                rows.append([model, title, told, split, way, unit, head, *spread, least, spread[0] / least])
+    heads = ["model", "title", "direction", "split", "map", "unit", "column", "median", "low", "high", "floor", "ratio"]
+    return pd.DataFrame(rows, columns=heads)
+
+
+def _cell(row: pd.Series, best: float) -> str:
+    """Median with the spread over the seeds, three decimals, bold when it shows the same number as the best."""
+    middle, low, high = (f"{row[name]:.3f}" for name in ("median", "low", "high"))
+    middle = f"**{middle}**" if middle == f"{best:.3f}" and row["model"] not in FLOORS else middle
+    return middle if low == high else f"{middle} ({low}–{high})"
+
+
+def table(chosen: pd.DataFrame) -> list[str]:
+    """Lines of the Markdown table of one split and map: the models, then the floors."""
+    heads = list(dict.fromkeys(chosen["column"]))
+    best = chosen[~chosen["model"].isin(FLOORS)].groupby("column")["median"].min()
+    lines = [line(["model", "knows the direction", "× floor", *heads]), line(["---"] * (3 + len(heads)))]
+    for model, mine in chosen.groupby("model", sort=False):
+        by_column = mine.set_index("column", drop=False)
+        cells = [_cell(by_column.loc[head], best[head]) if head in by_column.index else "" for head in heads]
+        told = "" if model in FLOORS else "yes" if mine["direction"].iloc[0] else "no"
+        ratio = "" if model in FLOORS else f"{by_column.loc['all', 'ratio']:.2f}"
+        lines.append(line([mine["title"].iloc[0], told, ratio, *cells]))
+    return lines
+
+
+def _named(rows: pd.DataFrame, words: Iterable[str]) -> str:
+    """Titles, each with a few words in brackets."""
+    return "; ".join(f"{title} ({word})" for title, word in zip(rows["title"], words, strict=True))
+
+
+def sentences(chosen: pd.DataFrame) -> list[str]:
+    """What one split and map says of all held-out points: to whom the INN loses, and who is near the floor."""
+    models = chosen[(chosen["column"] == "all") & ~chosen["model"].isin(FLOORS)].sort_values("median")
+    way, unit, split = chosen["map"].iloc[0], chosen["unit"].iloc[0], SPLITS[chosen["split"].iloc[0]]
+    text = []
+    for _, inn in models[models["model"] == PAPER].iterrows():
+        better = models[models["median"] < inn["median"]]
+        words = [
+            f"{row['median']:.3f} vs {inn['median']:.3f} {unit}"
+            + (", knows the direction" if row["direction"] and not inn["direction"] else "")
+            + (", within the spread of the seeds" if row["high"] >= inn["low"] else "")
+            for _, row in better.iterrows()
+        ]
+        whom = f"to: {_named(better, words)}." if words else "to no model."
+        text.append(f"The {inn['title']} loses {way}, {split}, {whom}")
+    near = models[models["direction"] & (models["ratio"] <= NEAR[way])]
+    goal = f"Of the models that know the direction, within {NEAR[way]:.2f} × their floor {way}, {split}"
+    text.append(f"{goal}: {_named(near, [f'{ratio:.2f}' for ratio in near['ratio']]) or 'none'}.")
+    return text
+
+
+def page(table_of: pd.DataFrame, material: str) -> str:
+    """Text of models.md of one material, from the table of `numbers`."""
+    text = [f"# {material}: every model beside the floor of the data", "", NOTES]
+    for split, name in SPLITS.items():
+        for way in paper.MAPS.values():
+            chosen = table_of[(table_of["split"] == split) & (table_of["map"] == way)]
+            if chosen.empty:
+                text += [f"## {way.capitalize()}, {name}", "", "Skipped: the strings have too few strokes.", ""]
+                continue
+            text += [f"## {way.capitalize()}, {name}: RMSE in {chosen['unit'].iloc[0]}", "", *table(chosen), ""]
+            text += [*sentences(chosen), ""]
+    return "\n".join(text)
+
+
+@program
+def main() -> None:
+    """Write `models.md` and `models.csv` of one material."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("metrics", type=Path)
+    parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
+    parser.add_argument("--directed", nargs="*", default=[], metavar="MODEL", help="models that know the direction")
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--table", type=Path, required=True)
+    arguments = parser.parse_args()
+    metrics = schemas.read(arguments.metrics, schemas.METRICS)
+    found = numbers(metrics, titles_of(arguments.titles), arguments.directed)
+    write_text(arguments.out, page(found, str(metrics["material"].iloc[0])))
+    write_text(arguments.table, found.to_csv(index=False, float_format="%.9g"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,16 @@
+FLOORS = ["floor", "floor_blind"]
+
+
+rule floor:
+    input:
+        "processed/{material}/dataset.parquet",
+    output:
+        expand("processed/{{material}}/{floor}/{split}-0.predictions.parquet", floor=FLOORS, split=["within", "later"]),
+    log:
+        "processed/logs/floor-{material}.log",
+    params:
+        code=fingerprint("pipeline.floor"),
+    message:
+        "ask what no model of {wildcards.material} can beat"
+    shell:
+        "exec python -m pipeline.floor {input} --out-dir processed/{wildcards.material} > {log} 2>&1"

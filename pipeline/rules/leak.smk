@@ -1,0 +1,74 @@
+LEAKING = {
+    "random_forward": {"composite": "random", "loss": "forward"},
+    "random_both": {"composite": "random", "loss": "both"},
+    "identity_forward": {"composite": "identity", "loss": "forward"},
+}
+LEAK_SEEDS = range(config["leak"]["seeds"])
+LEAK_FIGURES = expand(
+    "reports/{material}/figure_leak.{suffix}",
+    material=[material for material in MATERIALS if material == config["leak"]["material"]],
+    suffix=["png", "pdf"],
+)
+
+
+def settings_of_leaking(wildcards):
+    own = {**LEAKING[wildcards.variant], "permutation_seed": int(wildcards.seed)}
+    return json.dumps({**config["models"]["inn"]["settings"], **config["leak"]["settings"], **own}, sort_keys=True)
+
+
+rule leak_fit:
+    input:
+        "processed/{material}/dataset.parquet",
+    output:
+        predictions="processed/{material}/leak/{variant}/within-{seed}.predictions.parquet",
+        model="processed/{material}/leak/{variant}/within-{seed}.model",
+    log:
+        "processed/logs/leak_fit-{material}-{variant}-{seed}.log",
+    wildcard_constraints:
+        variant="|".join(LEAKING),
+    threads: 1
+    params:
+        settings=settings_of_leaking,
+        code=fingerprint("pipeline.train", "pipeline.models.inn"),
+    message:
+        "train the INN on {wildcards.material} as {wildcards.variant}, permutation {wildcards.seed}"
+    shell:
+        "exec python -m pipeline.train {input} --model inn --split within --seed {wildcards.seed}"
+        " --settings {params.settings:q} --out-model {output.model} --out-predictions {output.predictions}"
+        " > {log} 2>&1"
+
+
+rule leak:
+    input:
+        dataset="processed/{material}/dataset.parquet",
+        variants=expand("processed/{{material}}/leak/{variant}/within-{seed}.model", variant=LEAKING, seed=LEAK_SEEDS),
+        tabled=expand(
+            "processed/{{material}}/inn/within-{seed}.model", seed=range(config["models"]["inn"]["seeds"]["within"])
+        ),
+    output:
+        "processed/{material}/leak/leak.parquet",
+    log:
+        "processed/logs/leak-{material}.log",
+    params:
+        code=fingerprint("pipeline.leak"),
+    message:
+        "take the INN's inverse errors on {wildcards.material} apart"
+    shell:
+        "exec python -m pipeline.leak {input.dataset} {input.variants} {input.tabled} --out {output} > {log} 2>&1"
+
+
+rule leak_figure:
+    input:
+        leak="processed/{material}/leak/leak.parquet",
+        metrics="processed/{material}/metrics.parquet",
+    output:
+        expand("reports/{{material}}/figure_leak.{suffix}", suffix=["png", "pdf"]),
+    log:
+        "processed/logs/leak_figure-{material}.log",
+    params:
+        code=fingerprint("pipeline.report.leak"),
+    message:
+        "draw what forward-only training does to the INN's inverse on {wildcards.material}"
+    shell:
+        "exec python -m pipeline.report.leak {input.leak} {input.metrics} --out-dir reports/{wildcards.material}"
+        " > {log} 2>&1"

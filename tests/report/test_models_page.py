@@ -1,0 +1,139 @@
+"""The page of every model, from made metrics whose numbers are known."""
+
+import csv
+import io
+import sys
+
+import pandas as pd
+import pytest
+
+from pipeline import schemas
+from pipeline.report.leak import GROUPS, floor
+from pipeline.report.leak import main as draw
+from pipeline.report.models import columns, main, numbers, page, sentences
+
+TITLES = {"inn": "INN model", "mlp": "MLP model", "calibrated": "Calibrated model"}
+# model → RMSE forward in mm by seed; inverse is five times as much, later 0.01 more
+FORWARD = {
+    "inn": [0.120, 0.118, 0.125], "mlp": [0.052, 0.050, 0.051], "calibrated": [0.093],
+    "floor": [0.049], "floor_blind": [0.090],
+}  # fmt: skip
+GROUPED = [("all", "all", "all"), ("1", "all", "all"), ("9", "all", "all"), ("all", "winding", "all")]
+GROUPED += [("all", "unwinding", "all"), *(("all", "all", f"{low}-{low + 25}%") for low in (0, 25, 50, 75))]
+
+
+def made_metrics(forward=FORWARD, splits=("within", "later")):
+    """RMSE and, to be left out, a maximum of every model, split, map, group and seed."""
+    rows = []
+    for model, values in forward.items():
+        for split in splits:
+            for way, unit, times in (("forward", "mm", 1.0), ("inverse", "turns", 5.0)):
+                for stroke, phase, band in GROUPED:
+                    for seed, value in enumerate(values):
+                        where = ("made", model, split, way, stroke, phase, band, seed)
+                        rows.append((*where, "rmse", unit, times * (value + 0.01 * (split == "later"))))
+                        rows.append((*where, "maximum", unit, 99.0))
+    return pd.DataFrame(rows, columns=schemas.METRICS.names)
+
+
+def table_after(text, heading):
+    lines = text.split(heading)[1].split("\n\n")[1].splitlines()
+    return {row[0]: row[1:] for row in ([cell.strip() for cell in line.strip("|").split("|")] for line in lines)}
+
+
+def test_columns_are_all_strokes_phases_and_bands_in_order():
+    heads = ["all", "n=1", "n=9", "winding", "unwinding", "0-25%", "25-50%", "50-75%", "75-100%"]
+    assert list(columns(made_metrics())) == heads
+    later = made_metrics().replace({"stroke": {"1": "8"}})
+    assert list(columns(later))[1:3] == ["n=8", "n=9"]
+
+
+def test_cells_are_medians_with_their_spread_and_the_least_is_bold():
+    text = page(numbers(made_metrics(), TITLES, ["mlp"]), "made")
+    table = table_after(text, "## Forward, within strokes: RMSE in mm")
+    assert table["INN model"][2] == "0.120 (0.118–0.125)"
+    assert table["MLP model"][2] == "**0.051** (0.050–0.052)"
+    assert table["*floor without direction*"][2] == "0.090" and "99.0" not in text
+    assert all(cell.startswith("**") for cell in table["MLP model"][2:])
+    assert not any("**" in cell for name in table if name != "MLP model" for cell in table[name])
+
+
+def test_what_shows_the_same_number_shares_the_bold():
+    tied = numbers(made_metrics({**FORWARD, "calibrated": [0.0512]}), TITLES, ["mlp"])
+    table = table_after(page(tied, "made"), "## Forward, within strokes: RMSE in mm")
+    assert table["Calibrated model"][2] == "**0.051**" and table["MLP model"][2].startswith("**0.051**")
+
+
+def test_every_model_is_held_against_the_floor_that_it_is_entitled_to():
+    found = numbers(made_metrics(), TITLES, ["mlp"]).set_index(["model", "split", "map", "column"]).sort_index()
+    assert found.loc[("inn", "within", "forward", "all"), "ratio"] == pytest.approx(0.120 / 0.090)
+    assert found.loc[("mlp", "within", "forward", "all"), "ratio"] == pytest.approx(0.051 / 0.049)
+    assert found.loc[("calibrated", "later", "inverse", "n=9"), "ratio"] == pytest.approx(0.103 / 0.100)
+    assert found.loc["inn", "direction"].unique().tolist() == [False]
+    assert found.loc["floor", "ratio"].unique().tolist() == [1.0]
+
+
+def told(metrics, directed, split="within", way="forward"):
+    found = numbers(metrics, TITLES, directed)
+    return sentences(found[(found["split"] == split) & (found["map"] == way)])
+
+
+def test_the_page_says_to_whom_the_inn_loses():
+    first, second = told(made_metrics(), ["mlp"])
+    assert first == (
+        "The INN model loses forward, within strokes, to: MLP model (0.051 vs 0.120 mm, knows the direction);"
+        " Calibrated model (0.093 vs 0.120 mm)."
+    )
+    assert second.endswith("within 1.05 × their floor forward, within strokes: MLP model (1.04).")
+    assert "Calibrated model (0.515 vs 0.650 turns)" in told(made_metrics(), ["mlp"], "later", "inverse")[0]
+
+
+def test_the_page_says_when_the_inn_loses_to_none_or_hardly():
+    best = made_metrics({**FORWARD, "inn": [0.050]})
+    assert told(best, [])[0] == "The INN model loses forward, within strokes, to no model."
+    hardly = made_metrics({**FORWARD, "calibrated": [0.119]})
+    assert "Calibrated model (0.119 vs 0.120 mm, within the spread of the seeds)" in told(hardly, ["mlp"])[0]
+    assert told(made_metrics({**FORWARD, "mlp": [0.2]}), ["mlp"])[1].endswith(": none.")
+
+
+def test_a_split_that_was_left_out_is_said_to_be():
+    text = page(numbers(made_metrics(splits=("within",)), TITLES, ["mlp"]), "made")
+    assert text.count("Skipped: the strings have too few strokes.") == 2
+
+
+def test_the_program_writes_the_page_and_the_same_numbers_as_csv(tmp_path, monkeypatch):
+    schemas.write(made_metrics(), schemas.METRICS, tmp_path / "metrics.parquet")
+    titles = [f"{model}={title}" for model, title in TITLES.items()]
+    words = [str(tmp_path / "metrics.parquet"), "--titles", *titles, "--directed", "mlp"]
+    words += ["--out", str(tmp_path / "models.md"), "--table", str(tmp_path / "models.csv")]
+    monkeypatch.setattr(sys, "argv", ["models", *words])
+    with pytest.raises(SystemExit):
+        main()
+    assert (tmp_path / "models.md").read_text(encoding="utf-8").startswith("# made: every model beside the floor")
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "models.csv").read_text(encoding="utf-8"))))
+    assert len(rows) == 5 * 2 * 2 * len(GROUPED) and float(rows[0]["median"]) == 0.12
+
+
+def made_leak():
+    """Errors of two fits of every group of the figure."""
+    rows = []
+    for number, group in enumerate(GROUPS, start=1):
+        for seed in range(2):
+            where = ("made", group, "within"), ("all", "all", "all", seed)
+            for way, metric, value in [
+                ("forward", "rmse", 0.05), ("inverse", "rmse", number / 10), ("inverse", "leak_rmse", number / 11),
+                ("inverse", "residual_rmse", 0.05), *(("inverse", f"slope_{name}", float(number)) for name in "blr"),
+            ]:  # fmt: skip
+                rows.append((*where[0], way, *where[1], metric, "mm", value))
+    return pd.DataFrame(rows, columns=schemas.METRICS.names)
+
+
+def test_the_figure_of_the_leak_is_drawn_with_the_blind_floor(tmp_path, monkeypatch):
+    assert floor(made_metrics(), "inverse") == pytest.approx(0.45)
+    for name, table in (("leak", made_leak()), ("metrics", made_metrics())):
+        schemas.write(table, schemas.METRICS, tmp_path / f"{name}.parquet")
+    words = [str(tmp_path / "leak.parquet"), str(tmp_path / "metrics.parquet"), "--out-dir", str(tmp_path)]
+    monkeypatch.setattr(sys, "argv", ["leak", *words])
+    with pytest.raises(SystemExit):
+        draw()
+    assert all((tmp_path / f"figure_leak.{suffix}").stat().st_size > 10_000 for suffix in ("png", "pdf"))
