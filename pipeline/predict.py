@@ -1,0 +1,90 @@
+"""Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
+
+The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
+(`pipeline.models.intervals`). A question outside the range of what was recorded is answered, flagged, and given no
+interval.
+"""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline import schemas
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.models.box import COLUMNS
+from pipeline.models.intervals import GIVEN, Intervals
+from pipeline.train import configured
+
+MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
+ASKED = ("stroke", "direction")  # every question must tell
+WAYS = (1, -1)
+MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
+
+
+def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str]:
+    """Questions as points with the dataset's columns, and which of twist and contraction they tell.
+
+    What does not vary in the dataset need not be told. Raises BadInput naming the column.
+    """
+    try:
+        told = pd.read_csv(path, encoding="utf-8")
+    except (OSError, ValueError) as error:
+        raise BadInput(path, "file", f"cannot be read ({error})", "give a csv with a header") from None
+    known = [name for name in MAPS if name in told.columns]
+    if len(known) != 1 or told.empty:
+        raise BadInput(path, "columns", f"hold {len(told)} rows and {known or 'neither'}", f"give one of {list(MAPS)}")
+    points = pd.DataFrame(index=range(len(told)))
+    for name in dataset.columns:
+        if name in told.columns:
+            if name in (*COLUMNS, *ASKED) and not pd.api.types.is_numeric_dtype(told[name]):
+                raise BadInput(path, name, "is not a number everywhere", "correct it")
+            points[name] = told[name].to_numpy()
+        elif name == GIVEN[known[0]]:
+            points[name] = np.nan
+        elif name in (*COLUMNS, "actuator") and dataset[name].nunique(dropna=False) > 1:
+            raise BadInput(path, name, "is missing, and varies in the recordings", "add the column")
+        else:
+            points[name] = dataset[name].iloc[0]
+    if not points["direction"].isin(WAYS).all():
+        raise BadInput(path, "direction", "is neither 1 nor -1 somewhere", "1 is winding, -1 unwinding")
+    return points, known[0]
+
+
+def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
+    """What was asked beside its answer: value, low and high in the answer's unit, and whether it lies inside."""
+    found = getattr(intervals, MAPS[known])(points, level)
+    wanted = GIVEN[known]
+    renamed = found.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
+    return pd.concat([points[[known, *ASKED]], renamed], axis=1)
+
+
+@program
+def main() -> None:
+    """Write the answers to a csv of questions."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.predict", description=__doc__)
+    parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
+    parser.add_argument("questions", type=Path, help="csv: stroke, direction, and motor_turns or displacement_mm")
+    parser.add_argument("--model", default="spline", help="a file of pipeline/models, without .py")
+    parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
+    parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--out", type=Path, required=True)
+    asked = parser.parse_args()
+    if not 0.0 < asked.level < 1.0:
+        raise BadInput("--level", str(asked.level), "is no probability", "give a number between 0 and 1")
+    configured(asked.model, asked.settings)  # complains before anything is fitted
+    dataset = schemas.read(asked.dataset, schemas.DATASET)
+    points, known = read_questions(asked.questions, dataset)
+    intervals = Intervals(lambda: configured(asked.model, asked.settings))
+    intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), asked.seed)
+    table = answers(intervals, points, known, asked.level)
+    write_text(asked.out, table.to_csv(index=False, float_format="%.6g"))
+    outside = int((~table["inside"]).sum())
+    print(f"{len(table)} answers in {asked.out}" + (f", {outside} outside the recorded range" if outside else ""))
+
+
+if __name__ == "__main__":
+    main()

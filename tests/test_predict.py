@@ -1,0 +1,90 @@
+"""Questions are answered with intervals, flagged beyond the recorded range, and refused where they lack something."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from models.made_dataset import made_dataset
+
+from pipeline import schemas
+from pipeline.errors import BadInput
+from pipeline.predict import read_questions
+
+ROOT = Path(__file__).parent.parent
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("predict") / "dataset.parquet"
+    schemas.write(made_dataset(60, 6), schemas.DATASET, path)
+    return path
+
+
+def ask(dataset: Path, text: str, *words: str) -> subprocess.CompletedProcess[str]:
+    questions = dataset.with_name("questions.csv")
+    questions.write_text(text)
+    command = [sys.executable, "-m", "pipeline.predict", dataset, questions, "--out", dataset.with_name("answers.csv")]
+    return subprocess.run([*command, *words], cwd=ROOT, capture_output=True, text=True)
+
+
+def test_answers_come_with_intervals_and_what_lies_outside_is_flagged(dataset: Path) -> None:
+    known = pd.read_parquet(dataset).iloc[[40, 200, 300]]
+    lines = [f"{row.stroke},{row.direction},{row.motor_turns}" for row in known.itertuples()]
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *lines, "3,1,90\n"]), "--model", "polynomial")
+    assert done.returncode == 0, done.stderr
+    assert "1 outside the recorded range" in done.stdout
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table["inside"].tolist() == [True, True, True, False]
+    np.testing.assert_allclose(table["displacement_mm"][:3], known["displacement_mm"], atol=0.2)
+    width = table["displacement_mm_high"] - table["displacement_mm_low"]
+    assert (width[:3] > 0.03).all() and (width[:3] < 1.0).all() and np.isinf(width[3])
+
+
+def test_a_later_stroke_is_less_certain_and_a_higher_level_wider(dataset: Path) -> None:
+    text = "stroke,direction,displacement_mm\n6,1,5\n7,1,5\n12,1,5\n"
+    widths = {}
+    for level in ("0.8", "0.95"):
+        assert ask(dataset, text, "--model", "polynomial", "--level", level).returncode == 0
+        table = pd.read_csv(dataset.with_name("answers.csv"))
+        widths[level] = table["motor_turns_high"] - table["motor_turns_low"]
+        assert widths[level][2] > widths[level][0]
+    assert (widths["0.95"] > widths["0.8"]).all()
+
+
+@pytest.mark.parametrize(
+    ("text", "field"),
+    [
+        ("stroke,direction\n1,1\n", "columns"),
+        ("stroke,direction,motor_turns,displacement_mm\n1,1,3,4\n", "columns"),
+        ("stroke,direction,motor_turns\n", "columns"),
+        ("stroke,motor_turns\n1,3\n", "direction"),
+        ("direction,motor_turns\n1,3\n", "stroke"),
+        ("stroke,direction,motor_turns\n1,0,3\n", "direction"),
+        ("stroke,direction,motor_turns\n1,1,many\n", "motor_turns"),
+    ],
+)
+def test_a_question_that_lacks_something_is_refused_by_name(dataset: Path, text: str, field: str) -> None:
+    questions = dataset.with_name("wrong.csv")
+    questions.write_text(text)
+    with pytest.raises(BadInput) as refused:
+        read_questions(questions, pd.read_parquet(dataset))
+    assert refused.value.field == field and refused.value.file == str(questions)
+
+
+def test_what_varies_must_be_told(dataset: Path) -> None:
+    questions = dataset.with_name("loads.csv")
+    questions.write_text("stroke,direction,motor_turns\n1,1,3\n")
+    varied = pd.read_parquet(dataset)
+    varied.loc[varied["stroke"] > 3, "load_n"] = 30.0
+    with pytest.raises(BadInput, match="load_n"):
+        read_questions(questions, varied)
+
+
+def test_a_bad_level_and_a_missing_file_end_with_2(dataset: Path) -> None:
+    assert ask(dataset, "stroke,direction,motor_turns\n1,1,3\n", "--level", "1.5").returncode == 2
+    command = [sys.executable, "-m", "pipeline.predict", dataset, "nowhere.csv", "--out", dataset.with_name("x.csv")]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 2 and "nowhere.csv" in done.stderr and not dataset.with_name("x.csv").exists()
