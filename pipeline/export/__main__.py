@@ -1,0 +1,50 @@
+"""Export a fitted model: a C99 header without dependencies, or two ONNX graphs."""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+
+from pipeline.errors import BadInput, program
+from pipeline.export.c_header import header
+from pipeline.export.source import Beside, opened
+from pipeline.files import whole, write_text
+from pipeline.train import SPLITS
+
+
+def arguments(words: list[str]) -> argparse.Namespace:
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.export", description=__doc__)
+    parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
+    parser.add_argument("--format", required=True, choices=("c", "onnx"))
+    parser.add_argument("--out", type=Path, help="the header, or the graphs' folder; otherwise here, by the name")
+    parser.add_argument("--name", default="tsa", help="what every name in the export begins with")
+    parser.add_argument("--model", help="the model's name; otherwise its folder's")
+    parser.add_argument("--dataset", type=Path, help="for models that keep no ranges; otherwise the one beside them")
+    parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
+    parser.add_argument("--string", help="which of a calibrated model's strings")
+    return parser.parse_args(words)
+
+
+def main() -> None:
+    """Export."""
+    asked = arguments(sys.argv[1:])
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", asked.name):
+        raise BadInput("--name", asked.name, "cannot begin a C name", "use letters, digits and _")
+    source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
+    if asked.format == "c":
+        out = asked.out or Path(f"{asked.name}.h")
+        write_text(out, header(source, asked.name))
+        print(f"{out}: {out.stat().st_size} bytes of text")
+        return
+    from pipeline.export.onnx_model import graphs  # a header needs no onnx
+
+    for way, graph in graphs(source, asked.name).items():
+        out = (asked.out or Path()) / f"{asked.name}.{way}.onnx"
+        with whole(out) as temporary:
+            temporary.write_bytes(graph.SerializeToString())
+        print(f"{out}: {out.stat().st_size} bytes")
+
+
+if __name__ == "__main__":
+    program(main)()

@@ -1,0 +1,136 @@
+"""What an exported model is asked with: its fields, the range of each, and what is constant and so baked in."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pipeline.kinematics import RAD_PER_TURN, Array
+from pipeline.models.box import Box
+from pipeline.models.conditions import MEASURED, VARIES
+from pipeline.schemas import unit_of
+
+SAME = 1e-6  # spread over size below which a dimension is one number
+WIDE = 8.0 * VARIES  # range over size of a load that is more than its cell's noise (four sigmas each way)
+BEYOND = 2  # times the last training stroke: an actuator is used longer than it was trained, by its law of n
+ANSWER = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}
+MEANING = {
+    "stroke": "number of the stroke, the first is 1",
+    "direction": "+1 while winding, -1 while unwinding",
+    "load_n": "pull on the string",
+    "separator_mm": "width of the separator, b",
+    "length_mm": "length of the untwisted string, L",
+    "radius_mm": "radius of the string, r",
+    "torsion_zone_mm": "length of the torsion zone, d",
+    "stiffness_n_per_mm": "stiffness of the string, K",
+    "material": "number of the material",
+}
+
+
+@dataclass(frozen=True)
+class Field:
+    """One number that a caller gives: its name, unit and inclusive range; `whole` where only whole numbers are."""
+
+    name: str
+    low: float
+    high: float
+    whole: bool = False
+
+    @property
+    def unit(self) -> str:
+        """Its unit, "1" for a number without."""
+        return unit_of(self.name)
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """Fields beside twist or contraction, the ranges of these two, and what is the same in all training points."""
+
+    motor_turns: tuple[float, float]
+    displacement_mm: tuple[float, float]
+    fields: tuple[Field, ...]  # stroke, direction, what varies, material
+    baked: dict[str, float]  # measured columns that are constant
+    materials: tuple[str, ...]
+    last_stroke: int  # of the training points
+
+    @classmethod
+    def of(cls, box: Box, reads: tuple[str, ...], conditions: tuple[str, ...], materials: tuple[str, ...]) -> "Inputs":
+        """The inputs of a model that reads measured columns, some of them as conditions, trained within a box.
+
+        Materials are empty where the model does not tell them apart. Raises ValueError for points of strings with
+        and without separator in one model.
+        """
+        fields, baked = [], {}
+        for name in MEASURED:
+            if name not in box.low:
+                if name in conditions:
+                    raise ValueError("strings with and without separator in one model")
+                continue
+            low, high = box.low[name], box.high[name]
+            least = WIDE if name == "load_n" else SAME
+            if name in conditions or (name in reads and high - low > least * max(abs(low), abs(high))):
+                fields.append(Field(name, low, high))
+            else:
+                baked[name] = (low + high) / 2.0
+        last = round(box.high["stroke"])
+        ways = [way for way in (-1, 1) if box.low["direction"] <= way <= box.high["direction"]]
+        first = [Field("stroke", 1, BEYOND * last, True), Field("direction", ways[0], ways[-1], True)]
+        if materials:
+            fields.append(Field("material", 0, len(materials) - 1, True))
+        return cls(
+            (max(box.low["motor_turns"], _least_turns(box)), box.high["motor_turns"]),
+            (box.low["displacement_mm"], box.high["displacement_mm"]),
+            (*first, *fields),
+            baked,
+            materials,
+            last,
+        )
+
+    @property
+    def pair(self) -> bool:
+        """Whether the strings are twisted pairs, without separator."""
+        return not self._known("torsion_zone_mm")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the fields, in their order."""
+        return tuple(field.name for field in self.fields)
+
+    def columns(self, given: str) -> tuple[Field, ...]:
+        """The columns of a query: twist or contraction, as `given` says, then the fields."""
+        return (Field(given, *getattr(self, given)), *self.fields)
+
+    def points(self, given: str, queries: Array) -> pd.DataFrame:
+        """Queries of shape (points, columns) as the Python model's points, with what is baked in and no answer."""
+        names = [field.name for field in self.columns(given)]
+        points = pd.DataFrame(dict(zip(names, np.asarray(queries, float).T, strict=True)))
+        points = points.assign(**{ANSWER[given]: np.nan, "actuator": "twisted_pair" if self.pair else "separator"})
+        points = points.assign(**{name: self.baked.get(name, np.nan) for name in MEASURED if name not in points})
+        if self.materials:
+            points["material"] = np.array(self.materials)[points["material"].astype(int)]
+        return points.assign(string="exported", **{name: points[name].astype(int) for name in ("stroke", "direction")})
+
+    def drawn(self, given: str, count: int, rng: np.random.Generator) -> Array:
+        """Queries drawn evenly over the whole range of every field, shape (count, columns)."""
+        return np.column_stack(
+            [
+                _whole(field, rng, count) if field.whole else rng.uniform(field.low, field.high, count)
+                for field in self.columns(given)
+            ]
+        )
+
+    def _known(self, name: str) -> bool:
+        return name in self.baked or name in self.names
+
+
+def _whole(field: Field, rng: np.random.Generator, count: int) -> Array:
+    """Whole numbers of a field; a direction is never 0."""
+    step = 2 if field.name == "direction" else 1
+    return rng.choice(np.arange(field.low, field.high + 1, step), count).astype(float)
+
+
+def _least_turns(box: Box) -> float:
+    """Twist below which the string would wind up again the other way round, the analytic curve's lowest point."""
+    if "separator_mm" not in box.low:
+        return 0.0
+    return -box.low["separator_mm"] / (RAD_PER_TURN * box.high["radius_mm"])

@@ -1,0 +1,86 @@
+"""The networks as ONNX nodes: chains of coupling blocks, and the pair of MLPs."""
+
+from pipeline.export.graph import Graph
+from pipeline.export.onnx_query import Query
+from pipeline.export.source import Source
+from pipeline.export.weights import Blocks, Layer, blocks, layers
+
+
+def dense(g: Graph, x: str, net: list[Layer], activation: str) -> str:
+    """Fully connected layers; the activation is "relu" or "silu", the last layer has none."""
+    for number, layer in enumerate(net):
+        x = g.add("Gemm", x, layer.weight, layer.bias)
+        if number < len(net) - 1:
+            x = g.add("Relu", x) if activation == "relu" else g.add("Mul", x, g.add("Sigmoid", x))
+    return x
+
+
+class _Chain:
+    """A chain of coupling blocks in a graph, under conditions ("" for none)."""
+
+    def __init__(self, g: Graph, chain: Blocks, given: str) -> None:
+        self.g, self.chain, self.given = g, chain, given
+        self.left = list(range(chain.first))
+        self.right = list(range(chain.first, chain.first + chain.second))
+
+    def forward(self, x: str) -> str:
+        """Blocks forwards (eq. 6)."""
+        g = self.g
+        for number in range(len(self.chain.net_1)):
+            x = x if number == 0 else g.columns(x, self.chain.mixing[number - 1])
+            x_1, x_2 = g.columns(x, self.left), g.columns(x, self.right)
+            scale, shift = self._moves(self.chain.net_2[number], x_2, self.chain.first)
+            y_1 = g.add("Add", g.add("Mul", x_1, scale), shift)
+            scale, shift = self._moves(self.chain.net_1[number], y_1, self.chain.second)
+            x = g.beside(y_1, g.add("Add", g.add("Mul", x_2, scale), shift))
+        return x
+
+    def inverse(self, y: str) -> str:
+        """Blocks backwards (eq. 7)."""
+        g = self.g
+        for number in reversed(range(len(self.chain.net_1))):
+            y_1, y_2 = g.columns(y, self.left), g.columns(y, self.right)
+            scale, shift = self._moves(self.chain.net_1[number], y_1, self.chain.second)
+            x_2 = g.add("Div", g.add("Sub", y_2, shift), scale)
+            scale, shift = self._moves(self.chain.net_2[number], x_2, self.chain.first)
+            y = g.beside(g.add("Div", g.add("Sub", y_1, shift), scale), x_2)
+            y = y if number == 0 else g.columns(y, self.chain.unmixing[number - 1])
+        return y
+
+    def _moves(self, net: list[Layer], known: str, size: int) -> tuple[str, str]:
+        """exp(s) and t of one half from the other."""
+        g = self.g
+        out = dense(g, g.beside(known, self.given) if self.given else known, net, "relu")
+        bounded = g.add("Mul", g.add("Atan", g.columns(out, range(size))), self.chain.bound)
+        return g.add("Exp", bounded), g.columns(out, range(size, 2 * size))
+
+
+def coupling(query: Query, source: Source) -> str:
+    """The fitted INN's answer, over eq. 4 if it is the conditional one."""
+    g, model, conditional = query.graph, source.model, source.name == "cinn"
+    given = query.conditions(source) if conditional else ""
+    if conditional and model.settings.direction:
+        given = g.beside(query.read("direction"), *([given] if given else []))
+    chain = _Chain(g, blocks(model.network), given)
+    forward = query.given == "motor_turns"
+    mine, other = (model.inputs, model.outputs) if forward else (model.outputs, model.inputs)
+    asked = query.base_mm() if conditional and forward else query.read(query.given)
+    log_stroke = conditional or model.settings.log_stroke
+    first = query.wide(query.scaled(asked, mine.mean[0], mine.std[0]))
+    x = g.beside(first, query.paper_conditions(mine.mean[1:], mine.std[1:], log_stroke))
+    y = g.columns(chain.forward(x) if forward else chain.inverse(x), [0])
+    value = query.restored(y, other.mean[0], other.std[0])
+    return query.base_turns(value) if conditional and not forward else value
+
+
+def pair_of_mlps(query: Query, source: Source) -> str:
+    """The fitted MLP's answer."""
+    g, model = query.graph, source.model
+    side = 0 if query.given == "motor_turns" else 1
+    mine, other = model.scalings[side], model.scalings[1 - side]
+    x = g.beside(
+        query.scaled(query.read(query.given), mine.mean[0], mine.std[0]),
+        query.paper_conditions(mine.mean[1:5], mine.std[1:5]),
+        query.scaled(query.read("direction"), mine.mean[5], mine.std[5]),
+    )
+    return query.restored(dense(g, x, layers(model.networks[side]), "silu"), other.mean[0], other.std[0])

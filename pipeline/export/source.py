@@ -1,0 +1,101 @@
+"""A saved model as the exporters want it: loaded, with its inputs, and refused in one line where it cannot be."""
+
+import pickle
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pipeline import schemas
+from pipeline.errors import BadInput
+from pipeline.export.inputs import Inputs
+from pipeline.models.box import Box
+from pipeline.models.conditions import MEASURED
+from pipeline.models.interface import make_model
+from pipeline.train import SPLITS, divided
+
+PAPER = ("separator_mm", "length_mm", "radius_mm")
+READS = {  # the measured columns that a model reads whether or not they vary; conditions come on top
+    "spline": MEASURED,
+    "cinn": MEASURED,
+    "polynomial": (),
+    "inn": PAPER,
+    "mlp": PAPER,
+    "traditional": MEASURED,
+    "calibrated": ("load_n",),
+}
+DAMAGED = (ValueError, KeyError, TypeError, AttributeError, RuntimeError, EOFError, pickle.UnpicklingError)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero."""
+
+    name: str
+    model: Any
+    inputs: Inputs
+    zero_mm: float = 0.0
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Where to look for what a model's file does not hold; None: where the pipeline puts it."""
+
+    dataset: Path | None = None
+    split: str | None = None
+    string: str | None = None
+
+
+def opened(file: Path, name: str | None, beside: Beside) -> Source:
+    """The model of a file, whose name is its folder's unless given.
+
+    Raises BadInput where the file holds no such model, or a model that cannot be exported.
+    """
+    name = name or file.resolve().parent.name
+    if name not in READS:
+        known = ", ".join(sorted(READS))
+        raise BadInput(file, "model", f'"{name}" cannot be exported', f"choose one of {known}, or say --model NAME")
+    if not file.is_file():
+        raise BadInput(file, "model", "is not a file", "train it first, or mend the path")
+    if not file.stat().st_size:
+        raise BadInput(file, "model", "is empty: its split had too few strokes", "take another split's model")
+    model: Any = make_model(name)
+    try:
+        model.load(file)
+    except DAMAGED as error:
+        what = f"is not a saved {name} ({type(error).__name__})"
+        raise BadInput(file, "model", what, "train it again, or say --model") from error
+    box, zero_mm = getattr(model, "box", None), 0.0
+    if box is None:
+        box, zero_mm = _box_of_dataset(file, name, model, beside)
+    conditions = getattr(model, "conditions", None)
+    try:
+        inputs = Inputs.of(
+            box, READS[name], conditions.names if conditions else (), conditions.materials if conditions else ()
+        )
+    except ValueError as error:
+        raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
+    return Source(name, model, inputs, zero_mm)
+
+
+def _box_of_dataset(file: Path, name: str, model: Any, beside: Beside) -> tuple[Box, float]:
+    """The box of a model that keeps none: that of its training points; and the zero of a calibrated string, in mm."""
+    path = beside.dataset or file.resolve().parent.parent / "dataset.parquet"
+    split = beside.split or file.name.split("-")[0]
+    if not path.is_file():
+        raise BadInput(file, "ranges", f"a {name} keeps none and there is no {path}", "say --dataset FILE")
+    if split not in SPLITS:
+        raise BadInput(file, "split", f'"{split}" is none', f"say --split {' or --split '.join(SPLITS)}")
+    points = divided(schemas.read(path, schemas.DATASET), split, path)[0]
+    if name != "calibrated":
+        return Box.of(points), 0.0
+    strings = sorted(model.moves)
+    string = beside.string or (strings[0] if len(strings) == 1 else "")
+    if string not in strings:
+        problem = f'"{string}" is not among them' if string else "it knows more than one"
+        raise BadInput(file, "string", problem, f"say --string with one of {', '.join(strings)}")
+    move = dict(model.moves[string])
+    zero_mm = move.pop("zero_mm")
+    points = points[points["string"].astype(str) == string]
+    if points.empty:
+        raise BadInput(path, "string", f"has no points of {string}", "say --dataset with the one it was fitted on")
+    return Box.of(points.assign(**{column: points[column] + by for column, by in move.items()})), zero_mm

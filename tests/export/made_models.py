@@ -1,0 +1,57 @@
+"""Small fitted models to export: of one string, of a campaign of strings, and of a twisted pair."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from models.made_dataset import LOAD_N, STRING, ZONE, hidden_mm, made_dataset, pair_dataset
+
+from pipeline import schemas
+from pipeline.kinematics import Geometry
+from pipeline.models.interface import make_model
+
+QUICK: dict[str, dict[str, Any]] = {
+    "inn": {"blocks": 4, "width": 20, "layers": 3, "epochs": 12, "batch": 60, "rates": [8e-3, 4e-3, 1e-3, 5e-4]},
+    "cinn": {"blocks": 4, "width": 20, "epochs": 12, "batch": 60},
+    "mlp": {"width": 16, "epochs": 12, "batch": 60, "rate": 1e-2},
+}
+NAMES = ("spline", "cinn", "inn", "polynomial", "mlp", "traditional", "calibrated")
+
+
+def campaign() -> pd.DataFrame:
+    """Four strings that differ in radius, load and material, whose curves differ accordingly."""
+    parts = []
+    for number, (radius_mm, load_n, material) in enumerate(
+        [(0.40, 20.0, "UHMWPE"), (0.46, 32.0, "Kevlar"), (0.40, 32.0, "Kevlar"), (0.46, 20.0, "UHMWPE")]
+    ):
+        points = made_dataset(40, 5, seed=number)
+        turns, direction = points["motor_turns"].to_numpy(), points["direction"].to_numpy()
+        nominal = Geometry("separator", **STRING, **ZONE).contraction_mm(turns, LOAD_N)
+        mine = Geometry("separator", **{**STRING, "radius_mm": radius_mm}, **ZONE).contraction_mm(turns, load_n)
+        beyond = hidden_mm(turns, direction, points["stroke"].to_numpy() - 1.0) - nominal
+        grown = beyond * (1.0 + 0.01 * (load_n - 20.0)) * (1.2 if material == "Kevlar" else 1.0)
+        load = load_n + np.random.default_rng(number).normal(0.0, 0.1, len(points))
+        parts.append(
+            points.assign(
+                string=f"s{number}", run=f"s{number}", radius_mm=radius_mm, load_n=load, displacement_mm=mine + grown,
+                material=material,
+            )
+        )  # fmt: skip
+    return pd.concat(parts, ignore_index=True)
+
+
+DATASETS = {"one": lambda: made_dataset(60, 6), "campaign": campaign, "pair": lambda: pair_dataset(80)}
+
+
+def saved(name: str, kind: str, folder: Path) -> Path:
+    """A model fitted on the split `within` of a dataset, saved as the pipeline does, its dataset beside it."""
+    dataset = DATASETS[kind]()
+    model = make_model(name, **QUICK.get(name, {}))
+    model.fit(dataset[dataset["within"] == "train"], 0)
+    path = folder / name / "within-0.model"
+    path.parent.mkdir(parents=True)
+    model.save(path)
+    if not (folder / "dataset.parquet").exists():
+        schemas.write(dataset[schemas.DATASET.names], schemas.DATASET, folder / "dataset.parquet")
+    return path

@@ -1,0 +1,111 @@
+"""The command: what it writes, and how it refuses."""
+
+import re
+import subprocess
+import sys
+from contextlib import redirect_stderr
+from dataclasses import dataclass
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+import onnx
+import pytest
+from compiled import ROOT
+from made_models import saved
+
+from pipeline.errors import program
+from pipeline.export.__main__ import main
+from pipeline.export.c_header import header
+from pipeline.export.source import Beside, opened
+
+
+@dataclass
+class Done:
+    """What a command came to."""
+
+    returncode: int
+    stderr: str
+
+
+def export(*words: object) -> Done:
+    """Run the command in this process: an interpreter for each would take a minute."""
+    with pytest.MonkeyPatch.context() as patch, redirect_stderr(StringIO()) as said:
+        patch.setattr(sys, "argv", ["export", *map(str, words)])
+        with pytest.raises(SystemExit) as left:
+            program(main)()
+    return Done(int(left.value.code or 0), said.getvalue())
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A spline and a calibrated model of one string, and what is wrong with others."""
+    made = tmp_path_factory.mktemp("material")
+    for name in ("spline", "calibrated"):
+        saved(name, "one", made)
+    for name, text in (("cinn", "{}"), ("polynomial", ""), ("spline", "[1]")):
+        (made / name).mkdir(exist_ok=True)
+        (made / name / "later-0.model").write_text(text)
+    return made
+
+
+def test_it_writes_a_header(folder: Path, tmp_path: Path) -> None:
+    model = folder / "spline" / "within-0.model"
+    command = [sys.executable, "-m", "pipeline.export", str(model), "--format", "c", "--name", "arm"]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env={"PYTHONPATH": str(ROOT)})
+    assert done.returncode == 0, done.stderr
+    text = (tmp_path / "arm.h").read_text()
+    assert text == header(opened(model, None, Beside()), "arm")
+    assert not re.search(r"\btsa_|\bTSA_", text)
+    again = tmp_path / "elsewhere" / "x.h"
+    assert export(model, "--format", "c", "--name", "arm", "--out", again).returncode == 0
+    assert again.read_text() == text
+
+
+def test_it_writes_two_graphs(folder: Path, tmp_path: Path) -> None:
+    done = export(folder / "calibrated" / "within-0.model", "--format", "onnx", "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    for way in ("forward", "inverse"):
+        onnx.checker.check_model(onnx.load(tmp_path / f"tsa.{way}.onnx"))
+
+
+def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> None:
+    there = tmp_path / "mine.json"
+    there.write_bytes((folder / "spline" / "within-0.model").read_bytes())
+    assert export(there, "--format", "c", "--out", tmp_path / "tsa.h").returncode == 2
+    assert export(there, "--model", "spline", "--format", "c", "--out", tmp_path / "tsa.h").returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["growth/within-0.model"], '"growth" cannot be exported.*calibrated, cinn, inn, mlp, polynomial, spline'),
+        (["spline/within-9.model"], "is not a file"),
+        (["polynomial/later-0.model"], "is empty: its split had too few strokes"),
+        (["cinn/later-0.model"], "is not a saved cinn"),
+        (["spline/later-0.model"], "is not a saved spline"),
+        (["spline/within-0.model", "--model", "calibrated"], "is not a saved calibrated|string"),
+        (["spline/within-0.model", "--name", "3d"], "cannot begin a C name"),
+        (["calibrated/within-0.model", "--string", "nobody"], '"nobody" is not among them.*made-01'),
+        (["calibrated/within-0.model", "--dataset", "no.parquet"], "there is no no.parquet"),
+    ],
+)
+def test_it_says_what_it_cannot_do(folder: Path, tmp_path: Path, words: list[str], said: str) -> None:
+    done = export(folder / words[0], *words[1:], "--format", "c", "--out", tmp_path / "tsa.h")
+    assert done.returncode == 2
+    assert re.search(said, done.stderr), done.stderr
+    assert len(done.stderr.splitlines()) == 1 and "Mend:" in done.stderr
+    assert not (tmp_path / "tsa.h").exists()
+
+
+def test_the_ranges_need_the_dataset_and_one_string(source: Any, folder: Path, tmp_path: Path) -> None:
+    copy = tmp_path / "m" / "calibrated" / "within-0.model"
+    copy.parent.mkdir(parents=True)
+    copy.write_bytes((folder / "calibrated" / "within-0.model").read_bytes())
+    out = tmp_path / "tsa.h"
+    assert "say --dataset" in export(copy, "--format", "c", "--out", out).stderr
+    done = export(copy, "--format", "c", "--out", out, "--dataset", folder / "dataset.parquet")
+    assert done.returncode == 0, done.stderr
+    of_four = saved("calibrated", "campaign", tmp_path / "four")
+    assert "say --string with one of s0, s1, s2, s3" in export(of_four, "--format", "c", "--out", out).stderr
+    assert export(of_four, "--format", "c", "--out", out, "--string", "s1").returncode == 0

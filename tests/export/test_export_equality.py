@@ -1,0 +1,130 @@
+"""What is exported gives the Python model's answers: the C header in both precisions, and the ONNX graphs."""
+
+import json
+from typing import Any
+
+import numpy as np
+import onnxruntime
+import pytest
+from made_models import NAMES
+
+from pipeline.export.c_header import BODIES
+from pipeline.export.onnx_model import ANSWERS, GIVEN, graphs
+from pipeline.export.source import READS, Source
+
+CASES = [
+    *((name, "one") for name in NAMES),
+    *((name, "campaign") for name in ("spline", "cinn", "inn", "polynomial", "calibrated")),
+    *((name, "pair") for name in ("spline", "cinn", "traditional")),
+]
+NETWORKS = ("cinn", "inn", "mlp")  # torch computes these in single precision itself
+POINTS = 2000
+FLAT_TURNS = 1.0  # below it a pair's curve is flat: any rounding of x is a large one of the twist
+
+cases = pytest.mark.parametrize(("name", "kind"), CASES)
+
+
+def queries(source: Source, given: str, count: int = POINTS) -> Any:
+    """Queries over the whole box, such that single precision holds them exactly."""
+    drawn = source.inputs.drawn(given, count, np.random.default_rng(1)).astype(np.float32).astype(float)
+    fields = source.inputs.columns(given)
+    inside = [(drawn[:, at] >= field.low) & (drawn[:, at] <= field.high) for at, field in enumerate(fields)]
+    return drawn[np.all(inside, axis=0)]
+
+
+def wanted(source: Source, way: str, asked: Any) -> Any:
+    """The Python model's answers, a twist held in its range."""
+    points = source.inputs.points(GIVEN[way], asked)
+    if way == "forward":
+        return source.model.forward(points) + source.zero_mm
+    points = points.assign(displacement_mm=points["displacement_mm"] - source.zero_mm)
+    return np.clip(source.model.inverse(points), *source.inputs.motor_turns)
+
+
+def furthest(source: Source, kind: str, way: str, asked: Any, answers: Any) -> float:
+    """Largest difference from the Python model in standard deviations of its answer over the box."""
+    truth = wanted(source, way, asked)
+    steep = truth > FLAT_TURNS if (kind, way) == ("pair", "inverse") else np.full(len(truth), True)
+    return float(np.abs(answers - truth)[steep].max() / truth.std())
+
+
+def test_every_exporter_knows_the_same_models() -> None:
+    assert set(NAMES) == set(READS) == set(BODIES) == set(ANSWERS)
+
+
+@cases
+def test_the_header_gives_the_models_answers(source: Any, program: Any, name: str, kind: str) -> None:
+    model = source(name, kind)
+    for way, given in GIVEN.items():
+        asked = queries(model, given)
+        codes, answers = program(name, kind, "float").answers(way, asked)
+        assert set(codes) <= ({0.0, -1.0} if way == "inverse" else {0.0})
+        assert len(asked) >= 0.99 * POINTS
+        assert furthest(model, kind, way, asked, answers) <= 1e-5
+
+
+@pytest.mark.parametrize(("name", "kind"), [("cinn", "one"), ("polynomial", "one"), ("calibrated", "one")])
+def test_in_double_precision_as_well(source: Any, program: Any, name: str, kind: str) -> None:
+    model = source(name, kind)
+    for way, given in GIVEN.items():
+        asked = queries(model, given)
+        _, answers = program(name, kind, "double").answers(way, asked)
+        assert furthest(model, kind, way, asked, answers) <= (1e-5 if name in NETWORKS else 1e-9)
+
+
+@pytest.mark.parametrize("kind", ["one", "campaign"])
+def test_a_spline_in_double_precision_is_the_python_one(source: Any, program: Any, kind: str) -> None:
+    model = source("spline", kind)
+    for way, given in GIVEN.items():
+        asked = queries(model, given)
+        assert furthest(model, kind, way, asked, program("spline", kind, "double").answers(way, asked)[1]) <= 1e-12
+
+
+@pytest.mark.parametrize("real", ["float", "double"])
+@pytest.mark.parametrize("kind", ["one", "campaign"])
+def test_prepared_tables_give_the_plain_answers(source: Any, program: Any, kind: str, real: str) -> None:
+    compiled = program("spline", kind, real)
+    for way, given in GIVEN.items():
+        asked = queries(source("spline", kind), given)
+        np.testing.assert_array_equal(compiled.prepared(way, asked), compiled.answers(way, asked))
+
+
+@cases
+def test_the_graphs_give_the_models_answers(source: Any, program: Any, name: str, kind: str) -> None:
+    model = source(name, kind)
+    for way, graph in graphs(model, "tsa").items():
+        asked = queries(model, GIVEN[way])
+        value, inside = answered(graph, asked)
+        assert furthest(model, kind, way, asked, value) <= (1e-5 if name in NETWORKS else 1e-12)
+        codes, _ = program(name, kind, "float").answers(way, asked)
+        assert np.mean(inside == (codes == 0)) >= 0.999  # a twist at its range's very end may round either way
+
+
+@pytest.mark.parametrize(("name", "kind"), [("spline", "campaign"), ("cinn", "one")])
+def test_a_graph_says_what_it_reads_and_what_lies_outside(source: Any, name: str, kind: str) -> None:
+    model = source(name, kind)
+    for way, graph in graphs(model, "tsa").items():
+        said = {prop.key: prop.value for prop in graph.metadata_props}
+        fields, columns = model.inputs.columns(GIVEN[way]), json.loads(said["columns"])
+        assert [column["name"] for column in columns] == [field.name for field in fields]
+        assert json.loads(said["materials"]) == list(model.inputs.materials)
+        middle = queries(model, GIVEN[way], 1)[0]
+        for at, column in enumerate(columns):
+            step = 1.0 if column["whole"] else 1e-3 * (column["high"] - column["low"])
+            for wrong in (column["low"] - step, column["high"] + step, np.nan, np.inf, -np.inf):
+                query = middle.copy()
+                query[at] = wrong
+                assert not answered(graph, query[None])[1][0], (column["name"], wrong)
+        for field, wrong in (("stroke", 1.5), ("direction", 0.0)):
+            query = middle.copy()
+            query[[column["name"] for column in columns].index(field)] = wrong
+            assert not answered(graph, query[None])[1][0]
+
+
+def answered(graph: Any, asked: Any) -> tuple[Any, Any]:
+    """A graph's value and inside."""
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = 1
+    session = onnxruntime.InferenceSession(graph.SerializeToString(), options)
+    kind = np.float64 if "double" in session.get_inputs()[0].type else np.float32
+    return session.run(["value", "inside"], {"queries": asked.astype(kind)})
