@@ -1,12 +1,13 @@
-"""Chains of coupling blocks in C: the paper's INN, and the conditional one over eq. 4."""
+"""Chains of coupling blocks in C, and the paper's INN that is one."""
 
 import numpy as np
 
 from pipeline.export.c_dense import Net
-from pipeline.export.c_physics import paper_conditions, physics, standardised
+from pipeline.export.c_physics import paper_conditions
 from pipeline.export.c_text import Body, function, real
 from pipeline.export.source import Source
 from pipeline.export.weights import Blocks, blocks
+from pipeline.models.scaling import Scaling
 
 CHAIN = """\
 /* The s and t of a block's half, from the other half and the conditions: s bounded softly, as exp(s). */
@@ -114,7 +115,7 @@ static inline void tsa_chain_inverse(const tsa_real *given, tsa_real *x)
 """
 
 
-def _chain(made: Body, chain: Blocks) -> None:
+def chain_of(made: Body, chain: Blocks) -> None:
     """Add the chain's weights and functions."""
     sizes = {
         "BLOCKS": len(chain.net_1),
@@ -132,30 +133,37 @@ def _chain(made: Body, chain: Blocks) -> None:
 
 
 def body(source: Source) -> Body:
-    """The fitted INN, with eq. 4 as its base and conditions if it is the conditional one."""
-    model, conditional = source.model, source.name == "cinn"
-    made = Body(physics(source.inputs) if conditional else "")
-    _chain(made, blocks(model.network))
-    log_stroke = conditional or model.settings.log_stroke
-    given = standardised(source) if conditional else []
-    if conditional and model.settings.direction:
-        given = ["(tsa_real)at->direction", *given]
-    base = "tsa_base_mm(at, tsa_mm_per_turn(at), motor_turns)" if conditional else "motor_turns"
-    answer = "tsa_base_turns(at, tsa_mm_per_turn(at), {})" if conditional else "{}"
+    """The paper's INN, fitted."""
+    model, made = source.model, Body()
+    chain_of(made, blocks(model.network))
     sides = (
-        ("forward", "motor_turns", base, model.inputs, model.outputs, "{}"),
-        ("inverse", "displacement_mm", "displacement_mm", model.outputs, model.inputs, answer),
+        ("forward", "motor_turns", model.inputs, model.outputs),
+        ("inverse", "displacement_mm", model.outputs, model.inputs),
     )
-    for way, asked, first, mine, other, wanted in sides:
-        columns = [f"({first} - {real(mine.mean[0])}) * {real(1.0 / mine.std[0])}"]
-        columns += paper_conditions(source, mine.mean[1:], mine.std[1:], log_stroke)
+    for way, asked, mine, other in sides:
         made.code += function(
             "tsa_real",
             f"tsa_raw_{way}(const tsa_state *at, tsa_real {asked})",
-            f"tsa_real x[{len(columns)}], given[{len(given) or 1}] = {{0}};",
-            *(f"x[{number}] = {column};" for number, column in enumerate(columns)),
-            *(f"given[{number}] = {expression};" for number, expression in enumerate(given)),
+            "tsa_real x[TSA_FIRST + TSA_SECOND], given[1] = {0};",
+            f"x[0] = {scaled(asked, mine)};",
+            *four_others(source, mine, model.settings.log_stroke),
             f"tsa_chain_{way}(given, x);",
-            f"return {wanted.format(f'x[0] * {real(other.std[0])} + {real(other.mean[0])}')};",
+            f"return {restored('x[0]', other)};",
         )
     return made
+
+
+def scaled(value: str, scaling: Scaling) -> str:
+    """An expression in standard deviations of a scaling's first column."""
+    return f"({value} - {real(scaling.mean[0])}) * {real(1.0 / scaling.std[0])}"
+
+
+def restored(value: str, scaling: Scaling) -> str:
+    """An expression in its own unit again."""
+    return f"{value} * {real(scaling.std[0])} + {real(scaling.mean[0])}"
+
+
+def four_others(source: Source, scaling: Scaling, log_stroke: bool) -> list[str]:
+    """Lines that set x[1] to x[4]: b, l, r and n."""
+    columns = paper_conditions(source, scaling.mean[1:], scaling.std[1:], log_stroke)
+    return [f"x[{number}] = {column};" for number, column in enumerate(columns, start=1)]

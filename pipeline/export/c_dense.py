@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.export.c_physics import paper_conditions
+from pipeline.export.c_physics import paper_conditions, standardised
 from pipeline.export.c_text import Body, function, real
 from pipeline.export.source import Source
 from pipeline.export.weights import Layer, Weights, layers
@@ -126,7 +126,11 @@ def body(source: Source) -> Body:
         mine, other = model.scalings[side], model.scalings[1 - side]
         columns = [f"({given} - {real(mine.mean[0])}) * {real(1.0 / mine.std[0])}"]
         columns += paper_conditions(source, mine.mean[1:5], mine.std[1:5])
-        columns += [f"((tsa_real)at->direction - {real(mine.mean[5])}) * {real(1.0 / mine.std[5])}"]
+        others = ["(tsa_real)at->direction", *standardised(source)]
+        columns += [
+            f"(({other}) - {real(mean)}) * {real(1.0 / std)}"
+            for other, mean, std in zip(others, mine.mean[5:], mine.std[5:], strict=True)
+        ]
         made.code += function(
             "tsa_real",
             f"tsa_raw_{way}(const tsa_state *at, tsa_real {given})",

@@ -1,6 +1,6 @@
 """A fitted model as one C99 header: its ranges and refusals around the functions of the model."""
 
-from pipeline.export import c_coupling, c_dense, c_physics, c_polynomial, c_spline
+from pipeline.export import c_cinn, c_coupling, c_dense, c_physics, c_polynomial, c_spline
 from pipeline.export.c_text import Body, function, real, renamed
 from pipeline.export.inputs import MEANING, Field, Inputs
 from pipeline.export.source import Source
@@ -8,7 +8,7 @@ from pipeline.models.box import COLUMNS
 
 BODIES = {
     "spline": c_spline.body,
-    "cinn": c_coupling.body,
+    "cinn": c_cinn.body,
     "inn": c_coupling.body,
     "mlp": c_dense.body,
     "polynomial": c_polynomial.body,

@@ -4,6 +4,7 @@ from pipeline.export.graph import Graph
 from pipeline.export.onnx_query import Query
 from pipeline.export.source import Source
 from pipeline.export.weights import Blocks, Layer, blocks, layers
+from pipeline.models import cinn
 
 
 def dense(g: Graph, x: str, net: list[Layer], activation: str) -> str:
@@ -56,21 +57,50 @@ class _Chain:
 
 
 def coupling(query: Query, source: Source) -> str:
-    """The fitted INN's answer, over eq. 4 if it is the conditional one."""
-    g, model, conditional = query.graph, source.model, source.name == "cinn"
-    given = query.conditions(source) if conditional else ""
-    if conditional and model.settings.direction:
-        given = g.beside(query.read("direction"), *([given] if given else []))
-    chain = _Chain(g, blocks(model.network), given)
-    forward = query.given == "motor_turns"
+    """The fitted INN's answer: the paper's, or the conditional one's over eq. 4."""
+    return _conditional(query, source) if source.name == "cinn" else _paper(query, source)
+
+
+def _paper(query: Query, source: Source) -> str:
+    g, model, forward = query.graph, source.model, query.given == "motor_turns"
     mine, other = (model.inputs, model.outputs) if forward else (model.outputs, model.inputs)
-    asked = query.base_mm() if conditional and forward else query.read(query.given)
-    log_stroke = conditional or model.settings.log_stroke
-    first = query.wide(query.scaled(asked, mine.mean[0], mine.std[0]))
-    x = g.beside(first, query.paper_conditions(mine.mean[1:], mine.std[1:], log_stroke))
+    chain = _Chain(g, blocks(model.network), "")
+    four = query.paper_conditions(mine.mean[1:], mine.std[1:], model.settings.log_stroke)
+    x = g.beside(query.scaled(query.read(query.given), mine.mean[0], mine.std[0]), four)
     y = g.columns(chain.forward(x) if forward else chain.inverse(x), [0])
-    value = query.restored(y, other.mean[0], other.std[0])
-    return query.base_turns(value) if conditional and not forward else value
+    return query.restored(y, other.mean[0], other.std[0])
+
+
+def _conditional(query: Query, source: Source) -> str:
+    g, model, forward = query.graph, source.model, query.given == "motor_turns"
+    mine, other = (model.inputs, model.outputs) if forward else (model.outputs, model.inputs)
+    others = query.conditions(source)
+    told = [*([query.read("direction")] if model.settings.direction else []), *([others] if others else [])]
+    chain = _Chain(g, blocks(model.network), g.beside(*told) if told else "")
+    asked = query.base_mm() if forward else query.read(query.given)
+    root = g.add("Sqrt", g.add("Max", g.add("Add", asked, model.shift_mm), 0.0))
+    wanted = query.wide(query.scaled(root, mine.mean[0], mine.std[0]))
+    four = query.paper_conditions(mine.mean[1:], mine.std[1:])
+    answer = g.columns(chain.forward(g.beside(wanted, four)), [0]) if forward else _secant(chain, wanted, four)
+    root = query.restored(answer, other.mean[0], other.std[0])
+    value = g.add("Sub", g.add("Mul", root, root), model.shift_mm)
+    return value if forward else query.base_turns(value)
+
+
+def _secant(chain: _Chain, wanted: str, four: str) -> str:
+    """The blocks backwards, then `Cinn.inverse`'s steps of the secant."""
+    g = chain.g
+    there = g.columns(chain.inverse(g.beside(wanted, four)), [0])
+    slope, last, missed = g.constant([[1.0]]), "", ""
+    for step in range(cinn.SECANTS):
+        short = g.add("Sub", wanted, g.columns(chain.forward(g.beside(there, four)), [0]))
+        if step:
+            apart = g.add("Sub", there, last)
+            near = g.add("Less", g.add("Abs", apart), cinn.NEAREST)
+            secant = g.add("Div", g.add("Sub", missed, short), g.add("Where", near, cinn.NEAREST, apart))
+            slope = g.add("Where", near, slope, g.clipped(secant, cinn.FLATTEST, cinn.STEEPEST))
+        last, missed, there = there, short, g.add("Add", there, g.add("Div", short, slope))
+    return there
 
 
 def pair_of_mlps(query: Query, source: Source) -> str:
@@ -78,9 +108,11 @@ def pair_of_mlps(query: Query, source: Source) -> str:
     g, model = query.graph, source.model
     side = 0 if query.given == "motor_turns" else 1
     mine, other = model.scalings[side], model.scalings[1 - side]
+    others = query.conditions(source)
+    told = g.beside(query.read("direction"), *([others] if others else []))
     x = g.beside(
         query.scaled(query.read(query.given), mine.mean[0], mine.std[0]),
         query.paper_conditions(mine.mean[1:5], mine.std[1:5]),
-        query.scaled(query.read("direction"), mine.mean[5], mine.std[5]),
+        query.scaled(told, mine.mean[None, 5:], mine.std[None, 5:]),
     )
     return query.restored(dense(g, x, layers(model.networks[side]), "silu"), other.mean[0], other.std[0])

@@ -1,5 +1,7 @@
 """The queries of an ONNX graph: its columns by name, eqs 2 to 5 of them, and whether they lie in range."""
 
+from typing import Any
+
 from pipeline.export.graph import Graph
 from pipeline.export.inputs import Inputs
 from pipeline.export.source import Source
@@ -20,7 +22,7 @@ class Query:
             self.column[name] = self.graph.constant([[self.inputs.baked.get(name, 0.0)]])
         return self.column[name]
 
-    def scaled(self, value: str, mean: float, std: float) -> str:
+    def scaled(self, value: str, mean: Any, std: Any) -> str:
         """(value − mean) / std."""
         return self.graph.add("Div", self.graph.add("Sub", value, mean), std)
 

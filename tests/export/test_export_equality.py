@@ -14,7 +14,7 @@ from pipeline.export.source import READS, Source
 
 CASES = [
     *((name, "one") for name in NAMES),
-    *((name, "campaign") for name in ("spline", "cinn", "inn", "polynomial", "calibrated")),
+    *((name, "campaign") for name in ("spline", "cinn", "inn", "mlp", "polynomial", "calibrated")),
     *((name, "pair") for name in ("spline", "cinn", "traditional")),
 ]
 NETWORKS = ("cinn", "inn", "mlp")  # torch computes these in single precision itself
