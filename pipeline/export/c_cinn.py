@@ -8,6 +8,8 @@ from pipeline.export.weights import blocks
 from pipeline.models import cinn
 
 SECANT = """\
+#define TSA_NOTHING (sizeof(tsa_real) > sizeof(float) ? TSA_R(1e-12) : TSA_R(3e-7)) /* standard deviations */
+
 /* The blocks backwards, then steps of the secant until the blocks forwards give what was wanted. */
 static inline tsa_real tsa_secant(const tsa_real *given, const tsa_real *wanted)
 {
@@ -27,6 +29,9 @@ static inline tsa_real tsa_secant(const tsa_real *given, const tsa_real *wanted)
         }
         tsa_chain_forward(given, x);
         lacks = wanted[0] - x[0];
+        if (lacks < TSA_NOTHING && lacks > -TSA_NOTHING) {
+            break; /* no more than the last digit */
+        }
         if (step > 0 && !(apart < %(nearest)s && apart > -%(nearest)s)) {
             slope = (missed - lacks) / apart;
             slope = slope < %(flattest)s ? %(flattest)s : slope > %(steepest)s ? %(steepest)s : slope;

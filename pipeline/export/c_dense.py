@@ -46,14 +46,11 @@ static inline void {name}(const float weight[{outputs}][{inputs}], const float *
 {{
     int i, j;
     for (j = 0; j < {outputs}; ++j) {{
-        tsa_real part[{room}] = {{0}}, sum = (tsa_real)bias[j];
+        tsa_real part[{room}] = {{0}};
         for (i = 0; i < {inputs}; ++i) {{
             part[i] = (tsa_real)weight[j][i] * x[i];
         }}
-{halves}        for (i = 0; i < {lanes}; ++i) {{
-            sum += part[i];
-        }}
-        y[j] = sum;
+{halves}        y[j] = (tsa_real)bias[j] + {total};
     }}
 }}
 
@@ -96,7 +93,7 @@ class Net:
             self.rooms.append(outputs)
             room = 1 << (rows - 1).bit_length()
             halves = [HALVES.format(half=room >> fold) for fold in range(1, (room // LANES).bit_length())]
-            sizes = {"inputs": rows, "outputs": outputs, "room": room, "lanes": LANES}
+            sizes = {"inputs": rows, "outputs": outputs, "room": room, "total": _total(0, LANES)}
             return FEW.format(name=name, halves="".join(halves), **sizes)
         wide = padded(outputs)
         self._arrays(number, [layer.weight for layer in layers], layers, (rows, wide), wide)
@@ -110,6 +107,13 @@ class Net:
         biases = [_padded(layer.bias, (outputs,)) for layer in layers]
         self.body.array(f"{self.name}_weight_{number}", np.stack([_padded(w, shape) for w in weights]), "float")
         self.body.array(f"{self.name}_bias_{number}", np.stack(biases), "float")
+
+
+def _total(first: int, count: int) -> str:
+    """The sum of so many parts as an expression, in pairs: a running sum would wait for itself at every step."""
+    if count == 1:
+        return f"part[{first}]"
+    return f"({_total(first, count // 2)} + {_total(first + count // 2, count // 2)})"
 
 
 def _padded(table: Weights, shape: tuple[int, ...]) -> Weights:
