@@ -15,7 +15,7 @@ from pipeline.export.c_header import CODES, header
 from pipeline.export.inputs import Inputs
 from pipeline.export.onnx_model import GIVEN
 
-EXACT = [("spline", "one"), ("spline", "campaign"), ("spline", "pair"), ("calibrated", "one")]
+EXACT = [("spline", "one"), ("spline", "campaign"), ("spline", "pair"), ("calibrated", "one"), ("cinn", "one")]
 CINN, INN = [("cinn", "campaign", "float"), ("cinn", "pair", "float")], ("inn", "one", "float")
 HELD = -1.0
 ROUND_TRIP_TURNS = 1e-3
@@ -105,7 +105,9 @@ def test_twist_comes_back_through_contraction(source: Any, program: Any, name: s
     if (kind, real) == ("campaign", "float"):
         assert np.abs(again_mm - mm[known]).max() <= 1e-4
     else:
-        assert np.abs(turns - there[known, 0]).max() <= (ROUND_TRIP_TURNS if real == "float" else 1e-7)
+        assert np.abs(turns - there[known, 0]).max() <= (
+            ROUND_TRIP_TURNS if real == "float" or name == "cinn" else 1e-7
+        )
 
 
 @pytest.mark.parametrize("real", ["float", "double"])
