@@ -1,4 +1,6 @@
 import json
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import yaml
@@ -7,6 +9,8 @@ from made_recording import content
 from pipeline.dag import fits, make_plan, recorded_files
 from pipeline.errors import BadInput
 from pipeline.fingerprint import fingerprint, reachable
+
+ROOT = Path(__file__).parent.parent
 
 
 def test_plan_sorts_runs_by_material(make_run, tmp_path):
@@ -57,6 +61,19 @@ def test_fingerprints_follow_imports_and_nothing_else():
     assert {"__main__.py", "device.py", "creep.py", "paper.yaml", "kinematics.py"} <= rig  # found by name at run time
 
 
+def test_a_models_fingerprint_covers_what_it_finds_by_name_at_run_time():
+    text = (ROOT / "pipeline" / "rules" / "train.smk").read_text()
+    rule = {"fingerprint": reachable}
+    exec(text.partition("rule train:")[0], rule)
+    files = {
+        model: {f"{path.parent.name}/{path.name}" for path in rule["code_of_model"](SimpleNamespace(model=model))}
+        for model in ("diagnosed", "spline")
+    }
+    by_name = {"mechanisms/creep.py", "mechanisms/backlash.py", "systems/twisted_string.py"}
+    assert by_name < files["diagnosed"] and not by_name & files["spline"]
+    assert "models/diagnosed_run.py" in files["diagnosed"] and "models/spline.py" not in files["diagnosed"]
+
+
 def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
     import pipeline.fingerprint as module
 
@@ -81,8 +98,6 @@ def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
 
 
 def test_mappings_are_runs_without_a_name():
-    from pathlib import Path
-
     from pipeline.run_yaml import parse_run
 
     for path in sorted((Path(__file__).parent.parent / "pipeline" / "mappings").glob("*.yaml")):

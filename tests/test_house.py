@@ -43,6 +43,8 @@ def part(module):
 
 # the proof's only modules that may use the diagnosis; of them `twins` alone sees both hands
 BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins")
+# the one model, with its parts, that may use the diagnosis: it is what the diagnosis finds
+DIAGNOSED = "pipeline.models.diagnosed"
 GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "units", "wire"}
 
 
@@ -69,11 +71,19 @@ def test_the_ground_stands_on_nothing_but_the_ground():
 def test_neighbours_do_not_reach_into_each_other(one, others):
     for module in MODULES:
         if part(module) == one:
-            never = others - {"diagnosis"} if module.startswith(BESIDE_THE_DIAGNOSIS) else others
+            allowed = module.startswith((*BESIDE_THE_DIAGNOSIS, DIAGNOSED))
+            never = others - {"diagnosis"} if allowed else others
             assert not {part(name) for name in reach(module)} & never, module
     for module in MODULES:
         if not module.startswith(BESIDE_THE_DIAGNOSIS):
             assert not [name for name in reach(module) if name.startswith(BESIDE_THE_DIAGNOSIS)], module
+
+
+def test_only_the_diagnosed_model_reaches_the_diagnosis_and_nobody_reaches_it():
+    assert DIAGNOSED in MODULES and "pipeline.diagnosis.engine" in reach(DIAGNOSED)
+    for module in MODULES:
+        if not module.startswith(DIAGNOSED):
+            assert not [name for name in reach(module) if name.startswith(DIAGNOSED)], module
 
 
 def test_who_conceals_and_who_diagnoses_share_nothing_but_the_ground():
@@ -102,7 +112,7 @@ def test_imports_have_no_loops():
 def test_what_needs_no_torch_does_not_import_it():
     stages = ("ingest", "strokes", "dataset", "floor", "evaluate", "import_run", "new_run", "dag", "capture", "train")
     report = [module for module in MODULES if part(module) == "report"]
-    wanted = [f"pipeline.{stage}" for stage in stages] + report + ["pipeline.models.traditional"]
+    wanted = [f"pipeline.{stage}" for stage in stages] + report + ["pipeline.models.traditional", DIAGNOSED]
     program = f"import sys, {', '.join(wanted)}; sys.exit('torch' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", program], cwd=ROOT).returncode == 0
 

@@ -12,6 +12,7 @@ import yaml
 from made_dataset import made_dataset
 
 from pipeline import models
+from pipeline.diagnosis.library import mechanisms
 from pipeline.models.interface import Model, make_model
 
 FOLDER = Path(models.__file__).parent
@@ -23,8 +24,9 @@ QUICK = {
     "inn": {"blocks": 4, "width": 24, "layers": 2, "epochs": 16, "batch": 60, "rates": [8e-3, 4e-3, 1e-3, 5e-4]},
     "cinn": {"blocks": 4, "width": 16, "epochs": 16, "batch": 60},
     "mlp": {"width": 16, "epochs": 16, "batch": 60, "rate": 1e-2},
+    "diagnosed": {"without": sorted({*mechanisms()} - {"backlash", "plastic_elongation", "radius_compaction"})},
 }
-WITHOUT_TORCH = ["traditional", "calibrated", "polynomial", "spline"]
+WITHOUT_TORCH = ["traditional", "calibrated", "polynomial", "spline", "diagnosed"]
 
 named = pytest.mark.parametrize("name", MODELS)
 
@@ -51,7 +53,7 @@ def rmse(error: np.ndarray) -> float:
 
 
 def test_the_folder_holds_the_papers_models() -> None:
-    assert {"traditional", "calibrated", "polynomial", "inn", "mlp", "cinn", "spline"} <= set(MODELS)
+    assert {"traditional", "calibrated", "polynomial", "inn", "mlp", "cinn", "spline", "diagnosed"} <= set(MODELS)
 
 
 def test_predictions_are_finite_floats_one_a_point(case: tuple[str, Model, pd.DataFrame]) -> None:

@@ -1,0 +1,134 @@
+"""The diagnosed simulator: eqs 1–4 with the physics that the diagnosis finds missing in the training points.
+
+Every run of a string is diagnosed alone, as a recording that has holes where points are held out. What is predicted
+depends on what was done before: the simulator goes through the motion of the training points and of the points asked.
+A run of which no training points were seen is simulated by the nominal equations.
+"""
+
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline import files
+from pipeline.diagnosis import calibrate, engine, library, order, outcome
+from pipeline.diagnosis.problem import State
+from pipeline.diagnosis.search import LARGEST, TRIED
+from pipeline.errors import BadInput
+from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
+from pipeline.models.diagnosed_problem import SAMPLES, holed, plain
+from pipeline.models.diagnosed_run import Simulator
+from pipeline.run_yaml import Run
+
+LEAST_POINTS = 20  # in which a stroke can be seen at all; a run with fewer stays nominal
+KNOWN = ["time_s", "stroke", "phase", "motor_turns", "load_n"]
+TOLERANCES = {
+    "radius": "radius_tolerance", "length_mm": "length_tolerance_mm",
+    "torsion_zone_mm": "torsion_zone_tolerance_mm", "separator_mm": "separator_tolerance_mm",
+}  # fmt: skip
+
+
+class Diagnosed:
+    """A simulator for every run of a string that was seen, by run and string; it names none of the ids in `without`."""
+
+    def __init__(self, without: Sequence[str] = ()) -> None:
+        strange = sorted(set(without) - set(library.mechanisms()))
+        if strange:
+            raise ValueError(f"without: {strange[0]} is no mechanism; use {', '.join(library.mechanisms())}")
+        self.without = frozenset(without)
+        self.simulators: dict[tuple[str, str], Simulator] = {}
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Diagnose every run of every string in the points; nothing is drawn by the seed."""
+        enough = [(key, rows) for key, rows in _by_run(points) if len(rows) >= LEAST_POINTS]
+        self.simulators = {key: simulator_of(points.iloc[rows], self.without) for key, rows in enough}
+
+    def forward(self, points: pd.DataFrame) -> Array:
+        """Contraction in mm, shape (points,), with the points asked together as parts of one motion."""
+        return self._each(points, Simulator.forward, point_contraction_mm)
+
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """Twist in turns, shape (points,), with the points asked together as parts of one motion."""
+        return self._each(points, Simulator.inverse, point_motor_turns)
+
+    def save(self, path: Path) -> None:
+        """Write all simulators as JSON: what each names, its numbers, and the motion that it was seen in."""
+        found = [{"string": string, **simulator.saved()} for (_, string), simulator in self.simulators.items()]
+        files.write_text(path, json.dumps({"without": sorted(self.without), "simulators": found}))
+
+    def load(self, path: Path) -> None:
+        """Take over the simulators of a JSON file."""
+        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        self.without = frozenset(content["without"])
+        strings = [one.pop("string") for one in content["simulators"]]
+        found = map(Simulator.from_saved, content["simulators"])
+        self.simulators = {(one.run.run, string): one for string, one in zip(strings, found, strict=True)}
+
+    def _each(
+        self, points: pd.DataFrame, known: Callable[[Simulator, pd.DataFrame], Array],
+        unknown: Callable[[pd.DataFrame], Array],
+    ) -> Array:  # fmt: skip
+        """What each run's simulator says of its points, or the nominal equations, shape (points,)."""
+        answer = np.empty(len(points))
+        for key, rows in _by_run(points):
+            asked, simulator = points.iloc[rows], self.simulators.get(key)
+            answer[rows] = known(simulator, asked) if simulator else unknown(asked)
+        return answer
+
+
+def _by_run(points: pd.DataFrame) -> list[tuple[tuple[str, str], Array]]:
+    """Rows of the points of every run of every string, by run and string."""
+    groups = points.groupby(["run", "string"], sort=True).indices
+    return [((str(run), str(string)), rows) for (run, string), rows in groups.items()]
+
+
+def run_of(points: pd.DataFrame) -> Run:
+    """What `run.yaml` says of a run, of which the points' columns tell all that a diagnosis needs."""
+    row = points.iloc[0]
+    rig = {name: float(row[name]) for name in ("torsion_zone_mm", "separator_mm") if np.isfinite(row[name])}
+    tolerance = {key: float(row[name]) for key, name in TOLERANCES.items()}
+    string = {key: float(row[key]) for key in ("radius_mm", "length_mm", "stiffness_n_per_mm")}
+    content = {"run": str(row["run"]), "actuator": str(row["actuator"]), "string": {"material": "string", **string}}
+    return Run.model_validate({**content, "rig": rig, "tolerance": tolerance})
+
+
+def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
+    """The simulator that the training points of one run of a string make, whatever they can show."""
+    known = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
+    run, samples = run_of(known), known[SAMPLES]
+    named: list[list[str]] = []
+    try:
+        found = engine.study(holed(run, samples, without))
+        outcome.refuse_faint(found, Path(run.run))
+        verdict, base, best = found.verdict, found.base, found.base
+        if verdict in ("explained", "ambiguous"):
+            best, named = foreseeing(found), [list(one.ids) for one in found.sets]
+        level_mm = float(np.mean(found.problem.simulate(best)))
+    except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
+        base = best = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
+        verdict, level_mm = str(error), 0.0
+    return Simulator(
+        run, known[KNOWN], verdict, named, best.values.tolist(), float(best.zeros[0]), best.acts, level_mm,
+        (base.values.tolist(), float(base.zeros[0])),
+    )  # fmt: skip
+
+
+def foreseeing(found: outcome.Study) -> State:
+    """The simulator that best foresees stretches left out of its fit, of those that tie and the best of every size.
+
+    A name should be as simple as a recording allows; a prediction need not.
+    """
+    search = found.search
+    beside = [one for size in range(1, LARGEST + 1) for one in search.all_of(size)[:TRIED]]
+    tried = list({one.keys: one for one in [*found.sets, *beside]}.values())
+    errors = order.left_out_errors(search.linear, tried)
+    for place in np.argsort(errors, kind="stable")[:TRIED]:
+        state = found.best if tried[place] is found.sets[0] else engine.at_work(search, tried[place])
+        if not outcome.cancels(found.problem, state):
+            return state
+    return found.best
+
+
+MODEL = Diagnosed
