@@ -17,7 +17,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from itertools import pairwise
 from pathlib import Path
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
@@ -72,31 +71,19 @@ class Freia:
     def fit(self, points: pd.DataFrame, seed: int) -> None:
         """Train, evaluating after each epoch off the clock."""
         import torch
-        from FrEIA.framework import SequenceINN
-        from FrEIA.modules import GLOWCouplingBlock, PermuteRandom
-        from torch import nn
+        from freia import papers_inn
         from torch.nn.functional import mse_loss
 
         from pipeline.models.features import contraction_and_conditions, twist_and_conditions
         from pipeline.models.scaling import Scaling
 
-        def subnet(inputs: int, outputs: int) -> nn.Module:
-            sizes = [inputs, 256, 256, 256]
-            hidden = [part for a, b in pairwise(sizes) for part in (nn.Linear(a, b), nn.ReLU())]
-            return nn.Sequential(*hidden, nn.Linear(256, outputs))
-
         torch.set_num_threads(1)
         torch.manual_seed(seed)
+        self.net = papers_inn()
         inputs, outputs = twist_and_conditions(points), contraction_and_conditions(points)
         self.inputs, self.outputs = Scaling.of(inputs), Scaling.of(outputs)
         x = torch.tensor(self.inputs.scaled(inputs), dtype=torch.float32)
         y = torch.tensor(self.outputs.scaled(outputs), dtype=torch.float32)
-        self.net = SequenceINN(5)
-        for number in range(7):
-            if number:
-                self.net.append(PermuteRandom, seed=number - 1)
-            self.net.append(GLOWCouplingBlock, subnet_constructor=subnet, clamp=2.0)
-        torch.manual_seed(seed)  # PermuteRandom reseeds NumPy only; the batches are drawn by torch
         optimiser = torch.optim.Adam(self.net.parameters(), lr=8e-4)
         spent_s = 0.0
         for epoch in range(EPOCHS):
