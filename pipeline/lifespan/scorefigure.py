@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from pipeline.files import whole
 
@@ -45,17 +46,21 @@ def against_truth(axes: Axes, rows: pd.DataFrame) -> None:
     ends = np.array([max(float(ours["left"].min()), 1.0), float(ours["left"].max())]) if len(ours) else np.ones(2)
     axes.plot(ends, ends, color="0.4", lw=1, ls="--")
     axes.set(xscale="log", yscale="log", ylim=(1.0, top), xlabel="strokes really left", ylabel="strokes left, foretold")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        axis.set_minor_formatter(NullFormatter())
     axes.set_title(
         f"asked after {SHOWN_CUT.replace('%', ' %')}; cut off at the top: no upper end", fontsize=8.5, loc="left"
     )
-    axes.legend(fontsize=7.5, loc="upper left")
+    axes.legend(fontsize=7.5, loc="lower right")
 
 
 def page(rows: pd.DataFrame, levels: tuple[float, ...], path: Path) -> None:
     """Draw both panels for both questions and write them as svg."""
     style: dict[Any, Any] = {
         "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
-        "svg.hashsalt": "lifespan", "axes.grid": True, "grid.alpha": 0.25,
+        "svg.hashsalt": "lifespan", "svg.fonttype": "none", "axes.grid": True, "grid.alpha": 0.25,
     }  # fmt: skip
     questions = list(rows.groupby("question", sort=False))
     with plt.rc_context(style):
