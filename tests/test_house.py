@@ -66,6 +66,7 @@ def test_the_ground_stands_on_nothing_but_the_ground():
         ("capture", {"rig", "models", "report"}),
         ("diagnosis", {"rig", "models", "report", "proof"}),
         ("proof", {"diagnosis", "models", "report", "train"}),
+        ("lifespan", {"rig", "proof", "diagnosis", "models", "report", "capture", "train"}),
     ],
 )
 def test_neighbours_do_not_reach_into_each_other(one, others):
@@ -111,7 +112,7 @@ def test_imports_have_no_loops():
 
 def test_what_needs_no_torch_does_not_import_it():
     stages = ("ingest", "strokes", "dataset", "floor", "evaluate", "import_run", "new_run", "dag", "capture", "train")
-    report = [module for module in MODULES if part(module) == "report"]
+    report = [module for module in MODULES if part(module) in ("report", "lifespan")]
     wanted = [f"pipeline.{stage}" for stage in stages] + report + ["pipeline.models.traditional", DIAGNOSED]
     program = f"import sys, {', '.join(wanted)}; sys.exit('torch' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", program], cwd=ROOT).returncode == 0

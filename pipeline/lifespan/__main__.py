@@ -1,0 +1,49 @@
+"""Runs of strings → how many strokes each has left: lifespan.json, lifespan.png and sentences."""
+
+import argparse
+import json
+from pathlib import Path
+
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.lifespan import figure, record
+from pipeline.lifespan.ask import Answer, model_error, stroke_loss
+from pipeline.lifespan.gather import strings
+from pipeline.lifespan.health import Health
+
+
+def ask(one: Health, loss: float, drift_mm: float) -> list[Answer]:
+    """Both questions to a string's health."""
+    return [stroke_loss(one, loss), model_error(one, drift_mm)]
+
+
+@program
+def main() -> int:
+    """Command line."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.lifespan", description=__doc__)
+    parser.add_argument("run_dir", type=Path, nargs="+")
+    parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")
+    parser.add_argument("--drift-mm", type=float, default=1.0, help="error of the model that is borne, in mm")
+    parser.add_argument("--level", type=float, default=0.9, help="probability that the interval shall hold")
+    parser.add_argument("--out", type=Path, required=True)
+    told = parser.parse_args()
+    for name, value, most in (
+        ("loss", told.loss, 1.0),
+        ("drift-mm", told.drift_mm, float("inf")),
+        ("level", told.level, 1.0),
+    ):
+        if not 0.0 < value < most:
+            raise BadInput(
+                "arguments", f"--{name}", f"is {value:g}", f"give a number above 0{' and below 1' * (most == 1)}"
+            )
+    for one in strings(told.run_dir):
+        answers = ask(one, told.loss, told.drift_mm)
+        content = record.lifespan(one, answers, told.level)
+        write_text(told.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
+        figure.page(one, answers, told.level, told.out / one.string / "lifespan.png")
+        print(record.sentences(one, answers, told.level))
+    return 0
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,60 @@
+"""The two questions to a string's health: when is a share of the stroke lost, when does a model no longer hold?"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.lifespan.health import Health
+from pipeline.lifespan.indicators import REFERENCE
+from pipeline.lifespan.left import Left, strokes_left
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An indicator that grows over strokes n, its limit, in `unit`, and when it passes; arrays of shape (strokes,)."""
+
+    question: str
+    what: str
+    unit: str
+    n: Array
+    values: Array
+    errors: Array
+    limit: float
+    left: Left
+
+
+def stroke_loss(health: Health, loss: float) -> Answer:
+    """When the stroke has lost a share `loss` of what it was over the first strokes."""
+    table = health.strokes
+    n, stroke_mm = table["stroke"].to_numpy(float), table["stroke_mm"].to_numpy()
+    first_mm = float(stroke_mm[:REFERENCE].mean())
+    lost = 1.0 - stroke_mm / first_mm
+    spread = float(np.median(np.abs(np.diff(lost)))) / (0.6745 * np.sqrt(2.0)) if len(lost) > 1 else 0.0
+    left = strokes_left(n, lost, loss, limit_error=spread / np.sqrt(REFERENCE))
+    errors = table["stroke_mm_error"].to_numpy() / first_mm
+    return Answer("stroke_loss", "share of the stroke lost", "1", n, lost, errors, loss, left)
+
+
+def model_error(health: Health, drift_mm: float) -> Answer:
+    """When the model calibrated on the first strokes is off by `drift_mm`; those strokes themselves tell nothing."""
+    table = health.strokes.iloc[REFERENCE:]
+    n, off_mm = table["stroke"].to_numpy(float), table["model_error_mm"].to_numpy()
+    errors = table["model_error_mm_error"].to_numpy()
+    return Answer(
+        "model_error",
+        "model error",
+        "mm",
+        n,
+        off_mm,
+        errors,
+        drift_mm,
+        strokes_left(n, off_mm, drift_mm, before=REFERENCE),
+    )
+
+
+def first(answers: list[Answer]) -> Answer | None:
+    """The question whose limit is passed first, by its median; None where none of them has a claim."""
+    spans = [(one, one.left.span(0.9)) for one in answers]
+    told = [(span.median, span.low, at) for at, (_, span) in enumerate(spans) if span.state != "no claim"]
+    return answers[min(told)[2]] if told else None

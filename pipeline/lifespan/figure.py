@@ -1,0 +1,99 @@
+"""The page of a string's life: each indicator over strokes, its law with a band, the limit and the interval."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+from pipeline.files import whole
+from pipeline.lifespan.ask import Answer
+from pipeline.lifespan.health import Health
+from pipeline.lifespan.left import BAND_LEVELS
+
+SEEN, LAW, LIMIT = "#0072b2", "#d55e00", "0.25"  # Okabe and Ito: told apart by colour-blind readers too
+FARTHEST = 4.0  # times the strokes seen: as far as is drawn
+OTHERS = (
+    ("rest_mm", "rest, drift (mm)"),
+    ("loop_mm", "loop (mm)"),
+    ("stiffness_n_per_mm", "stiffness (N/mm)"),
+)
+
+
+def page(health: Health, answers: list[Answer], level: float, path: Path) -> None:
+    """Draw the page and write it as png, whole or not at all."""
+    others = [(name, label) for name, label in OTHERS if np.isfinite(health.strokes[name]).sum() > 1]
+    style: dict[Any, Any] = {
+        "font.size": 9,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "legend.frameon": False,
+    }
+    with plt.rc_context(style):
+        grid: list[Any] = [["loss"] * 6, ["drift"] * 6, [name for name, _ in others for _ in range(6 // len(others))]]
+        grid = grid if others else grid[:2]
+        figure, panels = plt.subplot_mosaic(
+            grid, figsize=(7.2, 7.6), layout="constrained", height_ratios=[3, 3, 1.8][: len(grid)]
+        )
+        for one, name in zip(answers, ("loss", "drift"), strict=True):
+            question(panels[name], one, level)
+        for name, label in others:
+            axes, table = panels[name], health.strokes
+            axes.errorbar(table["stroke"], table[name], table[f"{name}_error"], fmt=".", ms=3, lw=0.6, color=SEEN)
+            axes.set_xlabel("stroke n")
+            axes.set_ylabel(label)
+        figure.suptitle(f"{health.string}: {len(health.strokes)} strokes seen", fontsize=11)
+        with whole(path) as temporary:
+            figure.savefig(temporary, dpi=130)
+        plt.close(figure)
+
+
+def question(axes: Axes, one: Answer, level: float) -> None:
+    """Indicator, law with its band, limit and interval of one question."""
+    left, span, scale = one.left, one.left.span(level), 100.0 if one.unit == "1" else 1.0
+    axes.errorbar(one.n, scale * one.values, scale * one.errors, fmt=".", ms=3.5, lw=0.6, color=SEEN, label="measured")
+    axes.axhline(scale * one.limit, color=LIMIT, lw=1.0, ls="--", label="limit")
+    axes.set_xlabel("stroke n")
+    axes.set_ylabel(f"{one.what} ({'%' if one.unit == '1' else one.unit})")
+    top = scale * 1.6 * max(one.limit, float(np.nanmax(one.values, initial=0.0)))
+    axes.set_title({"no claim": "no claim: " + left.reason.split(":")[0]}.get(span.state, ""), fontsize=9, loc="left")
+    if left.choice and left.band is not None:
+        seen = float(one.n[-1])
+        end = seen + min(1.25 * max(span.high if np.isfinite(span.high) else np.inf, 0.3 * seen), FARTHEST * seen)
+        past = np.linspace(one.n[0], seen, 200)
+        axes.plot(past, scale * left.choice.curve(past - one.n[0] + 1.0), color=LAW, lw=1.4)
+        n, (low, middle, high) = left.band
+        name = left.choice.best.law.name
+        axes.plot(seen + n, scale * middle, color=LAW, lw=1.4, label=f"median future; law of most weight: {name}")
+        axes.fill_between(
+            seen + n, scale * low, scale * high, color=LAW, alpha=0.18, lw=0,
+            label=f"{BAND_LEVELS[-1] - BAND_LEVELS[0]:.0%} of the futures",
+        )  # fmt: skip
+        axes.set_xlim(one.n[0] - 0.02 * end, end)
+        axes.set_ylim(min(0.0, scale * float(np.nanmin(one.values))) - 0.03 * top, top)
+        interval(axes, one, level, end, scale * one.limit)
+    axes.axvline(one.n[-1], color="0.7", lw=0.8)
+    axes.legend(fontsize=7.5, loc="upper left" if left.band is not None else "center right")
+
+
+def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -> None:
+    """The interval of the stroke that passes the limit, on the limit's line; an arrow where it has no end."""
+    left, seen = one.left.span(level), float(one.n[-1])
+    low, high = seen + left.low, seen + left.high
+    if low > end:
+        words, place = f"{level:.0%} interval begins at stroke {low:.0f} →", (1.0, height)
+        axes.annotate(words, place, xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=8)
+        return
+    bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
+    axes.plot([low, min(high, end)], [height, height], **bar)
+    axes.plot([low], [height], marker="|", ms=11, mew=2.0, color="k", zorder=4)
+    axes.plot(
+        [min(high, end)], [height], marker="|" if high <= end else ">", ms=11 if high <= end else 6, mew=2.0, color="k"
+    )
+    words = f"{left.low:.0f} to {left.high:.0f}" if np.isfinite(left.high) else f"more than {left.low:.0f}"
+    words += f" strokes left ({level:.0%})"
+    axes.annotate(words, (low, height), xytext=(3, -6), textcoords="offset points", va="top", fontsize=8)

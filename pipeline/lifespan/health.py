@@ -1,0 +1,68 @@
+"""Samples and strokes → the indicators of a string's health, stroke by stroke, each with its standard error."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pipeline.errors import BadInput
+from pipeline.ingest import geometry
+from pipeline.lifespan.indicators import REFERENCE, ends_mm, loop, model_errors
+from pipeline.lifespan.readings import Stroke, readings
+from pipeline.lifespan.stiffness import stiffness
+from pipeline.recorded import Recorded, in_order, tare_mm
+from pipeline.run_yaml import STRING_ACTUATORS
+
+SAME_RANGE = 0.05  # of the reference's range by which a stroke's ends may differ from the reference's
+INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_error_mm")
+
+
+@dataclass(frozen=True)
+class Health:
+    """A string's `strokes`, one row each: run, stroke, each of INDICATORS with its `_error`, NaN where not measured.
+
+    `string` is its name, `left_out` the complete strokes that wind over another range than the first ones.
+    """
+
+    string: str
+    runs: list[str]
+    strokes: pd.DataFrame
+    left_out: list[int]
+
+
+def numbered(runs: list[Recorded]) -> list[Stroke]:
+    """Complete strokes of one string's runs, which continue each other's numbers and share its tare."""
+    runs = in_order(runs)
+    offset_mm, done, found = tare_mm(runs[0]), 0, list[Stroke]()
+    for one in runs:
+        assert one.run.string is not None
+        done = max(done, one.run.string.strokes_before)
+        found += readings(one, done, offset_mm)
+        done += int(one.strokes["stroke"].max())
+    return found
+
+
+def health(runs: list[Recorded]) -> Health:
+    """Indicators of one string from all its runs; raises BadInput where these are not of a string."""
+    for one in runs:
+        if one.run.actuator not in STRING_ACTUATORS:
+            mend = f"ask about runs of a {' or a '.join(STRING_ACTUATORS)}"
+            raise BadInput(one.run.run, "actuator", f"is {one.run.actuator}, which has no string to wear out", mend)
+    strokes = numbered(runs)
+    if not strokes:
+        mend = "record whole strokes: a winding and the unwinding after it"
+        raise BadInput(runs[0].run.run, "motor_turns", "there is no complete stroke in it", mend)
+    low, high = (float(np.median(ends)) for ends in zip(*(one.ends for one in strokes[:REFERENCE]), strict=True))
+    near = SAME_RANGE * (high - low)
+    same = [one for one in strokes if abs(one.ends[0] - low) <= near and abs(one.ends[1] - high) <= near]
+    left_out = sorted({one.number for one in strokes} - {one.number for one in same})
+    first = in_order(runs)[0]
+    nominal = np.nan_to_num(
+        geometry(first.run).contraction_mm(np.array([low, high]), float(first.samples["load_n"].median()))
+    )
+    rows = [
+        {"run": one.run, "stroke": one.number, **ends_mm(one, low, high, float(nominal[1] - nominal[0])),
+         **loop(one, low, high), **stiffness(one.moving), **error}
+        for one, error in zip(same, model_errors(same, low, high), strict=True)
+    ]  # fmt: skip
+    return Health(first.run.string_id, [one.run.run for one in in_order(runs)], pd.DataFrame(rows), left_out)

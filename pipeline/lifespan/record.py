@@ -1,0 +1,116 @@
+"""What is said of a string's life: as JSON, with units in the names, and as sentences."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from pipeline.lifespan.ask import Answer, first
+from pipeline.lifespan.choose import Choice
+from pipeline.lifespan.health import INDICATORS, Health
+
+UNFORESEEN = (
+    "An end that has not begun, such as a fibre that breaks or wear that sets in late, cannot be foreseen: the "
+    "interval gives it a chance that is the same for every string."
+)
+STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
+SHOWN_WEIGHT = 0.005
+
+
+def finite(value: float, digits: int = 6) -> float | None:
+    """A number for JSON: rounded, None for NaN and infinity."""
+    return float(f"{value:.{digits}g}") if np.isfinite(value) else None
+
+
+def laws(choice: Choice | None) -> list[dict[str, Any]]:
+    """The laws by falling weight: formula, weight, error of their forecasts of left-out strokes, best parameters."""
+    if choice is None:
+        return []
+    order = np.argsort(-choice.weights)
+    return [
+        {
+            "name": choice.fits[at].law.name,
+            "formula": choice.fits[at].law.formula,
+            "weight": finite(choice.weights[at], 3),
+            "left_out_rms": finite(choice.errors[at], 4),
+            "parameters": {name: finite(value, 5) for name, value in choice.fits[at].parameters().items()},
+        }
+        for at in order
+        if choice.weights[at] > SHOWN_WEIGHT
+    ]
+
+
+def answer(one: Answer, level: float) -> dict[str, Any]:
+    """One question's answer; strokes are counted from the last one seen, None means beyond the horizon."""
+    left, span = one.left, one.left.span(level)
+    spans = {"low": span.low, "median": span.median, "high": span.high}
+    last = float(one.n[-1]) if len(one.n) else np.nan
+    return {
+        "limit": one.limit,
+        "unit": one.unit,
+        "state": span.state,
+        "reason": left.reason,
+        "strokes_left": {name: finite(value) for name, value in spans.items()},
+        "at_stroke": {name: finite(last + value) for name, value in spans.items()},
+        "passed_at_stroke": finite(left.passed_at),
+        "horizon_strokes": finite(left.horizon),
+        "chance_within_horizon": finite(float(np.isfinite(left.when).mean()), 3) if len(left.when) else None,
+        "origins": left.choice.origins if left.choice else 0,
+        "laws": laws(left.choice),
+    }
+
+
+def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, Any]:
+    """Content of lifespan.json."""
+    table = health.strokes
+    columns = ["stroke", *(name + end for name in INDICATORS for end in ("", "_error"))]
+    told = {
+        name: table[name].astype(int).tolist() if name == "stroke" else [finite(v) for v in table[name]]
+        for name in columns
+        if pd.notna(table[name]).any()
+    }
+    earliest = first(answers)
+    return {
+        "string": health.string,
+        "runs": health.runs,
+        "strokes_seen": len(table),
+        "last_stroke": int(table["stroke"].iloc[-1]),
+        "strokes_of_another_range": health.left_out,
+        "level": level,
+        "first": earliest.question if earliest else None,
+        "questions": {one.question: answer(one, level) for one in answers},
+        "limits_of_this": UNFORESEEN,
+        "absent": {} if "stiffness_n_per_mm" in told else {"stiffness_n_per_mm": STIFFNESS_ABSENT},
+        "indicators": told,
+    }
+
+
+def sentence(one: Answer, level: float) -> str:
+    """One question's answer in words."""
+    left, span = one.left, one.left.span(level)
+    limit = f"the model calibrated on the first strokes is off by {one.limit:g} {one.unit}"
+    limit = f"{one.limit:.0%} of the stroke is lost" if one.unit == "1" else limit
+    if span.state == "no claim":
+        return f"until {limit}: no claim: {left.reason}."
+    if span.state == "passed":
+        return f"until {limit}: passed already at stroke {left.passed_at:.0f}."
+    if span.state == "censored" or left.choice is None:
+        return f"until {limit}: not within {left.horizon:.0f} strokes (beyond that nothing is asked: censored)."
+    median = f"{span.median:.0f}" if np.isfinite(span.median) else f"more than {left.horizon:.0f}"
+    ends = f"{level:.0%} interval {span.low:.0f} to {span.high:.0f}"
+    if span.state == "one-sided":
+        ends = f"with {level:.0%} more than {span.low:.0f}, no upper end within {left.horizon:.0f}"
+    law = f"law: {left.choice.best.law.name} (weight {left.choice.weights.max():.0%}, by the strokes left out)"
+    return f"until {limit}: {median} strokes left, {ends}; {law}."
+
+
+def sentences(health: Health, answers: list[Answer], level: float) -> str:
+    """All answers in words, a few lines."""
+    table = health.strokes
+    lines = [f"{health.string}: {len(table)} strokes seen, the last one stroke {int(table['stroke'].iloc[-1])}."]
+    if health.left_out:
+        lines.append(f"  {len(health.left_out)} strokes wind over another range than the first ones and are left out.")
+    lines += [f"  {sentence(one, level)}" for one in answers]
+    if any(len(one.left.when) for one in answers):
+        lines.append(f"  {UNFORESEEN}")
+    return "\n".join(lines)

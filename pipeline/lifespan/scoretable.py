@@ -1,0 +1,74 @@
+"""Scores of forecasts as a table: who claims how much, how often it holds, how wide and how far off it is."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+HEADER = (
+    "| method | asked | no claim | held 90 % (counted) | held 50 % (counted) | missed: too late / too early | "
+    "upper end given | width of 90 % / strokes left | error of median / strokes left |"
+)
+
+
+def share(values: pd.Series) -> str:
+    """Share of those that can be counted, and their number."""
+    counted = values.dropna()
+    return f"{100 * counted.mean():.1f} % ({len(counted)})" if len(counted) else "–"
+
+
+def line(method: str, rows: pd.DataFrame) -> str:
+    """One method's row of the table."""
+    claims = rows[rows["state"] != "no claim"]
+    known = claims[~claims["censored"]]
+    missed = claims[claims["held_90%"] == 0.0]
+    late = int((missed["low"] > missed["left"]).sum())
+    with np.errstate(invalid="ignore"):
+        width = np.median((known["high"] - known["low"]) / known["left"]) if len(known) else np.nan
+        off = np.median(np.abs(known["median"] - known["left"]) / known["left"]) if len(known) else np.nan
+    cells: list[Any] = [
+        method,
+        len(rows),
+        len(rows) - len(claims),
+        share(claims["held_90%"]),
+        share(claims["held_50%"]),
+        f"{late} / {len(missed) - late}",
+        f"{100 * np.isfinite(claims['high']).mean():.0f} %",
+        number(width),
+        number(off),
+    ]
+    return "| " + " | ".join(map(str, cells)) + " |"
+
+
+def number(value: float) -> str:
+    """A ratio, or that half of them have no upper end."""
+    return f"{value:.2f}" if np.isfinite(value) else "none"
+
+
+def table(rows: pd.DataFrame, by: str) -> list[str]:
+    """Lines of a table with a row for every value of a column."""
+    return [HEADER, "|---|" + "---|" * 8, *(line(str(name), part) for name, part in rows.groupby(by, sort=False))]
+
+
+def bounds(rows: pd.DataFrame) -> str:
+    """What the coverage is at least and at most, whatever the censored lives that leave it open would have shown."""
+    claims = rows[rows["state"] != "no claim"]
+    low, high = claims["held_90%"].fillna(0.0).mean(), claims["held_90%"].fillna(1.0).mean()
+    open_ = int(claims["held_90%"].isna().sum())
+    return f"{open_} of {len(claims)} claims are left open by censored lives: the 90 % hold in {low:.1%} to {high:.1%}"
+
+
+def words(rows: pd.DataFrame) -> str:
+    """The whole account in Markdown."""
+    strings = rows["string"].nunique()
+    lines = [f"{strings} strings.", ""]
+    for question, part in rows.groupby("question", sort=False):
+        ours = part[part["method"] == "this forecast"]
+        censored = ours.groupby("string")["censored"].first().sum()
+        lines += [
+            f"## {question}",
+            "",
+            f"{ours['string'].nunique()} strings, {censored} of them censored. {bounds(ours)}.",
+        ]
+        lines += ["", *table(part, "method"), "", *table(ours, "cut"), ""]
+    return "\n".join(lines)

@@ -1,0 +1,113 @@
+import numpy as np
+import pytest
+from made_life import worn
+
+from pipeline.lifespan.left import LEAST_STROKES, Left, first_passed, passages, strokes_left
+
+N = np.arange(1.0, 61.0)
+
+
+def noisy(values, size=1e-3, seed=0):
+    return values + size * np.random.default_rng(seed).standard_normal(len(values))
+
+
+def test_a_straight_life_ends_where_its_line_does():
+    span = strokes_left(N, noisy(0.001 * N), 0.1).span(0.9)
+    assert span.state in ("interval", "one-sided")
+    assert span.low < 40 < span.high and span.median == pytest.approx(40, rel=0.2)
+
+
+def test_levels_nest():
+    left = strokes_left(N, noisy(0.001 * N), 0.1)
+    wide, narrow = left.span(0.9), left.span(0.5)
+    assert wide.low < narrow.low < narrow.median < narrow.high < wide.high
+
+
+def test_few_strokes_give_no_claim():
+    left = strokes_left(N[: LEAST_STROKES - 1], 0.001 * N[: LEAST_STROKES - 1], 0.1)
+    assert left.span(0.9).state == "no claim" and str(LEAST_STROKES) in left.reason
+    few = LEAST_STROKES - 3
+    assert strokes_left(N[:few], noisy(0.001 * N[:few], 1e-4), 0.1, before=3).span(0.9).state != "no claim"
+
+
+def test_noise_gives_no_claim():
+    for seed in range(10):
+        left = strokes_left(N, noisy(0.0 * N, seed=seed), 0.1)
+        assert left.span(0.9).state == "no claim" and "noise" in left.reason
+
+
+def test_a_drift_that_settles_is_censored_at_the_horizon():
+    left = strokes_left(N, noisy(-0.02 * np.expm1(-N / 5.0), 1e-4), 0.5)
+    assert left.horizon == 10 * len(N)
+    assert left.span(0.9).state == "censored" and left.span(0.9).low == left.horizon
+    sure = left.span(0.98)  # which leaves no room for a sudden end
+    assert sure.state == "one-sided" and sure.low < left.horizon and np.isinf(sure.high)
+
+
+def test_a_limit_that_was_passed_is_told_with_its_stroke():
+    left = strokes_left(N, noisy(0.004 * N), 0.1)
+    assert left.span(0.9).state == "passed" and left.passed_at == pytest.approx(25, abs=1)
+
+
+def test_one_wild_stroke_passes_no_limit():
+    values = 0.001 * N
+    values[30] = 1.0
+    assert np.isnan(first_passed(N, values, 0.1))
+
+
+def test_passages_are_where_paths_cross():
+    ahead = np.array([0.0, 1.0, 2.0, 4.0])
+    paths = np.array([[0.0, 1.0, 2.0, 4.0], [0.0, 0.0, 0.0, 0.0], [5.0, 5.0, 5.0, 5.0], [0.0, 3.0, 0.0, 0.0]])
+    assert passages(paths, np.array([3.0, 3.0, 3.0, 1.5]), ahead) == pytest.approx([3.0, np.inf, 0.0, 0.5])
+
+
+def test_the_same_strokes_give_the_same_answer():
+    one, two = (strokes_left(N, noisy(0.001 * N), 0.1) for _ in "ab")
+    assert (one.when == two.when).all()
+
+
+def test_strokes_before_the_recording_do_not_change_the_answer():
+    one, two = (strokes_left(N + before, noisy(0.001 * N), 0.1).span(0.9) for before in (0, 5000))
+    assert one == two
+
+
+def test_no_futures_no_claim():
+    assert Left("why").span(0.9).state == "no claim"
+
+
+@pytest.fixture(scope="module")
+def lives():
+    """Strokes left, true and as foretold, of strings whose wear follows none of the laws."""
+    generator, found = np.random.default_rng(7), []
+    while len(found) < 75:
+        n, loss = worn(generator)
+        past = np.flatnonzero(loss >= 0.1)
+        if not len(past) or past[0] < 40:
+            continue
+        for share in (0.3, 0.6, 0.85):
+            seen = int(share * past[0])
+            if seen >= LEAST_STROKES:
+                values = noisy(loss[:seen], seed=len(found))
+                found.append((float(n[past[0]] - n[seen - 1]), strokes_left(n[:seen], values, 0.1, 5e-4)))
+    return [(true, left) for true, left in found if len(left.when)]
+
+
+def coverage(lives, level, narrowed=1.0):
+    """Share of the lives whose end lies in the interval, its ends pulled towards the median by a factor."""
+    held = []
+    for true, left in lives:
+        span = left.span(level)
+        low = span.median - narrowed * (span.median - span.low) if np.isfinite(span.median) else span.low / narrowed
+        high = span.median + narrowed * (span.high - span.median) if np.isfinite(span.high) else left.horizon
+        held.append(low <= true <= high)
+    return float(np.mean(held))
+
+
+def test_intervals_hold_as_often_as_they_say(lives):
+    assert len(lives) > 50
+    assert coverage(lives, 0.9) >= 0.8
+    assert 0.35 <= coverage(lives, 0.5) <= 0.65
+
+
+def test_half_as_wide_they_would_not(lives):
+    assert coverage(lives, 0.9, 0.5) < 0.8 and coverage(lives, 0.5, 0.5) < 0.35

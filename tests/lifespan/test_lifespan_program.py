@@ -1,0 +1,100 @@
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_life import folder, samples
+
+from pipeline.lifespan.__main__ import main
+from pipeline.lifespan.left import Left
+from pipeline.lifespan.score import held, loses, score
+from pipeline.lifespan.scoretable import words
+
+ROOT = Path(__file__).parents[2]
+
+
+def program(*arguments):
+    command = [sys.executable, "-m", "pipeline.lifespan", *map(str, arguments)]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory):
+    place = tmp_path_factory.mktemp("life")
+    ran = program(folder(place, "a-1", samples(24, 0.002)), "--out", place / "out")
+    return ran, place / "out" / "a-1"
+
+
+def test_the_program_ends_well(done):
+    ran, out = done
+    assert ran.returncode == 0, ran.stderr
+    assert "until 10% of the stroke is lost" in ran.stdout and "cannot be foreseen" in ran.stdout
+    assert (out / "lifespan.png").stat().st_size > 10_000
+
+
+def test_json_says_what_is_documented(done):
+    content = json.loads((done[1] / "lifespan.json").read_text())
+    assert content["string"] == "a-1" and content["strokes_seen"] == 24 and content["level"] == 0.9
+    loss, error = content["questions"]["stroke_loss"], content["questions"]["model_error"]
+    assert loss["state"] in ("interval", "one-sided") and loss["unit"] == "1" and loss["limit"] == 0.1
+    # 0.2 % a stroke against the mean of the first three: the limit is passed at stroke 52
+    assert loss["strokes_left"]["low"] < 28 < (loss["strokes_left"]["high"] or np.inf)
+    assert loss["at_stroke"]["low"] == pytest.approx(24 + loss["strokes_left"]["low"], abs=1e-3)
+    assert sum(law["weight"] for law in loss["laws"]) == pytest.approx(1.0, abs=0.05)
+    assert {"name", "formula", "weight", "left_out_rms", "parameters"} == set(loss["laws"][0])
+    assert error["state"] == "passed" or error["horizon_strokes"] > 0
+    assert "stiffness_n_per_mm" in content["absent"]
+    assert len(content["indicators"]["stroke_mm"]) == len(content["indicators"]["stroke_mm_error"]) == 24
+    docs = (ROOT / "docs" / "lifespan.md").read_text()
+    for key in (*content, *loss):
+        assert f"`{key}`" in docs, key
+
+
+def test_too_few_strokes_are_said_and_no_error(tmp_path):
+    ran = program(folder(tmp_path, "a-1", samples(5, 0.002)), "--out", tmp_path / "out")
+    assert ran.returncode == 0 and "no claim: 5 strokes are too few: 12" in ran.stdout
+    content = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
+    assert content["first"] is None and content["questions"]["stroke_loss"]["strokes_left"]["low"] is None
+
+
+def test_bad_input_is_named(tmp_path, monkeypatch, capsys):
+    run = folder(tmp_path, "a-1", samples(5, 0.002))
+    for arguments in (("--loss", "2"), ("--drift-mm", "0"), ("--level", "1")):
+        monkeypatch.setattr(sys, "argv", ["lifespan", str(run), "--out", str(tmp_path / "out"), *arguments])
+        with pytest.raises(SystemExit) as ended:
+            main()
+        said = capsys.readouterr().err
+        assert ended.value.code == 2 and arguments[0] in said and "Mend" in said
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_life_is_scored_against_its_truth(tmp_path):
+    folder(tmp_path, "a-1", samples(70, 0.002))
+    stroke_mm = 10.0 * (1.0 - 0.002 * np.arange(70))
+    pd.DataFrame({"run": "a-1", "stroke": np.arange(1, 71), "stroke_mm": stroke_mm}).to_parquet(
+        tmp_path / "truth.parquet"
+    )
+    rows = score(tmp_path, 0.1, 5.0)
+    lost = rows[rows["question"] == "stroke_loss"]
+    assert lost["left"].iloc[0] + lost["seen"].iloc[0] == 52 and not lost["censored"].any()
+    assert set(lost["cut"]) == {"25% of the life", "50% of the life", "75% of the life", "15 strokes", "30 strokes"}
+    assert lost.groupby("method").size().nunique() == 1
+    assert "| this forecast |" in words(rows)
+
+
+def test_censored_lives_count_only_where_they_tell():
+    left = Left(when=np.linspace(10.0, 20.0, 1001), horizon=100.0)
+    assert held(left, 0.9, 15.0, False) == 1.0 and held(left, 0.9, 20.0, False) == 0.0
+    assert held(left, 0.9, 20.0, True) == 0.0  # it went on beyond the upper end
+    assert np.isnan(held(left, 0.9, 15.0, True)) and np.isnan(held(left, 0.9, 5.0, True))
+    open_ended = Left(when=np.concatenate([np.linspace(10.0, 20.0, 500), np.full(500, np.inf)]), horizon=100.0)
+    assert held(open_ended, 0.9, 15.0, True) == 1.0 and np.isnan(held(open_ended, 0.9, 5.0, True))
+    assert np.isnan(held(Left("why"), 0.9, 5.0, False))
+
+
+def test_a_life_s_limit_is_against_the_mean_of_the_first_three():
+    truth = pd.DataFrame({"stroke": [1, 2, 3, 4, 5], "stroke_mm": [11.0, 10.0, 8.99, 9.1, 8.9]})
+    assert loses(truth, 0.1) == 3.0 and np.isinf(loses(truth, 0.5))
