@@ -27,7 +27,7 @@ TITLES = [f"{model}={settings['title']}" for model, settings in config["models"]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 PAGES = ["comparison.md", "models.md", "models.csv"]
-STAGES = "record ingest strokes dataset train floor evaluate leak report diagnose proof real said".split()
+STAGES = "record ingest strokes dataset train floor evaluate leak report diagnose proof real said campaign".split()
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
 shell.prefix(

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-import pyarrow as pa
 
 from pipeline import schemas
 from pipeline.campaign.points import SCHEMA
+from pipeline.campaign.tables import COVERAGE
 from pipeline.errors import program
 from pipeline.models.interface import make_model
 from pipeline.models.intervals import Intervals
@@ -17,15 +17,10 @@ from pipeline.models.intervals import Intervals
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
-RESULTS = pa.schema(
-    [pa.field(name, pa.string()) for name in ("string", "material", "map")]
-    + [pa.field("ahead", pa.int32())]
-    + [pa.field(name, pa.float64()) for name in ("level", "held", "width", "points", "outside")]
-)
 
 
 def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed: int) -> pd.DataFrame:
-    """Share of held points, median width and points by map, strokes ahead and level; columns of `RESULTS`."""
+    """Share of held points, median width and points by map, strokes ahead and level; columns of `COVERAGE`."""
     last = int(rows["stroke"].max()) - LEFT_OUT
     known, ahead = rows[rows["stroke"] <= last].reset_index(drop=True), rows[rows["stroke"] > last]
     intervals = Intervals(lambda: make_model(model, **settings))
@@ -41,26 +36,26 @@ def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed:
                 about = (str(rows["string"].iloc[0]), str(rows["material"].iloc[0]), map_, int(stroke) - last, level)
                 share = float(held[inside].mean()) if inside.any() else np.nan
                 results.append((*about, share, width, float(inside.sum()), float((~inside).sum())))
-    return pd.DataFrame(results, columns=RESULTS.names)
+    return pd.DataFrame(results, columns=COVERAGE.names)
 
 
 @program
 def main() -> None:
-    """Write the coverage of one model's intervals on every string of a campaign."""
+    """Write the coverage of one model's intervals on the strings of a campaign."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("points", type=Path)
     parser.add_argument("--model", required=True)
     parser.add_argument("--settings", default="{}", metavar="JSON")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--strings", type=int, help="the first so many of them (all)")
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
     points = schemas.read(asked.points, SCHEMA)
-    parts = [
-        of_string(rows, asked.model, json.loads(asked.settings), asked.seed)
-        for _, rows in points.groupby("string", sort=True)
-    ]
+    by_string = [rows for _, rows in points.groupby("string", sort=True)]
+    settings = json.loads(asked.settings)
+    parts = [of_string(rows, asked.model, settings, asked.seed) for rows in by_string[: asked.strings]]
     table = pd.concat(parts, ignore_index=True)
-    schemas.write(table, RESULTS, asked.out)
+    schemas.write(table, COVERAGE, asked.out)
     weighted = table.assign(held=table["held"] * table["points"]).groupby(["map", "level"])[["held", "points"]].sum()
     print((weighted["held"] / weighted["points"]).to_string(float_format="%.3f"))
 

@@ -8,23 +8,24 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-import pyarrow as pa
 
 from pipeline import schemas
 from pipeline.campaign.adapt import Adaptation
 from pipeline.campaign.points import SCHEMA
-from pipeline.errors import program
+from pipeline.campaign.tables import FEW_SHOT
+from pipeline.errors import BadInput, program
 from pipeline.models.interface import Model, make_model
 
 SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown
 TRAINING_POINTS = 12000
-ALONE = ("calibrated", "spline")  # models that may also learn from the new string's strokes alone
-RESULTS = pa.schema(
-    [pa.field(name, pa.string()) for name in ("model", "string", "material", "how")]
-    + [pa.field("shots", pa.int32())]
-    + [pa.field(name, pa.float64()) for name in ("forward_mm", "inverse_turns")]
-)
+LEAST_STRINGS = {"train": 1, "tune": 2, "test": 1}
+ALONE = ("traditional", "calibrated", "spline")  # models that may also learn from the new string's strokes alone
+PROBED = (
+    "direction", "stroke", "separator_mm", "length_mm", "radius_mm", "torsion_zone_mm", "stiffness_n_per_mm", "load_n",
+    "material",
+)  # fmt: skip
+PROBES = 200  # points on which a model is asked what it reads
 
 
 def errors(model: Any, asked: pd.DataFrame) -> tuple[float, float]:
@@ -38,8 +39,23 @@ def fitted(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int)
     """A model of the strings to learn from, on at most so many points, evenly thinned."""
     train = points[points["strings"] == "train"]
     model = make_model(name, **settings)
-    model.fit(train.iloc[:: max(1, len(train) // TRAINING_POINTS)].reset_index(drop=True), seed)
+    model.fit(train.iloc[:: max(1, -(-len(train) // TRAINING_POINTS))].reset_index(drop=True), seed)
     return model
+
+
+def reads(model: Model, points: pd.DataFrame) -> str:
+    """Names of the columns, besides twist and contraction, that a model's answers depend on, joined by spaces.
+
+    Found by asking: each column in turn gets the values of the points in reverse order, so those of other strings.
+    """
+    some = points.iloc[:: max(1, len(points) // PROBES)].reset_index(drop=True)
+
+    def moved(name: str) -> bool:
+        other = some.assign(**{name: some[name].to_numpy()[::-1]})
+        by = (getattr(model, map_)(other) - getattr(model, map_)(some) for map_ in ("forward", "inverse"))
+        return any(float(np.abs(change).max()) > 1e-6 for change in by)
+
+    return " ".join(name for name in PROBED if moved(name))
 
 
 def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[int, pd.DataFrame]]]:
@@ -50,22 +66,24 @@ def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[i
 
 
 def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int) -> pd.DataFrame:
-    """Errors of a model by string, strokes shown, and how it learnt: "transfer" or "alone"; columns of `RESULTS`."""
+    """Errors of a model by string, strokes shown, and how it learnt: "transfer" or "alone"; columns of `FEW_SHOT`."""
     rows = []
-    learns = name not in ("traditional", "calibrated")
+    learns = name != "calibrated"  # which has numbers of its own for every string, none for all
+    model = fitted(name, settings, points, seed) if learns else make_model(name, **settings)
+    told = reads(model, points[points["strings"] == "test"])
     if learns:
-        adaptation = Adaptation(fitted(name, settings, points, seed), points[points["strings"] == "tune"])
+        adaptation = Adaptation(model, points[points["strings"] == "tune"])
     for asked, shown in asked_and_shown(points):
         about = (str(asked["string"].iloc[0]), str(asked["material"].iloc[0]))
         for shots, few in shown.items():
             if learns:
-                rows.append((name, *about, "transfer", shots, *errors(adaptation.to(few), asked)))
-            if name in ALONE and (shots or not learns):
-                model = make_model(name, **settings)
+                rows.append((name, *about, "transfer", told, shots, *errors(adaptation.to(few), asked)))
+            if name in ALONE and (shots or name != "spline"):
+                alone = make_model(name, **settings)
                 if shots:
-                    model.fit(few, seed)
-                rows.append((name, *about, "alone", shots, *errors(model, asked)))
-    return pd.DataFrame(rows, columns=RESULTS.names)
+                    alone.fit(few, seed)
+                rows.append((name, *about, "alone", told, shots, *errors(alone, asked)))
+    return pd.DataFrame(rows, columns=FEW_SHOT.names)
 
 
 @program
@@ -78,8 +96,13 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
-    table = curves(asked.model, json.loads(asked.settings), schemas.read(asked.points, SCHEMA), asked.seed)
-    schemas.write(table, RESULTS, asked.out)
+    points = schemas.read(asked.points, SCHEMA)
+    strings = points.groupby("strings")["string"].nunique()
+    if any(strings.get(part, 0) < least for part, least in LEAST_STRINGS.items()):
+        problem = "has too few strings to learn from, to tune on or to ask about"
+        raise BadInput(asked.points, "strings", problem, "record at least 20 strings, 4 of each material")
+    table = curves(asked.model, json.loads(asked.settings), points, asked.seed)
+    schemas.write(table, FEW_SHOT, asked.out)
     middle = table.groupby(["how", "shots"])[["forward_mm", "inverse_turns"]].median()
     print(middle.to_string(float_format="%.3f"))
 

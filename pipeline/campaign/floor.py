@@ -1,0 +1,39 @@
+"""The errors that no model of a campaign's new strings can beat: what each string's own smooth curves leave."""
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline import schemas
+from pipeline.campaign.fewshot import asked_and_shown
+from pipeline.campaign.points import SCHEMA
+from pipeline.campaign.tables import FLOOR
+from pipeline.errors import program
+from pipeline.floor import FLOORS, residuals
+
+
+def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:
+    """Rows of `FLOOR`: of each string that models are asked about, what an oracle that sees the answers misses."""
+    for asked, _ in asked_and_shown(points):
+        missed = residuals(asked, FLOORS["floor"])
+        forward_mm, inverse_turns = (float(np.sqrt(np.mean(np.square(errors)))) for errors in missed)
+        yield str(asked["string"].iloc[0]), str(asked["material"].iloc[0]), forward_mm, inverse_turns
+
+
+@program
+def main() -> None:
+    """Write the floor of every string that models are asked about."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("points", type=Path)
+    parser.add_argument("--out", type=Path, required=True)
+    asked = parser.parse_args()
+    table = pd.DataFrame(list(floors(schemas.read(asked.points, SCHEMA))), columns=FLOOR.names)
+    schemas.write(table, FLOOR, asked.out)
+    print(table[["forward_mm", "inverse_turns"]].median().to_string(float_format="%.4f"))
+
+
+if __name__ == "__main__":
+    main()

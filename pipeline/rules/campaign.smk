@@ -1,0 +1,129 @@
+CAMPAIGN = config["campaign"]
+CAMPAIGN_FIGURES = expand("reports/campaign/{figure}.{suffix}", figure=("few_shot", "coverage"), suffix=("png", "pdf"))
+
+
+def title_of(model):
+    return config["models"].get(model, {}).get("title", model)
+
+
+def campaign_settings(wildcards):
+    return json.dumps(CAMPAIGN["models"][wildcards.learner], sort_keys=True)
+
+
+def code_of_learner(wildcards):
+    return fingerprint("pipeline.campaign.fewshot", f"pipeline.models.{wildcards.learner}")
+
+
+wildcard_constraints:
+    learner="[a-z_]+",
+
+
+rule record_campaign:
+    output:
+        directory("processed/campaign/raw"),
+    log:
+        "processed/logs/campaign-record.log",
+    params:
+        strings=CAMPAIGN["strings"],
+        seed=CAMPAIGN["seed"],
+        code=fingerprint("pipeline.rig.campaign.*", "pipeline.rig.effects.*"),
+    message:
+        "record {params.strings} strings on the synthetic rig"
+    shell:
+        "exec python -m pipeline.rig.campaign --strings {params.strings} --seed {params.seed} --out {output} > {log} 2>&1"
+
+
+rule campaign_points:
+    input:
+        "processed/campaign/raw",
+    output:
+        "processed/campaign/points.parquet",
+    log:
+        "processed/logs/campaign-points.log",
+    params:
+        code=fingerprint("pipeline.campaign.points"),
+    message:
+        "gather the points of the campaign's strings"
+    shell:
+        "exec python -m pipeline.campaign.points {input} --out {output} > {log} 2>&1"
+
+
+rule campaign_floor:
+    input:
+        "processed/campaign/points.parquet",
+    output:
+        "processed/campaign/floor.parquet",
+    log:
+        "processed/logs/campaign-floor.log",
+    params:
+        code=fingerprint("pipeline.campaign.floor"),
+    message:
+        "ask what no model of the campaign's strings can beat"
+    shell:
+        "exec python -m pipeline.campaign.floor {input} --out {output} > {log} 2>&1"
+
+
+rule few_shot:
+    input:
+        "processed/campaign/points.parquet",
+    output:
+        "processed/campaign/few_shot/{learner}.parquet",
+    log:
+        "processed/logs/campaign-few_shot-{learner}.log",
+    benchmark:
+        "processed/logs/campaign-few_shot-{learner}.tsv"
+    threads: 1
+    params:
+        settings=campaign_settings,
+        code=code_of_learner,
+    message:
+        "ask {wildcards.learner} about new strings, from few of their strokes"
+    shell:
+        "exec python -m pipeline.campaign.fewshot {input} --model {wildcards.learner}"
+        " --settings {params.settings:q} --out {output} > {log} 2>&1"
+
+
+rule coverage:
+    input:
+        "processed/campaign/points.parquet",
+    output:
+        "processed/campaign/coverage.parquet",
+    log:
+        "processed/logs/campaign-coverage.log",
+    benchmark:
+        "processed/logs/campaign-coverage.tsv"
+    threads: 1
+    params:
+        model=CAMPAIGN["coverage"]["model"],
+        strings=CAMPAIGN["coverage"]["strings"],
+        settings=json.dumps(CAMPAIGN["coverage"]["settings"], sort_keys=True),
+        code=fingerprint("pipeline.campaign.coverage", f"pipeline.models.{CAMPAIGN['coverage']['model']}"),
+    message:
+        "hold the intervals of {params.model} against what came, on {params.strings} strings"
+    shell:
+        "exec python -m pipeline.campaign.coverage {input} --model {params.model} --settings {params.settings:q}"
+        " --strings {params.strings} --out {output} > {log} 2>&1"
+
+
+rule campaign:
+    input:
+        points="processed/campaign/points.parquet",
+        few_shot=expand("processed/campaign/few_shot/{learner}.parquet", learner=CAMPAIGN["models"]),
+        floor="processed/campaign/floor.parquet",
+        coverage="processed/campaign/coverage.parquet",
+    output:
+        figures=CAMPAIGN_FIGURES,
+        tables=expand("reports/campaign/{table}.csv", table=("few_shot", "coverage")),
+        page="reports/campaign/campaign.md",
+    log:
+        "processed/logs/campaign.log",
+    params:
+        titles=[f"{model}={title_of(model)}" for model in CAMPAIGN["models"]],
+        model=title_of(CAMPAIGN["coverage"]["model"]),
+        code=fingerprint("pipeline.report.campaign"),
+    message:
+        "write the page of the campaign"
+    shell:
+        "exec python -m pipeline.report.campaign {input.points} --few-shot {input.few_shot} --floor {input.floor}"
+        " --coverage {input.coverage} --titles {params.titles:q} --intervals-of {params.model:q}"
+        " --out-dir reports/campaign > {log} 2>&1"

@@ -1,0 +1,121 @@
+"""Intervals hold what they say, on made strings with known noise; what they cannot know they flag."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_strings import NOISE_MM, made_string
+
+from pipeline.models.interface import make_model
+from pipeline.models.intervals import AHEAD, Intervals
+
+STRINGS, KNOWN, LEVEL = 48, 7, 0.9
+MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
+
+
+def fitted(points):
+    intervals = Intervals(lambda: make_model("polynomial"))
+    intervals.fit(points[points["stroke"] <= KNOWN].reset_index(drop=True), 0)
+    return intervals
+
+
+@pytest.fixture(scope="module")
+def one():
+    """One string, its intervals fitted without its last two strokes."""
+    points = made_string(0)
+    return points, fitted(points)
+
+
+@pytest.fixture(scope="module")
+def asked():
+    """Every string's points of the strokes to come, with their intervals, of both maps."""
+    rows = []
+    for number in range(STRINGS):
+        points = made_string(number, seed=5)
+        intervals, ahead = fitted(points), points[points["stroke"] > KNOWN]
+        for map_, column in MAPS.items():
+            found = getattr(intervals, map_)(ahead.assign(**{column: np.nan}), LEVEL)
+            rows.append(found.assign(map=map_, truth=ahead[column].to_numpy(), string=number))
+    return pd.concat(rows, ignore_index=True)
+
+
+def held(found, factor=1.0):
+    """Share of the points inside the box within the interval, its half width taken times a factor."""
+    some = found[found["inside"]]
+    half = factor * (some["high"] - some["value"])
+    return float(((some["truth"] - some["value"]).abs() <= half).mean())
+
+
+@pytest.mark.parametrize("map_", MAPS)
+def test_of_strokes_to_come_nine_in_ten_are_held(asked, map_):
+    some = asked[asked["map"] == map_]
+    assert some["inside"].mean() > 0.9
+    assert held(some) == pytest.approx(LEVEL, abs=0.02)
+    assert held(some, 0.8) < LEVEL - 0.02  # so intervals a fifth too narrow would be seen
+    assert held(some, 1.25) > LEVEL + 0.02
+
+
+def test_more_strokes_ahead_and_higher_levels_are_wider():
+    widths = []
+    for number in range(8):
+        points = made_string(number, walk_mm=0.05)
+        intervals = fitted(points)
+        last = points[points["stroke"] == KNOWN].assign(displacement_mm=np.nan)
+        found = [intervals.forward(last.assign(stroke=KNOWN + ahead), LEVEL) for ahead in range(AHEAD + 3)]
+        widths.append([float((one["high"] - one["low"]).median()) for one in found])
+        assert np.isfinite(widths[-1]).all() and (np.diff(widths[-1]) >= 0).all()
+        narrow, wide = (intervals.inverse(points[points["stroke"] == 8], level) for level in (0.5, 0.95))
+        inside = wide["inside"]
+        assert inside.sum() > 50 and (wide["high"] > narrow["high"])[inside].all()
+        assert (wide["low"] < narrow["low"])[inside].all()
+    middle = np.median(widths, axis=0)
+    assert middle[AHEAD] > 1.3 * middle[0]
+    assert middle[-1] > 1.1 * middle[AHEAD]  # on beyond what could be tried
+
+
+def test_among_seen_strokes_the_width_is_that_of_the_noise(one):
+    points, intervals = one
+    found = intervals.forward(points[points["stroke"] == 4], LEVEL)
+    assert float((found["high"] - found["value"]).median()) == pytest.approx(1.645 * NOISE_MM, rel=0.2)
+
+
+@pytest.mark.parametrize(
+    "strange",
+    [{"motor_turns": 30.0}, {"load_n": 25.0}, {"radius_mm": 0.5}, {"stroke": 0}, {"motor_turns": np.nan}],
+    ids=lambda strange: f"{next(iter(strange))} {next(iter(strange.values()))}",
+)
+def test_what_lies_outside_the_box_is_flagged_and_gets_no_interval(one, strange):
+    points, intervals = one
+    asked = points[points["stroke"] == 3].reset_index(drop=True)
+    for name, value in strange.items():
+        asked[name] = asked[name].mask(asked.index < 5, value)
+    found = intervals.forward(asked, LEVEL)
+    assert not found["inside"][:5].any() and found["inside"][5:].all()
+    if not np.isnan(next(iter(strange.values()))):
+        assert np.isneginf(found["low"][:5]).all() and np.isposinf(found["high"][:5]).all()
+    assert np.isfinite(found[5:][["low", "high"]]).all().all()
+
+
+def test_a_contraction_never_reached_and_one_that_is_missing_are_flagged(one):
+    points, intervals = one
+    asked = points[points["stroke"] == 3].assign(motor_turns=np.nan).reset_index(drop=True)
+    asked.loc[:4, "displacement_mm"] = [500.0, -500.0, np.inf, -np.inf, np.nan]
+    found = intervals.inverse(asked, LEVEL)
+    assert not found["inside"][:5].any() and found["inside"][5:].all()
+    assert np.isneginf(found["low"][:2]).all() and np.isposinf(found["high"][:2]).all()
+
+
+def test_the_same_points_give_the_same_intervals(one):
+    points, intervals = one
+    again, ahead = fitted(points), points[points["stroke"] > KNOWN]
+    for map_ in MAPS:
+        pd.testing.assert_frame_equal(getattr(intervals, map_)(ahead, LEVEL), getattr(again, map_)(ahead, LEVEL))
+
+
+def test_of_too_few_strokes_nothing_is_said_about_those_to_come():
+    points = made_string(1)
+    few = points[points["stroke"] <= 3].reset_index(drop=True)
+    intervals = Intervals(lambda: make_model("polynomial"))
+    intervals.fit(few, 0)
+    found = intervals.forward(points[points["stroke"] == 4], LEVEL)
+    assert np.isposinf(found["high"]).all() and np.isneginf(found["low"]).all()
+    assert np.isfinite(intervals.forward(few, LEVEL)[["low", "high"]]).all().all()
