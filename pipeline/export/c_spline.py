@@ -7,6 +7,7 @@ from pipeline.export.c_curve import CURVE, PREPARED, QUERIES
 from pipeline.export.c_physics import physics, standardised, zone
 from pipeline.export.c_text import Body, function, real
 from pipeline.export.source import Source
+from pipeline.models.spline import MOST
 
 LAWS = {
     "logarithm": "tsa_log({parameter} + n)",
@@ -62,7 +63,7 @@ static inline void tsa_knots(const tsa_state *at, tsa_tables *tables)
     }
     tables->value[0] = TSA_FIRST_U + linear[0] / tables->zone_mm;
     for (k = 0; k < 2 * TSA_BINS + 2; ++k) {
-        linear[k] = linear[k] < -21 ? -21 : linear[k] > 21 ? 21 : linear[k];
+        linear[k] = linear[k] < -%(most)s ? -%(most)s : linear[k] > %(most)s ? %(most)s : linear[k];
     }
     for (k = 0; k < 2 * TSA_BINS + 2; ++k) {
         linear[k] = tsa_gain(linear[k]);
@@ -121,6 +122,7 @@ def body(source: Source) -> Body:
     )
     made.code += KNOTS_OF_STATE % {
         "zone": zone(inputs),
+        "most": real(MOST),
         "double_terms": _terms(14, 8, "        "),
         "terms": _terms(8, 0, "    "),
     }

@@ -7,6 +7,7 @@ from pipeline.export.graph import Graph
 from pipeline.export.onnx_query import Query
 from pipeline.export.source import Source
 from pipeline.models.growth import Law
+from pipeline.models.spline import MOST
 
 
 def analytic(query: Query, source: Source) -> str:
@@ -52,8 +53,9 @@ def spline(query: Query, source: Source) -> str:
     bins, at = model.settings.bins, model.knots_at
     linear = g.add("MatMul", _features(query, source), model.weights.T)
     start = g.add("Add", g.add("Div", g.columns(linear, [0]), zone), float(at[0]))
-    rises = g.add("Mul", g.add("Exp", g.columns(linear, range(1, bins + 1))), np.diff(at)[None])
-    slopes = g.add("Exp", g.columns(linear, range(bins + 1, 2 * bins + 2)))
+    gains = g.add("Exp", g.clipped(g.columns(linear, range(1, 2 * bins + 2)), -MOST, MOST))
+    rises = g.add("Mul", g.columns(gains, range(bins)), np.diff(at)[None])
+    slopes = g.columns(gains, range(bins, 2 * bins + 1))
     gained = g.beside(query.wide(g.constant([[0.0]])), g.add("CumSum", rises, g.whole(1)))
     values = g.add("Add", gained, start)
     forward = query.given == "motor_turns"

@@ -26,6 +26,7 @@ from pipeline.models.marquardt import least_squares
 SHORTEST = 1e-9  # of what the knots span: one twist only is still a spline
 CHOICE_POINTS, CHOICE_STEPS = 3000, 3  # with which the law of n is chosen
 NOISE_MM = 0.03  # a displacement sensor's, about: what the pull towards no change at all is weighed against
+MOST = 3.0  # of the size of a logarithm: no piece is flatter than a twentieth of the physics, nor 20 times as steep
 LOOSE, TIGHT = 1.0, 0.2  # spread expected of the logarithms of rises and slopes, and of their change by a condition
 
 
@@ -107,6 +108,7 @@ class Spline:
     def _knots(self, points: pd.DataFrame, law: Law, weights: Array) -> rational.Knots:
         """Every point's own knots."""
         bins, linear = self.settings.bins, self._features(points, law) @ weights.T
+        linear[:, 1:] = np.clip(linear[:, 1:], -MOST, MOST)
         rise = np.diff(self.knots_at) * np.exp(linear[:, 1 : bins + 1])
         start = self.knots_at[0] + linear[:, 0] / _zone_mm(points)
         return rational.Knots(self.knots_at, start, rise, np.exp(linear[:, bins + 1 :]))
@@ -124,7 +126,9 @@ class Spline:
         def problem(flat: Array) -> tuple[Array, Array]:
             knots, predicted_mm = self._spline(points, law, flat.reshape(start.shape))
             rises, slopes = rational.by_logarithms(knots, u)
-            by_linear = np.column_stack([np.ones(len(points)), rises * zone_mm[:, None], slopes * zone_mm[:, None]])
+            free = np.abs(features @ flat.reshape(start.shape)[1:].T) < MOST
+            by_logarithm = np.column_stack([rises, slopes]) * zone_mm[:, None] * free
+            by_linear = np.column_stack([np.ones(len(points)), by_logarithm])
             jacobian = by_linear[:, :, None] * features[:, None, :]
             return predicted_mm - measured_mm, jacobian.reshape(len(points), -1)
 
