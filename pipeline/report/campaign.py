@@ -27,7 +27,8 @@ from what they say is learnt on others (a string's own correction: an offset, a 
 likely as they are among those strings); the rest is new to both. Of each new string the first strokes are shown, 0 to
 5, and the strokes after the fifth are asked about, whatever was shown. Errors are RMSE over those strokes; given are
 the median over the new strings and, in brackets, the lower and upper quartiles. "Alone": learnt from the strokes shown
-and nothing else. Every model is fitted once, with one seed: how far another seed would move it is not measured here.
+and nothing else. The traditional model without that word is the nominal equations with a string's correction on top.
+Every model is fitted once, with one seed: how far another seed would move it is not measured here.
 """
 
 
