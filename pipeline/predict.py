@@ -15,13 +15,16 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.models.box import COLUMNS
-from pipeline.models.intervals import GIVEN, Intervals
+from pipeline.models.conditions import Conditions
+from pipeline.models.intervals import GIVEN, Intervals, TooFew
+from pipeline.tables import opened
 from pipeline.train import configured
 
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = (1, -1)
 MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
+WITH_MEMORY = ("diagnosed",)  # models whose answer depends on the whole motion before, which a question does not tell
 
 
 def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str]:
@@ -44,10 +47,16 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
             points[name] = told[name].to_numpy()
         elif name == GIVEN[known[0]]:
             points[name] = np.nan
-        elif name in (*COLUMNS, "actuator") and dataset[name].nunique(dropna=False) > 1:
+        elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
+            points[name] = dataset[name].median()  # what little it varies is its cell's noise
+        elif name in (*COLUMNS, "actuator", "string") and dataset[name].nunique(dropna=False) > 1:
             raise BadInput(path, name, "is missing, and varies in the recordings", "add the column")
         else:
             points[name] = dataset[name].iloc[0]
+    strokes = points["stroke"].to_numpy(float)
+    if not (np.isfinite(strokes).all() and (strokes == np.floor(strokes)).all() and strokes.min() >= 1.0):
+        raise BadInput(path, "stroke", "is no whole number from 1 somewhere", "the first stroke of a new string is 1")
+    points["stroke"] = strokes.astype(np.int64)
     if not points["direction"].isin(WAYS).all():
         raise BadInput(path, "direction", "is neither 1 nor -1 somewhere", "1 is winding, -1 unwinding")
     return points, known[0]
@@ -75,11 +84,17 @@ def main() -> None:
     asked = parser.parse_args()
     if not 0.0 < asked.level < 1.0:
         raise BadInput("--level", str(asked.level), "is no probability", "give a number between 0 and 1")
+    if asked.model in WITH_MEMORY:
+        problem = "answers along a whole motion, which single questions do not tell"
+        raise BadInput("--model", asked.model, problem, "choose another, such as spline")
     configured(asked.model, asked.settings)  # complains before anything is fitted
-    dataset = schemas.read(asked.dataset, schemas.DATASET)
+    dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     points, known = read_questions(asked.questions, dataset)
     intervals = Intervals(lambda: configured(asked.model, asked.settings))
-    intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), asked.seed)
+    try:
+        intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), asked.seed)
+    except TooFew as error:
+        raise BadInput(asked.dataset, "points", str(error), "record more strokes, or more samples a stroke") from None
     table = answers(intervals, points, known, asked.level)
     write_text(asked.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())

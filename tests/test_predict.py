@@ -64,6 +64,9 @@ def test_a_later_stroke_is_less_certain_and_a_higher_level_wider(dataset: Path) 
         ("direction,motor_turns\n1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n1,0,3\n", "direction"),
         ("stroke,direction,motor_turns\n1,1,many\n", "motor_turns"),
+        ("stroke,direction,motor_turns\n2.5,1,3\n", "stroke"),
+        ("stroke,direction,motor_turns\n,1,3\n2,1,3\n", "stroke"),
+        ("stroke,direction,motor_turns\n0,1,3\n", "stroke"),
     ],
 )
 def test_a_question_that_lacks_something_is_refused_by_name(dataset: Path, text: str, field: str) -> None:
@@ -88,3 +91,37 @@ def test_a_bad_level_and_a_missing_file_end_with_2(dataset: Path) -> None:
     command = [sys.executable, "-m", "pipeline.predict", dataset, "nowhere.csv", "--out", dataset.with_name("x.csv")]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 2 and "nowhere.csv" in done.stderr and not dataset.with_name("x.csv").exists()
+
+
+def test_a_load_that_varies_as_a_load_cell_is_noisy_need_not_be_told(dataset: Path) -> None:
+    questions = dataset.with_name("noisy.csv")
+    questions.write_text("stroke,direction,motor_turns\n2.0,1,3\n")
+    noisy = pd.read_parquet(dataset)
+    noisy["load_n"] += np.random.default_rng(0).normal(0.0, 0.1, len(noisy))
+    points, _ = read_questions(questions, noisy)
+    assert points["load_n"].item() == pytest.approx(20.0, abs=0.02) and points["stroke"].item() == 2
+
+
+def test_of_several_strings_the_one_asked_about_must_be_told(dataset: Path) -> None:
+    questions = dataset.with_name("which.csv")
+    questions.write_text("stroke,direction,motor_turns\n1,1,3\n")
+    one = pd.read_parquet(dataset)
+    with pytest.raises(BadInput, match="string"):
+        read_questions(questions, pd.concat([one, one.assign(string="made-02")], ignore_index=True))
+
+
+def test_a_model_with_a_memory_a_table_that_is_none_and_one_block_end_with_2(dataset: Path) -> None:
+    text = "stroke,direction,motor_turns\n1,1,3\n"
+    done = ask(dataset, text, "--model", "diagnosed")
+    assert done.returncode == 2 and "whole motion" in done.stderr
+    one = pd.read_parquet(dataset)
+    wrong = {"none.parquet": None, "empty.parquet": one[:0], "block.parquet": one[one["stroke"] == 1].assign(block=3)}
+    for name, rows in wrong.items():
+        path = dataset.parent / name / "dataset.parquet"
+        path.parent.mkdir()
+        if rows is None:
+            path.write_text("no table")
+        else:
+            schemas.write(rows.astype({"block": "int32"}), schemas.DATASET, path)
+        done = ask(path, text, "--model", "polynomial")
+        assert done.returncode == 2 and str(path) in done.stderr and "Mend" in done.stderr, done.stderr

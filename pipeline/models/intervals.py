@@ -6,7 +6,8 @@ depends on twist and direction, and the quantiles of these scores are the interv
 get the scores of blocks held out inside strokes; strokes ahead those of as many strokes ahead, and beyond the farthest
 that could be tried the quantile goes on growing as it grew. The model that is asked knows more than those that were
 tried: what their errors have above the noise is taken to fall with the points, and ahead with the square of the
-strokes. A point outside the model's box gets no interval: low and high are infinite and it is flagged.
+strokes. A point outside the model's box, or of a string that was not seen, gets no interval: low and high are infinite
+and it is flagged. Strokes are counted for each string by itself.
 """
 
 from collections.abc import Callable
@@ -54,6 +55,10 @@ class Scatter:
         return self.size[np.searchsorted(self.edges_turns, turns), np.where(direction > 0, 0, 1)]
 
 
+class TooFew(ValueError):
+    """Points from which it cannot be learnt how a model errs."""
+
+
 class Intervals:
     """A fitted model with what its errors are like; `make` returns an unfitted model of its kind."""
 
@@ -61,13 +66,18 @@ class Intervals:
         self.make = make
 
     def fit(self, points: pd.DataFrame, seed: int) -> None:
-        """Fit the model on all points, and on parts of them to see how it errs on the rest."""
+        """Fit the model on all points, and on parts of them to see how it errs on the rest.
+
+        Raises TooFew where the points are all of one block.
+        """
+        parts = _parts(points)
+        if not parts:
+            raise TooFew("are all of one block, so nothing can be foreseen from the rest")
         self.model, self.box = self.make(), Box.of(points)
         self.model.fit(points, seed)
-        self.strokes = int(points["stroke"].max())
-        foreseen = [self._foreseen(known, rest, seed) for known, rest in _parts(points)]
-        errors = pd.concat(foreseen, ignore_index=True)
-        count = points["stroke"].nunique()
+        self.strokes = _last_strokes(points)
+        errors = pd.concat([self._foreseen(known, rest, seed) for known, rest in parts], ignore_index=True)
+        count = int(points.groupby("string")["stroke"].nunique().max())
         self.scatter: dict[str, Scatter] = {}
         self.scores: dict[str, dict[int, Array]] = {}
         for wanted in GIVEN:
@@ -110,11 +120,13 @@ class Intervals:
         value = getattr(self.model, MAPS[wanted])(points)
         at = points["motor_turns"].to_numpy(float) if wanted == "displacement_mm" else value
         size = self.scatter[wanted].at(at, points["direction"].to_numpy())
-        ahead = np.maximum(points["stroke"].to_numpy() - self.strokes, 0)
-        half = size * np.array([self.quantile(wanted, int(n), level) for n in range(int(ahead.max()) + 1)])[ahead]
+        last = _seen(points, self.strokes)
+        ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
+        half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
         wrong = {name: rows for name, rows in self.box.outside(points, GIVEN[wanted]).items() if name != "stroke"}
         inside = ~np.any(list(wrong.values()), axis=0) if wrong else np.ones(len(points), bool)
         inside &= points["stroke"].to_numpy() >= self.box.low["stroke"]
+        inside &= last.notna().to_numpy()
         half = np.where(inside, half, np.inf)
         return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
 
@@ -132,20 +144,32 @@ class Intervals:
                 "motor_turns_at": turns,
                 **{f"{wanted}_fitted": float(np.mean(error**2)) for wanted, error in fitted.items()},
                 "direction": rest["direction"],
-                "ahead": np.maximum(rest["stroke"] - known["stroke"].max(), 0),
+                "ahead": np.maximum(rest["stroke"] - _seen(rest, _last_strokes(known)), 0).fillna(0).astype(int),
             }
         )
 
 
+def _last_strokes(points: pd.DataFrame) -> dict[str, int]:
+    """The last stroke of each string."""
+    return {str(string): int(last) for string, last in points.groupby("string")["stroke"].max().items()}
+
+
+def _seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
+    """The last stroke seen of each point's string, NaN where none was."""
+    return points["string"].astype(str).map(strokes).astype(float)
+
+
 def _parts(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
-    """What is known and what is foreseen from it: blocks held out in turn, then the last strokes, then fewer."""
+    """What is known, what is foreseen from it: blocks held out in turn, then each string's last strokes from ever fewer."""
     fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
     parts = [(points[fold != one], points[fold == one]) for one in sorted(set(fold))] if len(set(fold)) > 1 else []
-    strokes = np.sort(points["stroke"].unique())
+    strokes = points.groupby("string")["stroke"]
+    count = strokes.transform("nunique")
+    before_last = count - strokes.rank("dense")
     for ahead in range(1, AHEAD + 1):
-        if len(strokes) - ahead >= LEAST_STROKES:
-            origin = strokes[-ahead - 1]
-            parts.append((points[points["stroke"] <= origin], points[points["stroke"] == strokes[-1]]))
+        enough = count - ahead >= LEAST_STROKES
+        if enough.any():
+            parts.append((points[~enough | (before_last >= ahead)], points[enough & (before_last == 0)]))
     return parts
 
 

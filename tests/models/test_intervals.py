@@ -6,7 +6,7 @@ import pytest
 from made_strings import NOISE_MM, made_string
 
 from pipeline.models.interface import make_model
-from pipeline.models.intervals import AHEAD, Intervals
+from pipeline.models.intervals import AHEAD, Intervals, TooFew, _parts
 
 STRINGS, KNOWN, LEVEL = 48, 7, 0.9
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
@@ -119,3 +119,37 @@ def test_of_too_few_strokes_nothing_is_said_about_those_to_come():
     found = intervals.forward(points[points["stroke"] == 4], LEVEL)
     assert np.isposinf(found["high"]).all() and np.isneginf(found["low"]).all()
     assert np.isfinite(intervals.forward(few, LEVEL)[["low", "high"]]).all().all()
+
+
+def test_strokes_are_counted_for_each_string_and_an_unseen_string_gets_no_interval():
+    long, short = made_string(2, walk_mm=0.05), made_string(3, walk_mm=0.05)
+    points = pd.concat([long[long["stroke"] <= 8], short[short["stroke"] <= 5]], ignore_index=True)
+    intervals = Intervals(lambda: make_model("polynomial"))
+    intervals.fit(points, 0)
+    asked = long[long["stroke"] == 8].assign(displacement_mm=np.nan)
+    seen, ahead, unseen = (
+        intervals.forward(asked.assign(string=string), LEVEL) for string in ("made-002", "made-003", "other")
+    )
+    half = [float((found["high"] - found["value"]).median()) for found in (seen, ahead)]
+    assert half[1] == pytest.approx(
+        half[0] * intervals.quantile("displacement_mm", 3, LEVEL) / intervals.quantile("displacement_mm", 0, LEVEL)
+    )
+    assert half[1] > half[0] and not unseen["inside"].any() and np.isposinf(unseen["high"]).all()
+
+
+def test_each_strings_own_last_strokes_are_foreseen():
+    points = pd.concat([made_string(2), made_string(3, strokes=5), made_string(4, strokes=3)], ignore_index=True)
+    ahead = _parts(points)[-AHEAD:]
+    for number, (known, rest) in enumerate(ahead, start=1):
+        assert set(rest["string"]) == ({"made-002", "made-003"} if number == 1 else {"made-002"})
+        for string, rows in rest.groupby("string"):
+            last = points.loc[points["string"] == string, "stroke"].max()
+            assert (rows["stroke"] == last).all()
+            assert known.loc[known["string"] == string, "stroke"].max() == last - number
+        assert (known["string"] == "made-004").sum() == (points["string"] == "made-004").sum()
+
+
+def test_points_of_one_block_are_refused():
+    points = made_string(1)
+    with pytest.raises(TooFew):
+        Intervals(lambda: make_model("polynomial")).fit(points[points["stroke"] == 2].assign(block=1), 0)

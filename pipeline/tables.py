@@ -1,0 +1,21 @@
+"""Tables that a person names on a command line: read, or refused in one line that says what to do."""
+
+from pathlib import Path
+
+import pandas as pd
+import pyarrow as pa
+
+from pipeline import schemas
+from pipeline.errors import BadInput
+
+
+def opened(path: Path, schema: pa.Schema, mend: str) -> pd.DataFrame:
+    """A Parquet table under its schema; raises BadInput where the file is none, is another, or has no rows."""
+    try:
+        table = schemas.read(path, schema)
+    except (OSError, pa.ArrowException) as error:
+        reason = "is missing" if not path.exists() else f"is no Parquet table ({str(error).splitlines()[0]})"
+        raise BadInput(path, "file", reason, mend) from None
+    if table.empty:
+        raise BadInput(path, "file", "has no rows", mend)
+    return table
