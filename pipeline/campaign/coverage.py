@@ -10,9 +10,11 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import COVERAGE
-from pipeline.errors import program
+from pipeline.errors import BadInput, program
 from pipeline.models.interface import make_model
-from pipeline.models.intervals import Intervals
+from pipeline.models.intervals import Intervals, TooFew
+from pipeline.tables import opened
+from pipeline.train import configured
 
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)
@@ -20,19 +22,27 @@ MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
 
 
 def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed: int) -> pd.DataFrame:
-    """Share of held points, median width and points by map, strokes ahead and level; columns of `COVERAGE`."""
+    """Share of held points, median width and points by map, strokes ahead and level; columns of `COVERAGE`.
+
+    Raises BadInput for a string of which too little is left to fit.
+    """
     last = int(rows["stroke"].max()) - LEFT_OUT
     known, ahead = rows[rows["stroke"] <= last].reset_index(drop=True), rows[rows["stroke"] > last]
     intervals = Intervals(lambda: make_model(model, **settings))
-    intervals.fit(known, seed)
+    try:
+        intervals.fit(known, seed)
+    except TooFew as error:
+        problem = f"its points but for the last {LEFT_OUT} strokes {error}"
+        raise BadInput("string", str(rows["string"].iloc[0]), problem, "record more of it, or leave it out") from None
     results = []
     for map_, column in MAPS.items():
         for stroke, asked in ahead.groupby("stroke", sort=True):
             for level in LEVELS:
                 found = getattr(intervals, map_)(asked.assign(**{column: np.nan}), level)
-                truth, inside = asked[column].to_numpy(), found["inside"].to_numpy()
+                truth, wide = asked[column].to_numpy(), (found["high"] - found["low"]).to_numpy()
+                inside = found["inside"].to_numpy() & np.isfinite(wide)  # what has no end holds anything
                 held = (found["low"].to_numpy() <= truth) & (truth <= found["high"].to_numpy())
-                width = float(np.median((found["high"] - found["low"])[inside])) if inside.any() else np.nan
+                width = float(np.median(wide[inside])) if inside.any() else np.nan
                 about = (str(rows["string"].iloc[0]), str(rows["material"].iloc[0]), map_, int(stroke) - last, level)
                 share = float(held[inside].mean()) if inside.any() else np.nan
                 results.append((*about, share, width, float(inside.sum()), float((~inside).sum())))
@@ -50,7 +60,8 @@ def main() -> None:
     parser.add_argument("--strings", type=int, help="the first so many of them (all)")
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
-    points = schemas.read(asked.points, SCHEMA)
+    configured(asked.model, asked.settings)  # complains before anything is fitted
+    points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
     by_string = [rows for _, rows in points.groupby("string", sort=True)]
     settings = json.loads(asked.settings)
     parts = [of_string(rows, asked.model, settings, asked.seed) for rows in by_string[: asked.strings]]

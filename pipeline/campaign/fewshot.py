@@ -15,6 +15,8 @@ from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import FEW_SHOT
 from pipeline.errors import BadInput, program
 from pipeline.models.interface import Model, make_model
+from pipeline.tables import opened
+from pipeline.train import configured
 
 SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown
@@ -59,10 +61,17 @@ def reads(model: Model, points: pd.DataFrame) -> str:
 
 
 def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[int, pd.DataFrame]]]:
-    """Of each string to ask about: the points asked, and by number of strokes the points shown."""
-    for _, rows in points[points["strings"] == "test"].groupby("string", sort=True):
-        shown = {shots: rows[rows["stroke"] <= shots].reset_index(drop=True) for shots in SHOTS}
-        yield rows[rows["stroke"] > ASKED_AFTER].reset_index(drop=True), shown
+    """Of each string to ask about: the points asked, and by number of strokes the points shown.
+
+    Strokes are counted from the first recorded one. Raises BadInput for a string with none left to ask about.
+    """
+    for string, rows in points[points["strings"] == "test"].groupby("string", sort=True):
+        count = rows["stroke"].rank(method="dense")
+        asked = rows[count > ASKED_AFTER].reset_index(drop=True)
+        if asked.empty:
+            problem = f"has {int(count.max())} strokes, and {ASKED_AFTER} are shown before any is asked about"
+            raise BadInput("string", str(string), problem, "record more of it, or leave it out of the campaign")
+        yield asked, {shots: rows[count <= shots].reset_index(drop=True) for shots in SHOTS}
 
 
 def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int) -> pd.DataFrame:
@@ -96,7 +105,8 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
-    points = schemas.read(asked.points, SCHEMA)
+    configured(asked.model, asked.settings)  # complains before anything is fitted
+    points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
     strings = points.groupby("strings")["string"].nunique()
     if any(strings.get(part, 0) < least for part, least in LEAST_STRINGS.items()):
         problem = "has too few strings to learn from, to tune on or to ask about"

@@ -13,6 +13,7 @@ from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import FLOOR
 from pipeline.errors import program
 from pipeline.floor import FLOORS, residuals
+from pipeline.tables import opened
 
 
 def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:
@@ -30,7 +31,8 @@ def main() -> None:
     parser.add_argument("points", type=Path)
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
-    table = pd.DataFrame(list(floors(schemas.read(asked.points, SCHEMA))), columns=FLOOR.names)
+    points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    table = pd.DataFrame(list(floors(points)), columns=FLOOR.names)
     schemas.write(table, FLOOR, asked.out)
     print(table[["forward_mm", "inverse_turns"]].median().to_string(float_format="%.4f"))
 

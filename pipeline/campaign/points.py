@@ -5,6 +5,7 @@ the first, what an adaptation to a new string may expect is learnt on the second
 """
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,12 +13,10 @@ import pandas as pd
 import pyarrow as pa
 
 from pipeline import schemas
-from pipeline.dataset import points_of
+from pipeline.dataset import make_dataset
 from pipeline.errors import BadInput, program
-from pipeline.ingest import read_samples
-from pipeline.recorded import Recorded, tare_mm
-from pipeline.runs import find_runs
-from pipeline.strokes import segment
+from pipeline.recorded_run import read
+from pipeline.runs import find_runs, read_run
 
 SCHEMA = pa.unify_schemas(
     [schemas.DATASET, pa.schema([pa.field(n, pa.string(), nullable=False) for n in ("material", "strings")])]
@@ -26,18 +25,22 @@ PARTS = ("train", "train", "tune", "test", "test")  # of every five strings of a
 MOST_POINTS = 40  # of one winding or unwinding; more tell no more about a string
 
 
-def string_points(folder: Path) -> pd.DataFrame:
-    """Moving points of one run, tared, evenly thinned, with its material; raises BadInput as reading does."""
-    run, samples = read_samples(folder)
-    if run.string is None:
-        raise BadInput(folder / "run.yaml", "string", "is missing", "a campaign is of strings")
-    recorded = Recorded(run, "", samples, segment(samples, samples.columns[1], folder))
-    points = points_of(recorded, run.string.strokes_before, tare_mm(recorded))
+def string_points(folders: Sequence[Path]) -> pd.DataFrame:
+    """Moving points of one string's runs, tared, evenly thinned, with its material; raises BadInput as reading does.
+
+    The runs continue each other's stroke numbers and share the string's tare.
+    """
+    recorded = [read(folder) for folder in folders]
+    points = make_dataset(recorded)
     passage = points.groupby(["stroke", "phase"])
     place, count = passage.cumcount(), passage["stroke"].transform("size")
     step = np.maximum(count / MOST_POINTS, 1.0)
     kept = points[np.floor(place / step) != np.floor((place - 1) / step)]
-    return kept.assign(material=run.string.material)
+    materials = sorted({one.run.string.material for one in recorded if one.run.string is not None})
+    if len(materials) > 1:
+        problem = f"is of {' and of '.join(materials)}"
+        raise BadInput(folders[0] / "run.yaml", "string", problem, "correct its runs, or give one another string.id")
+    return kept.assign(material=materials[0])
 
 
 def labelled(points: pd.DataFrame) -> pd.DataFrame:
@@ -53,7 +56,13 @@ def campaign_points(folder: Path) -> pd.DataFrame:
     folders = list(find_runs(folder))
     if not folders:
         raise BadInput(folder, "runs", "there is none", "make some: python -m pipeline.rig.campaign")
-    points = pd.concat([string_points(one) for one in folders], ignore_index=True)
+    strings: dict[str, list[Path]] = {}
+    for one in folders:
+        run = read_run(one)
+        if run.string is None:
+            raise BadInput(one / "run.yaml", "string", "is missing", "a campaign is of strings")
+        strings.setdefault(run.string_id, []).append(one)
+    points = pd.concat([string_points(runs) for runs in strings.values()], ignore_index=True)
     return labelled(points)[SCHEMA.names]
 
 

@@ -17,5 +17,5 @@ FEW_SHOT = _schema(("model", "string", "material", "how", "reads"), ("shots",), 
 # One row for each string asked about: what an oracle that sees the answers misses.
 FLOOR = _schema(("string", "material"), (), ("forward_mm", "inverse_turns"))
 # One row for each string, map, stroke ahead and level: share of the points inside the model's box that were held,
-# median width of their intervals (mm or turns), how many they are, and how many more were flagged as outside the box.
+# median width of their intervals (mm or turns), how many they are, and how many more got no interval.
 COVERAGE = _schema(("string", "material", "map"), ("ahead",), ("level", "held", "width", "points", "outside"))

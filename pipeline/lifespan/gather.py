@@ -2,18 +2,9 @@
 
 from pathlib import Path
 
-from pipeline.ingest import read_samples
 from pipeline.lifespan.health import Health, health
 from pipeline.recorded import Recorded
-from pipeline.runs import capture_info, recording_path
-from pipeline.strokes import segment
-
-
-def read(folder: Path) -> Recorded:
-    """A run with its samples and strokes; raises BadInput."""
-    run, samples = read_samples(folder)
-    started = str(capture_info(folder).get("started_utc", ""))
-    return Recorded(run, started, samples, segment(samples, run.system.driver, recording_path(folder)))
+from pipeline.recorded_run import read
 
 
 def strings(folders: list[Path]) -> list[Health]:

@@ -12,13 +12,13 @@ import pandas as pd
 from pipeline.errors import BadInput, program
 from pipeline.files import whole, write_text
 from pipeline.lifespan.ask import Answer, model_error, stroke_loss
-from pipeline.lifespan.gather import read
 from pipeline.lifespan.health import Health, health
 from pipeline.lifespan.indicators import REFERENCE
 from pipeline.lifespan.left import LEAST_STROKES, Left, first_passed
 from pipeline.lifespan.peers import PEERS, peer
 from pipeline.lifespan.scorefigure import page
 from pipeline.lifespan.scoretable import words
+from pipeline.recorded_run import read
 
 SHARES = (0.25, 0.5, 0.75)  # of the strokes to the limit
 NUMBERS = (15, 30, 60)  # strokes

@@ -160,7 +160,7 @@ def _seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
 
 
 def _parts(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
-    """What is known, what is foreseen from it: blocks held out in turn, then each string's last strokes from ever fewer."""
+    """What is known and what is foreseen: blocks held out in turn, then each string's last strokes from ever fewer."""
     fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
     parts = [(points[fold != one], points[fold == one]) for one in sorted(set(fold))] if len(set(fold)) > 1 else []
     strokes = points.groupby("string")["stroke"]

@@ -5,13 +5,14 @@ import pandas as pd
 import pytest
 
 from pipeline import schemas
-from pipeline.campaign import fewshot
+from pipeline.campaign import coverage, fewshot, floor
 from pipeline.campaign.adapt import Adaptation
 from pipeline.campaign.coverage import LEFT_OUT, LEVELS, of_string
 from pipeline.campaign.fewshot import ALONE, ASKED_AFTER, SHOTS, asked_and_shown, curves, fitted, reads
 from pipeline.campaign.floor import floors
 from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import COVERAGE, FEW_SHOT
+from pipeline.errors import BadInput
 from pipeline.models.interface import make_model
 
 
@@ -135,3 +136,48 @@ def test_too_few_strings_are_refused_in_words(campaign, tmp_path, monkeypatch, c
     with pytest.raises(SystemExit) as status:
         fewshot.main()
     assert status.value.code == 2 and "too few strings" in capsys.readouterr().err
+
+
+def test_strokes_shown_are_counted_from_the_first_recorded_one(campaign):
+    used = campaign.assign(stroke=campaign["stroke"] + 100)
+    for (asked, shown), (later, few) in zip(asked_and_shown(campaign), asked_and_shown(used), strict=True):
+        assert (later["stroke"] == asked["stroke"] + 100).all()
+        assert [len(rows) for rows in few.values()] == [len(rows) for rows in shown.values()]
+
+
+def test_a_new_string_with_no_stroke_left_to_ask_about_is_refused(campaign):
+    new = sorted(campaign.loc[campaign["strings"] == "test", "string"].unique())[0]
+    short = campaign[(campaign["string"] != new) | (campaign["stroke"] <= ASKED_AFTER)]
+    with pytest.raises(BadInput, match=new):
+        list(asked_and_shown(short))
+
+
+def test_twisted_pairs_can_be_adapted_to(campaign):
+    pairs = campaign.assign(actuator="twisted_pair", torsion_zone_mm=np.nan, separator_mm=np.nan)
+    assert np.isfinite(curves("traditional", {}, pairs, 0)[["forward_mm", "inverse_turns"]]).all().all()
+
+
+def test_an_interval_without_end_holds_nothing(campaign):
+    rows = campaign[(campaign["string"] == "made-004") & (campaign["stroke"] <= 5)].reset_index(drop=True)
+    table = of_string(rows, "polynomial", {}, 0)
+    assert (table["points"] == 0).all() and (table["outside"] == 40).all() and table["held"].isna().all()
+
+
+@pytest.mark.parametrize("program", [fewshot, coverage, floor])
+def test_a_file_that_is_no_campaign_is_refused_in_words(program, tmp_path, monkeypatch, capsys):
+    (tmp_path / "points.parquet").write_text("no table")
+    model = [] if program is floor else ["--model", "polynomial"]
+    monkeypatch.setattr("sys.argv", ["it", str(tmp_path / "points.parquet"), *model, "--out", str(tmp_path / "out")])
+    with pytest.raises(SystemExit) as status:
+        program.main()
+    assert status.value.code == 2 and "no Parquet table" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("settings", ["{", "[1]", '{"colour": 1}'])
+def test_settings_that_are_none_are_refused_in_words(settings, monkeypatch, capsys):
+    for program in (fewshot, coverage):
+        words = ["it", "points.parquet", "--model", "polynomial", "--settings", settings, "--out", "out"]
+        monkeypatch.setattr("sys.argv", words)
+        with pytest.raises(SystemExit) as status:
+            program.main()
+        assert status.value.code == 2 and "--settings" in capsys.readouterr().err

@@ -1,11 +1,13 @@
 """A campaign's points: thinned evenly, parted by whole strings, every material in every part."""
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 from pipeline import schemas
 from pipeline.campaign.points import MOST_POINTS, SCHEMA, campaign_points, labelled, string_points
@@ -63,7 +65,7 @@ def test_a_passage_is_thinned_evenly_to_so_many_points_and_keeps_its_first(runs,
     run, samples = read_samples(folder)
     recorded = Recorded(run, "", samples, segment(samples, samples.columns[1], folder))
     whole = points_of(recorded, run.string.strokes_before, tare_mm(recorded))
-    kept = string_points(folder)
+    kept = string_points([folder])
     for key, rows in whole.groupby(["stroke", "phase"]):
         thin = kept[(kept["stroke"] == key[0]) & (kept["phase"] == key[1])]
         assert thin["time_s"].iloc[0] == rows["time_s"].iloc[0]
@@ -74,4 +76,20 @@ def test_a_passage_is_thinned_evenly_to_so_many_points_and_keeps_its_first(runs,
 
 def test_a_folder_without_runs_is_refused(tmp_path):
     with pytest.raises(BadInput, match="there is none"):
+        campaign_points(tmp_path)
+
+
+def test_runs_of_one_string_continue_each_other(runs, tmp_path):
+    folder = next(iter(sorted(runs.iterdir())))
+    for name in ("first", "second"):
+        shutil.copytree(folder, tmp_path / name)
+        content = yaml.safe_load((folder / "run.yaml").read_text())
+        content["run"], content["string"]["id"] = name, "one"
+        (tmp_path / name / "run.yaml").write_text(yaml.safe_dump(content))
+    found = campaign_points(tmp_path)
+    assert set(found["string"]) == {"one"} and sorted(found["stroke"].unique()) == [1, 2, 3, 4]
+    assert found.groupby("run")["stroke"].max().to_dict() == {"first": 2, "second": 4}
+    content["string"]["material"] = "straw"
+    (tmp_path / "second" / "run.yaml").write_text(yaml.safe_dump(content))
+    with pytest.raises(BadInput, match="straw"):
         campaign_points(tmp_path)
