@@ -26,7 +26,7 @@ class Answer:
 
 def stroke_loss(health: Health, loss: float) -> Answer:
     """When the stroke has lost a share `loss` of what it was over the first strokes."""
-    table = health.strokes
+    table = health.strokes.dropna(subset=["stroke_mm"])  # a stroke that ends short has no reading at the top
     n, stroke_mm = table["stroke"].to_numpy(float), table["stroke_mm"].to_numpy()
     first_mm = float(stroke_mm[:REFERENCE].mean())
     lost = 1.0 - stroke_mm / first_mm
@@ -38,7 +38,8 @@ def stroke_loss(health: Health, loss: float) -> Answer:
 
 def model_error(health: Health, drift_mm: float) -> Answer:
     """When the model calibrated on the first strokes is off by `drift_mm`; those strokes themselves tell nothing."""
-    table = health.strokes.iloc[REFERENCE:]
+    table = health.strokes.iloc[REFERENCE:].dropna(subset=["model_error_mm"])
+    before = min(REFERENCE, len(health.strokes))
     n, off_mm = table["stroke"].to_numpy(float), table["model_error_mm"].to_numpy()
     errors = table["model_error_mm_error"].to_numpy()
     return Answer(
@@ -49,7 +50,7 @@ def model_error(health: Health, drift_mm: float) -> Answer:
         off_mm,
         errors,
         drift_mm,
-        strokes_left(n, off_mm, drift_mm, before=REFERENCE),
+        strokes_left(n, off_mm, drift_mm, before=before),
     )
 
 

@@ -55,6 +55,9 @@ def health(runs: list[Recorded]) -> Health:
     low, high = (float(np.median(ends)) for ends in zip(*(one.ends for one in strokes[:REFERENCE]), strict=True))
     near = SAME_RANGE * (high - low)
     same = [one for one in strokes if abs(one.ends[0] - low) <= near and abs(one.ends[1] - high) <= near]
+    if not same:
+        problem = f"no stroke winds over the usual {low:.3g} to {high:.3g} turns of the first ones"
+        raise BadInput(runs[0].run.run, "motor_turns", problem, "record strokes that all wind over the same range")
     left_out = sorted({one.number for one in strokes} - {one.number for one in same})
     first = in_order(runs)[0]
     nominal = np.nan_to_num(

@@ -6,9 +6,12 @@ import pytest
 from made_life import folder, samples
 
 from pipeline.errors import BadInput
-from pipeline.lifespan.gather import read, strings
+from pipeline.lifespan.ask import model_error, stroke_loss
+from pipeline.lifespan.gather import strings
 from pipeline.lifespan.health import INDICATORS, health
 from pipeline.lifespan.stiffness import stiffness
+from pipeline.recorded_run import read
+from pipeline.strokes import segment
 
 
 @pytest.fixture(scope="module")
@@ -96,3 +99,29 @@ def test_other_rigs_are_refused(tmp_path):
     other = replace(recorded, run=recorded.run.model_copy(update={"actuator": "moving_mass"}))
     with pytest.raises(BadInput, match="no string"):
         health([other])
+
+
+def shortened(table, stroke, share):
+    """The recording with one stroke's top cut off by a share of its range."""
+    here = segment(table, "motor_turns", "made").set_index("stroke").loc[[stroke]]
+    rows = slice(int(here["first_sample"].min()), int(here["last_sample"].max()))
+    table.loc[rows, "motor_turns"] = table.loc[rows, "motor_turns"].clip(upper=20.0 * (1.0 - share))
+    return table
+
+
+@pytest.mark.parametrize("stroke", [2, 15])
+def test_a_stroke_that_ends_a_little_short_does_not_silence_the_others(tmp_path, stroke):
+    one = strings([folder(tmp_path, "a-1", shortened(samples(24, 0.004), stroke, 0.046))])[0]
+    assert one.strokes["stroke_mm"].isna().sum() == 1 and not one.left_out
+    for answer in (stroke_loss(one, 0.5), model_error(one, 50.0)):
+        assert np.isfinite(answer.values).all() and answer.left.reason == "" and len(answer.left.when)
+
+
+def test_strokes_of_no_common_range_are_refused(tmp_path):
+    with pytest.raises(BadInput, match="same range"):
+        strings([folder(tmp_path, "a-1", shortened(samples(2, 0.004), 2, 0.3))])
+
+
+def test_the_strokes_that_there_are_are_counted_right(tmp_path):
+    one = strings([folder(tmp_path, "a-1", samples(2, 0.004))])[0]
+    assert "2 strokes are too few" in model_error(one, 1.0).left.reason
