@@ -34,7 +34,7 @@ int main(void)
     tsa_state state = {0}; /* set further fields here, where the header has them: load_n, material... */
     tsa_real turns = 0, last_mm = target_mm(0);
     int refused = 0, tick;
-    state.stroke = 1;
+    state.stroke = TSA_STROKE_MIN;
     for (tick = 0; tick < TICKS; ++tick) {
         const tsa_real wanted_mm = target_mm(tick);
         int code;

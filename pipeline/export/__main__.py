@@ -31,6 +31,9 @@ def main() -> None:
     asked = arguments(sys.argv[1:])
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", asked.name):
         raise BadInput("--name", asked.name, "cannot begin a C name", "use letters, digits and _")
+    if asked.out and asked.out.exists() and asked.out.is_dir() != (asked.format == "onnx"):
+        wanted = "a folder" if asked.format == "onnx" else "a file"
+        raise BadInput("--out", str(asked.out), f"is there and is not {wanted}", f"name {wanted}")
     source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
     if asked.format == "c":
         out = asked.out or Path(f"{asked.name}.h")

@@ -72,9 +72,9 @@ class Inputs:
                 fields.append(Field(name, low, high))
             else:
                 baked[name] = (low + high) / 2.0
-        last = round(box.high["stroke"])
+        new, last = round(box.low["stroke"]), round(box.high["stroke"])
         ways = [way for way in (-1, 1) if box.low["direction"] <= way <= box.high["direction"]]
-        first = [Field("stroke", 1, BEYOND * last, True), Field("direction", ways[0], ways[-1], True)]
+        first = [Field("stroke", new, BEYOND * last, True), Field("direction", ways[0], ways[-1], True)]
         if materials:
             fields.append(Field("material", 0, len(materials) - 1, True))
         return cls(

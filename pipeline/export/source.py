@@ -5,12 +5,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from pipeline import schemas
 from pipeline.errors import BadInput
 from pipeline.export.inputs import Inputs
 from pipeline.models.box import Box
 from pipeline.models.conditions import MEASURED
 from pipeline.models.interface import make_model
+from pipeline.tables import opened as opened_table
 from pipeline.train import SPLITS, divided
 
 PAPER = ("separator_mm", "length_mm", "radius_mm")
@@ -23,7 +26,8 @@ READS = {  # the measured columns that a model reads whether or not they vary; c
     "traditional": MEASURED,
     "calibrated": ("load_n",),
 }
-DAMAGED = (ValueError, KeyError, TypeError, AttributeError, RuntimeError, EOFError, pickle.UnpicklingError)
+DAMAGED = (ValueError, LookupError, TypeError, AttributeError, RuntimeError, EOFError, pickle.UnpicklingError)
+TRIED = 20  # queries that a model must answer before it is exported
 
 
 @dataclass(frozen=True)
@@ -58,12 +62,19 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
         raise BadInput(file, "model", "is not a file", "train it first, or mend the path")
     if not file.stat().st_size:
         raise BadInput(file, "model", "is empty: its split had too few strokes", "take another split's model")
-    model: Any = make_model(name)
     try:
-        model.load(file)
+        source = _loaded(file, name, beside)
+        _try(source)
     except DAMAGED as error:
         what = f"is not a saved {name} ({type(error).__name__})"
         raise BadInput(file, "model", what, "train it again, or say --model") from error
+    return source
+
+
+def _loaded(file: Path, name: str, beside: Beside) -> Source:
+    """The model of a file; raises BadInput for one that cannot be exported, one of DAMAGED for a file of no model."""
+    model: Any = make_model(name)
+    model.load(file)
     box, zero_mm = getattr(model, "box", None), 0.0
     if box is None:
         box, zero_mm = _box_of_dataset(file, name, model, beside)
@@ -77,6 +88,14 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     return Source(name, model, inputs, zero_mm)
 
 
+def _try(source: Source) -> None:
+    """Ask a model both ways within its ranges; raises what it raises, and ValueError where an answer is no number."""
+    rng = np.random.default_rng(0)
+    for ask, given in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
+        if not np.isfinite(ask(source.inputs.points(given, source.inputs.drawn(given, TRIED, rng)))).all():
+            raise ValueError("an answer is not a number")
+
+
 def _box_of_dataset(file: Path, name: str, model: Any, beside: Beside) -> tuple[Box, float]:
     """The box of a model that keeps none: that of its training points; and the zero of a calibrated string, in mm."""
     path = beside.dataset or file.resolve().parent.parent / "dataset.parquet"
@@ -85,8 +104,13 @@ def _box_of_dataset(file: Path, name: str, model: Any, beside: Beside) -> tuple[
         raise BadInput(file, "ranges", f"a {name} keeps none and there is no {path}", "say --dataset FILE")
     if split not in SPLITS:
         raise BadInput(file, "split", f'"{split}" is none', f"say --split {' or --split '.join(SPLITS)}")
-    points = divided(schemas.read(path, schemas.DATASET), split, path)[0]
+    points = divided(opened_table(path, schemas.DATASET, "say --dataset FILE"), split, path)[0]
+    if points.empty:
+        raise BadInput(path, split, "has no points: the strings have too few strokes", "say --split with another")
     if name != "calibrated":
+        if points["actuator"].nunique() > 1:  # of which the models that keep no ranges know nothing
+            problem = "was trained on strings with and without separator in one model"
+            raise BadInput(file, "model", problem, "train one model for each kind")
         return Box.of(points), 0.0
     strings = sorted(model.moves)
     string = beside.string or (strings[0] if len(strings) == 1 else "")

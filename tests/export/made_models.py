@@ -1,4 +1,4 @@
-"""Small fitted models to export: of one string, of a campaign of strings, and of a twisted pair."""
+"""Small fitted models to export: of one string, of a used one, of a campaign, and of a twisted pair."""
 
 from pathlib import Path
 from typing import Any
@@ -41,7 +41,12 @@ def campaign() -> pd.DataFrame:
     return pd.concat(parts, ignore_index=True)
 
 
-DATASETS = {"one": lambda: made_dataset(60, 6), "campaign": campaign, "pair": lambda: pair_dataset(80)}
+DATASETS = {
+    "one": lambda: made_dataset(60, 6),
+    "used": lambda: made_dataset(60, 6).assign(stroke=lambda points: points["stroke"] + np.int32(50)),
+    "campaign": campaign,
+    "pair": lambda: pair_dataset(80),
+}
 
 
 def saved(name: str, kind: str, folder: Path) -> Path:

@@ -1,5 +1,6 @@
 """The command: what it writes, and how it refuses."""
 
+import json
 import re
 import subprocess
 import sys
@@ -10,10 +11,13 @@ from pathlib import Path
 from typing import Any
 
 import onnx
+import pandas as pd
 import pytest
 from compiled import ROOT
 from made_models import saved
+from models.made_dataset import made_dataset, pair_dataset
 
+from pipeline import schemas
 from pipeline.errors import program
 from pipeline.export.__main__ import main
 from pipeline.export.c_header import header
@@ -88,6 +92,8 @@ def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> N
         (["spline/within-0.model", "--name", "3d"], "cannot begin a C name"),
         (["calibrated/within-0.model", "--string", "nobody"], '"nobody" is not among them.*made-01'),
         (["calibrated/within-0.model", "--dataset", "no.parquet"], "there is no no.parquet"),
+        (["calibrated/within-0.model", "--dataset", __file__], "no Parquet table"),
+        (["spline/within-0.model", "--model", "calibrated", "--string", "box"], "is not a saved calibrated"),
     ],
 )
 def test_it_says_what_it_cannot_do(folder: Path, tmp_path: Path, words: list[str], said: str) -> None:
@@ -109,3 +115,46 @@ def test_the_ranges_need_the_dataset_and_one_string(source: Any, folder: Path, t
     of_four = saved("calibrated", "campaign", tmp_path / "four")
     assert "say --string with one of s0, s1, s2, s3" in export(of_four, "--format", "c", "--out", out).stderr
     assert export(of_four, "--format", "c", "--out", out, "--string", "s1").returncode == 0
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"law": {"family": "cubic", "parameter": 1.0, "mean": 0.0, "std": 1.0}},
+        {"weights": [[0.0]]},
+        {"box": {"low": {}, "high": {}, "materials": []}},
+    ],
+    ids=lambda wrong: next(iter(wrong)),
+)
+def test_a_file_that_loads_but_does_not_answer_is_refused(folder: Path, tmp_path: Path, wrong: dict[str, Any]) -> None:
+    there, out = tmp_path / "spline" / "within-0.model", tmp_path / "tsa.h"
+    there.parent.mkdir()
+    content = json.loads((folder / "spline" / "within-0.model").read_text())
+    there.write_text(json.dumps(content | wrong))
+    done = export(there, "--format", "c", "--out", out)
+    assert done.returncode == 2 and "is not a saved spline" in done.stderr and not out.exists()
+
+
+@pytest.mark.parametrize("name", ["traditional", "inn"])
+def test_strings_with_and_without_separator_are_refused_by_models_that_keep_no_ranges(
+    name: str, tmp_path: Path
+) -> None:
+    there = saved(name, "one", tmp_path)
+    both = pd.concat([made_dataset(20, 2), pair_dataset(20)], ignore_index=True)
+    schemas.write(both, schemas.DATASET, tmp_path / "dataset.parquet")
+    done = export(there, "--format", "c", "--out", tmp_path / "tsa.h")
+    assert done.returncode == 2 and "with and without separator" in done.stderr
+
+
+def test_strokes_before_the_first_trained_on_are_out_of_range(tmp_path: Path) -> None:
+    there = saved("polynomial", "used", tmp_path)
+    text = header(opened(there, None, Beside()), "tsa")
+    assert "#define TSA_STROKE_MIN 51\n" in text and "#define TSA_STROKE_MAX 112\n" in text
+
+
+def test_an_out_that_is_the_other_of_file_and_folder_is_refused(folder: Path, tmp_path: Path) -> None:
+    model, file = folder / "calibrated" / "within-0.model", tmp_path / "there"
+    file.write_text("")
+    for out, form in ((tmp_path, "c"), (file, "onnx")):
+        done = export(model, "--format", form, "--out", out)
+        assert done.returncode == 2 and "--out" in done.stderr
