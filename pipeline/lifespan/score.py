@@ -93,7 +93,10 @@ def score(folder: Path, loss: float, drift_mm: float) -> pd.DataFrame:
     path = folder / "truth.parquet"
     if not path.is_file():
         raise BadInput(path, "file", "is missing", "write it: python -m pipeline.rig.endurance --out DIR")
-    truth = pd.read_parquet(path)
+    try:
+        truth = pd.read_parquet(path, columns=["run", "stroke", "stroke_mm"])
+    except (OSError, ValueError) as error:
+        raise BadInput(path, "file", "is not what the endurance rig writes", "write the folder again") from error
     rows: list[dict[str, Any]] = []
     for run, lived in truth.groupby("run", sort=True):
         rows += asked(health([read(folder / str(run))]), lived.sort_values("stroke"), loss, drift_mm)

@@ -8,6 +8,7 @@ import pandas as pd
 import pytest
 from made_life import folder, samples
 
+from pipeline.errors import BadInput
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.left import Left
 from pipeline.lifespan.score import held, loses, score
@@ -98,3 +99,14 @@ def test_censored_lives_count_only_where_they_tell():
 def test_a_life_s_limit_is_against_the_mean_of_the_first_three():
     truth = pd.DataFrame({"stroke": [1, 2, 3, 4, 5], "stroke_mm": [11.0, 10.0, 8.99, 9.1, 8.9]})
     assert loses(truth, 0.1) == 3.0 and np.isinf(loses(truth, 0.5))
+
+
+@pytest.mark.parametrize("content", [None, {"stroke": [1]}])
+def test_a_truth_that_is_none_is_refused(tmp_path, content):
+    path = tmp_path / "truth.parquet"
+    if content is None:
+        path.write_text("no table")
+    else:
+        pd.DataFrame(content).to_parquet(path)
+    with pytest.raises(BadInput, match="endurance rig"):
+        score(tmp_path, 0.1, 5.0)
