@@ -76,7 +76,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.predict", description=__doc__)
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
     parser.add_argument(
-        "questions", type=Path, help="csv: motor_turns or displacement_mm, stroke, direction, what varies"
+        "questions", type=Path, help="csv: motor_turns or displacement_mm, stroke, direction..."
     )
     parser.add_argument("--model", default="spline", help="a file of pipeline/models, without .py")
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
