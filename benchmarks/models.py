@@ -31,7 +31,6 @@ matplotlib.use("svg")
 SEEDS, EPOCHS, BATCH, SLACK = 5, 40, 125, 1.02
 BUDGETS = (2, 3, 4, 6, 8, 12, 16, 24, 32, 45)  # epochs that a network of ours may be trained for
 OURS = {
-    "INN 7×(3×256), ours": ("inn", {"loss": "both"}, (4, 8, 12, 16, 24, 32, 40)),
     "cinn, no direction": ("cinn", {"direction": False}, BUDGETS),
     "spline, no direction": ("spline", {"direction": False}, None),
     "cinn": ("cinn", {}, BUDGETS),
