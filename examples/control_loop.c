@@ -1,7 +1,7 @@
 /*
  * A 1 kHz control loop around an exported model. On a controller replace the three functions below; on a PC it prints
  * a few lines and ends:
- *     python -m pipeline.export processed/UHMWPE/spline/within-0.model --format c
+ *     python -m pipeline.export processed/synthetic/spline/within-0.model --format c
  *     cc -I . examples/control_loop.c -lm && ./a.out
  */
 #include "tsa.h"

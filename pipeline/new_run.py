@@ -69,7 +69,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("raw"))
     arguments = parser.parse_args()
     folder = make_run(arguments_to_content(arguments), arguments.recording, arguments.out)
-    print(f"{folder} is there; record into it with: python -m pipeline.capture PORT {folder}")
+    recorded = any((folder / name).exists() for name in RECORDINGS)
+    following = "snakemake --cores 2" if recorded else f"python -m pipeline.capture PORT {folder}"
+    print(f"{folder} is there; {'make its reports' if recorded else 'record into it'} with: {following}")
 
 
 if __name__ == "__main__":

@@ -55,7 +55,11 @@ def model_error(health: Health, drift_mm: float) -> Answer:
 
 
 def first(answers: list[Answer]) -> Answer | None:
-    """The question whose limit is passed first, by its median; None where none of them has a claim."""
+    """The question whose limit was or is passed first, by its median; None where none of them has a claim."""
     spans = [(one, one.left.span(0.9)) for one in answers]
-    told = [(span.median, span.low, at) for at, (_, span) in enumerate(spans) if span.state != "no claim"]
-    return answers[min(told)[2]] if told else None
+    told = [
+        (span.median, span.low, one.left.passed_at if span.state == "passed" else 0.0, at)
+        for at, (one, span) in enumerate(spans)
+        if span.state != "no claim"
+    ]
+    return answers[min(told)[-1]] if told else None

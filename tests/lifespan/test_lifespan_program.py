@@ -10,6 +10,8 @@ from made_life import folder, samples
 
 from pipeline.errors import BadInput
 from pipeline.lifespan.__main__ import main
+from pipeline.lifespan.ask import first, stroke_loss
+from pipeline.lifespan.gather import strings
 from pipeline.lifespan.left import Left
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
@@ -70,6 +72,19 @@ def test_bad_input_is_named(tmp_path, monkeypatch, capsys):
         said = capsys.readouterr().err
         assert ended.value.code == 2 and arguments[0] in said and "Mend" in said
     assert not (tmp_path / "out").exists()
+
+
+def test_a_run_named_twice_is_refused(tmp_path):
+    run = folder(tmp_path, "a-1", samples(5, 0.002))
+    with pytest.raises(BadInput, match="twice"):
+        strings([run, run.parent / "." / run.name])
+
+
+def test_of_limits_that_were_passed_the_earlier_is_first(tmp_path):
+    (one,) = strings([folder(tmp_path, "a-1", samples(24, 0.006))])
+    late, early = stroke_loss(one, 0.10), stroke_loss(one, 0.05)
+    assert early.left.passed_at < late.left.passed_at
+    assert first([late, early]) is early and first([early, late]) is early
 
 
 def test_a_life_is_scored_against_its_truth(tmp_path):
