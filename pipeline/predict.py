@@ -2,7 +2,7 @@
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
 (`pipeline.models.intervals`). A question outside the range of what was recorded is answered, flagged, and given no
-interval.
+interval. More than 3 strokes beyond the last one recorded an interval rests on the model's law of n and was not tried.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.models.box import COLUMNS
 from pipeline.models.conditions import Conditions
-from pipeline.models.intervals import GIVEN, Intervals, TooFew
+from pipeline.models.intervals import AHEAD, GIVEN, Intervals, TooFew
 from pipeline.tables import opened
 from pipeline.train import configured
 
@@ -37,13 +37,18 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
     except (OSError, ValueError) as error:
         raise BadInput(path, "file", f"cannot be read ({error})", "give a csv with a header") from None
     known = [name for name in MAPS if name in told.columns]
-    if len(known) != 1 or told.empty:
-        raise BadInput(path, "columns", f"hold {len(told)} rows and {known or 'neither'}", f"give one of {list(MAPS)}")
+    if len(known) != 1:
+        given = f"are {', '.join(map(repr, told.columns))}: {'both' if known else 'neither'} of {' and '.join(MAPS)}"
+        raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
+    if told.empty:
+        raise BadInput(path, "rows", "there are none", "write one question a line")
     points = pd.DataFrame(index=range(len(told)))
     for name in dataset.columns:
         if name in told.columns:
             if name in (*COLUMNS, *ASKED) and not pd.api.types.is_numeric_dtype(told[name]):
                 raise BadInput(path, name, "is not a number everywhere", "correct it")
+            if name == known[0] and told[name].isna().any():
+                raise BadInput(path, name, f"is empty in row {told[name].isna().idxmax() + 1}", "fill it in")
             points[name] = told[name].to_numpy()
         elif name == GIVEN[known[0]]:
             points[name] = np.nan
@@ -99,6 +104,9 @@ def main() -> None:
     write_text(asked.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())
     print(f"{len(table)} answers in {asked.out}" + (f", {outside} outside the recorded range" if outside else ""))
+    far = int((points["stroke"] > points["string"].map(dataset.groupby("string")["stroke"].max()) + AHEAD).sum())
+    if far:
+        print(f"{far} ask further ahead than {AHEAD} strokes: the truth may lie far outside their intervals")
 
 
 if __name__ == "__main__":

@@ -47,7 +47,8 @@ def test_a_later_stroke_is_less_certain_and_a_higher_level_wider(dataset: Path) 
     text = "stroke,direction,displacement_mm\n6,1,5\n7,1,5\n12,1,5\n"
     widths = {}
     for level in ("0.8", "0.95"):
-        assert ask(dataset, text, "--model", "polynomial", "--level", level).returncode == 0
+        done = ask(dataset, text, "--model", "polynomial", "--level", level)
+        assert done.returncode == 0 and "1 ask further ahead than 3 strokes" in done.stdout
         table = pd.read_csv(dataset.with_name("answers.csv"))
         widths[level] = table["motor_turns_high"] - table["motor_turns_low"]
         assert widths[level][2] > widths[level][0]
@@ -59,11 +60,13 @@ def test_a_later_stroke_is_less_certain_and_a_higher_level_wider(dataset: Path) 
     [
         ("stroke,direction\n1,1\n", "columns"),
         ("stroke,direction,motor_turns,displacement_mm\n1,1,3,4\n", "columns"),
-        ("stroke,direction,motor_turns\n", "columns"),
+        ("stroke;direction;motor_turns\n1;1;3\n", "columns"),
+        ("stroke,direction,motor_turns\n", "rows"),
         ("stroke,motor_turns\n1,3\n", "direction"),
         ("direction,motor_turns\n1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n1,0,3\n", "direction"),
         ("stroke,direction,motor_turns\n1,1,many\n", "motor_turns"),
+        ("stroke,direction,motor_turns\n1,1,\n", "motor_turns"),
         ("stroke,direction,motor_turns\n2.5,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n,1,3\n2,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n0,1,3\n", "stroke"),
