@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from pipeline.errors import BadInput
 from pipeline.lifespan.health import Health, health
 from pipeline.recorded import Recorded
 from pipeline.recorded_run import read
@@ -10,6 +11,10 @@ from pipeline.recorded_run import read
 def strings(folders: list[Path]) -> list[Health]:
     """Health of every string in run folders; raises BadInput."""
     runs: dict[str, list[Recorded]] = {}
+    told = [folder.resolve() for folder in folders]
+    for folder in told:
+        if told.count(folder) > 1:
+            raise BadInput(folder, "run_dir", "is named twice", "name each run once: its strokes would count twice")
     for folder in folders:
         one = read(folder if folder.name else folder.resolve())
         runs.setdefault(one.run.string_id, []).append(one)
