@@ -1,8 +1,8 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`pipeline.models.intervals`). A question outside the range of what was recorded is answered, flagged, and given no
-interval. More than 3 strokes beyond the last one recorded an interval rests on the model's law of n and was not tried.
+(`pipeline.models.intervals`). A question outside the range of what was recorded, or further ahead of the last recorded
+stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.models.box import COLUMNS
 from pipeline.models.conditions import Conditions
-from pipeline.models.intervals import AHEAD, GIVEN, Intervals, TooFew
+from pipeline.models.intervals import GIVEN, Intervals, TooFew
 from pipeline.tables import opened
 from pipeline.train import configured
 
@@ -103,10 +103,8 @@ def main() -> None:
     table = answers(intervals, points, known, asked.level)
     write_text(asked.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())
-    print(f"{len(table)} answers in {asked.out}" + (f", {outside} outside the recorded range" if outside else ""))
-    far = int((points["stroke"] > points["string"].map(dataset.groupby("string")["stroke"].max()) + AHEAD).sum())
-    if far:
-        print(f"{far} ask further ahead than {AHEAD} strokes: the truth may lie far outside their intervals")
+    print(f"{len(table)} answers in {asked.out}", end="")
+    print(f", {outside} of them without an interval: outside what was recorded, or too far ahead" if outside else "")
 
 
 if __name__ == "__main__":

@@ -2,12 +2,11 @@
 
 Conformal in kind: no law of the errors is assumed. The model is fitted without the last strokes, then without fewer,
 and each time asked about those that follow (rolling origin). Errors are counted in units of the local scatter, which
-depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were seen
-get the scores of blocks held out inside strokes; strokes ahead those of as many strokes ahead, and beyond the farthest
-that could be tried the quantile goes on growing as it grew. The model that is asked knows more than those that were
-tried: what their errors have above the noise is taken to fall with the points, and ahead with the square of the
-strokes. A point outside the model's box, or of a string that was not seen, gets no interval: low and high are infinite
-and it is flagged. Strokes are counted for each string by itself.
+depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were
+seen get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is
+asked knows more than those that were tried: what their errors have above the noise is taken to fall with the points,
+and ahead with the square of the strokes. A point outside the model's box, or farther ahead than could be tried, gets
+no interval: low and high are infinite and it is flagged.
 """
 
 from collections.abc import Callable
@@ -105,16 +104,12 @@ class Intervals:
         return self._predicted(points, "motor_turns", level)
 
     def quantile(self, wanted: str, ahead: int, level: float) -> float:
-        """Half width in units of the scatter for a stroke so many strokes ahead of those seen (0: among them)."""
-        scores = self.scores[wanted]
-        known = {n: _quantile(values, level) for n, values in scores.items() if len(values)}
-        widest = list(np.maximum.accumulate([known[n] for n in sorted(known)]))
+        """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where none was tried."""
+        known = {n: _quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
         numbers = sorted(known)
-        if ahead <= numbers[-1]:
-            return float(np.interp(ahead, numbers, widest))
-        growth = (widest[-1] - widest[0]) / max(numbers[-1] - numbers[0], 1)
-        # without a stroke foreseen, nothing is known of those ahead
-        return float(widest[-1] + growth * (ahead - numbers[-1])) if len(numbers) > 1 else float("inf")
+        if ahead > numbers[-1]:
+            return float("inf")
+        return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
 
     def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:
         value = getattr(self.model, MAPS[wanted])(points)
@@ -126,7 +121,7 @@ class Intervals:
         wrong = {name: rows for name, rows in self.box.outside(points, GIVEN[wanted]).items() if name != "stroke"}
         inside = ~np.any(list(wrong.values()), axis=0) if wrong else np.ones(len(points), bool)
         inside &= points["stroke"].to_numpy() >= self.box.low["stroke"]
-        inside &= last.notna().to_numpy()
+        inside &= last.notna().to_numpy() & np.isfinite(half)
         half = np.where(inside, half, np.inf)
         return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
 

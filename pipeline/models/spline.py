@@ -5,7 +5,8 @@ whose knots depend on the direction of motion, the strokes n and whatever else v
 gives x = d · S(u). Every rise and slope is an exponential of a linear form of these conditions, so x rises with θ
 whatever was learnt, and θ follows from x exactly: S backwards, then eq. 5. A pair has its own equation and d = l.
 
-Fitted by Levenberg and Marquardt on the forward error; the law of n is the one that best foresees the last strokes.
+Fitted by Levenberg and Marquardt on the forward error; the law of n is the one that best foresees the last strokes
+and follows all of them.
 """
 
 import json
@@ -24,7 +25,7 @@ from pipeline.models.growth import Law, chosen
 from pipeline.models.marquardt import least_squares
 
 SHORTEST = 1e-9  # of what the knots span: one twist only is still a spline
-CHOICE_POINTS, CHOICE_STEPS = 3000, 3  # with which the law of n is chosen
+CHOICE_POINTS, CHOICE_STEPS = 2000, 2  # with which the law of n is chosen
 NOISE_MM = 0.03  # a displacement sensor's, about: what the pull towards no change at all is weighed against
 MOST = 3.0  # of the size of a logarithm: no piece is flatter than a twentieth of the physics, nor 20 times as steep
 LOOSE, TIGHT = 1.0, 0.2  # spread expected of the logarithms of rises and slopes, and of their change by a condition
@@ -53,14 +54,14 @@ class Spline:
         thin = points.iloc[:: max(1, len(points) // CHOICE_POINTS)]
         weights = np.zeros((2 * self.settings.bins + 2, self._features(thin, Law()).shape[1]))
 
-        def foresight(law: Law, early: pd.DataFrame, late: pd.DataFrame) -> float:
-            fitted = self._fitted(early, law, weights, CHOICE_STEPS)
-            error = self._spline(late, law, fitted)[1] - late["displacement_mm"].to_numpy()
+        def error_of(law: Law, known: pd.DataFrame, asked: pd.DataFrame) -> float:
+            fitted = self._fitted(known, law, weights, CHOICE_STEPS)
+            error = self._spline(asked, law, fitted)[1] - asked["displacement_mm"].to_numpy()
             return float(np.sqrt(np.mean(error**2)))
 
         self.law = Law().standardised(thin["stroke"].to_numpy())
-        weights = self._fitted(thin, self.law, weights, 2 * CHOICE_STEPS)
-        self.law = chosen(thin, foresight)
+        weights = self._fitted(thin, self.law, weights, 3 * CHOICE_STEPS)
+        self.law = chosen(thin, error_of)
         self.weights = self._fitted(points, self.law, weights, self.settings.steps)
 
     def forward(self, points: pd.DataFrame) -> Array:

@@ -16,6 +16,11 @@ LAWS: dict[str, Callable[[Array], Array]] = {  # each is 1 at stroke 9
     "logarithmic": lambda n: np.log1p(n) / np.log(10.0),
     "power": lambda n: (n / 9.0) ** 0.35,
     "saturating": lambda n: (1.0 - np.exp(-n / 2.5)) / (1.0 - np.exp(-9.0 / 2.5)),
+    # none of these is among the candidates that models choose from
+    "slow logarithm": lambda n: np.log1p(n / 4.6) / np.log1p(9.0 / 4.6),
+    "steep power": lambda n: (n / 9.0) ** 0.62,
+    "slow saturation": lambda n: (1.0 - np.exp(-n / 4.1)) / (1.0 - np.exp(-9.0 / 4.1)),
+    "two saturations": lambda n: 0.6 * (1.0 - np.exp(-n / 1.2)) + 0.4 * (1.0 - np.exp(-n / 6.0)),
 }
 
 

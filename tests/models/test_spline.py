@@ -112,9 +112,9 @@ def true_of(points: pd.DataFrame, law: str) -> np.ndarray:
 
 @pytest.mark.parametrize("law", LAWS)
 def test_two_strokes_ahead_it_nears_the_floor_under_each_law_of_growth(law: str) -> None:
-    """n = 9 from strokes 1 to 7: at most 1.3 times the noise, the median of five seeds that nothing was chosen on."""
+    """n = 9 from strokes 1 to 7: at most 1.3 times the noise, the median of three seeds that nothing was chosen on."""
     ratios = []
-    for seed in range(100, 105):
+    for seed in range(100, 103):
         points = grown_dataset(law, seed)
         test = points[points["stroke"] == 9]
         model = Spline()
