@@ -57,7 +57,7 @@ int main(void)
     const tsa_real zero = nothing;
     int i, round;
     for (i = 0; i < QUERIES; ++i) {
-        states[i].stroke = 1 + rand() % (TSA_STROKE_MAX / 2);
+        states[i].stroke = TSA_STROKE_MIN + rand() % (TSA_STROKE_MAX - TSA_STROKE_MIN + 1);
         states[i].direction = rand() % 2 ? 1 : -1;
         FIELDS
         turns[i] = between(TSA_MOTOR_TURNS_MIN, TSA_MOTOR_TURNS_MAX);

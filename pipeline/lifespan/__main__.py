@@ -36,6 +36,8 @@ def main() -> int:
             raise BadInput(
                 "arguments", f"--{name}", f"is {value:g}", f"give a number above 0{' and below 1' * (most == 1)}"
             )
+    if told.out.exists() and not told.out.is_dir():
+        raise BadInput(told.out, "--out", "is a file", "name a folder, which may be new")
     for one in strings(told.run_dir):
         answers = ask(one, told.loss, told.drift_mm)
         content = record.lifespan(one, answers, told.level)

@@ -125,3 +125,9 @@ def test_a_truth_that_is_none_is_refused(tmp_path, content):
         pd.DataFrame(content).to_parquet(path)
     with pytest.raises(BadInput, match="endurance rig"):
         score(tmp_path, 0.1, 5.0)
+
+
+def test_an_out_that_is_a_file_is_refused_before_anything_is_asked(tmp_path):
+    (tmp_path / "out").write_text("kept")
+    ran = program(folder(tmp_path, "a-1", samples(24, 0.002)), "--out", tmp_path / "out")
+    assert ran.returncode == 2 and "--out" in ran.stderr and (tmp_path / "out").read_text() == "kept"
