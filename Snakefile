@@ -23,7 +23,9 @@ RAW, SYNTHETIC = Path("raw"), list(config["synthetic"])
 PLAN = make_plan(RAW, SYNTHETIC)
 MATERIALS = list(PLAN.materials)
 DIAGNOSED = [run for runs in PLAN.materials.values() for run in runs] + PLAN.others
-TITLES = [f"{model}={settings['title']}" for model, settings in config["models"].items()]
+# The tables' order is a contract, and a configuration on top of the default one comes before it.
+MODELS = ["inn", *(model for model in config["models"] if model not in ("inn", "traditional")), "traditional"]
+TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 PAGES = ["comparison.md", "models.md", "models.csv"]
