@@ -110,7 +110,7 @@ def test_slow_and_fast_strokes_in_one_run():
     assert found == [(0, "rest"), *((n, phase) for n in (1, 2, 3) for phase in ("winding", "unwinding", "rest"))]
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(
     st.lists(st.tuples(st.floats(0.5, 1.0), st.floats(0.5, 4.0), st.floats(0.0, 5.0)), min_size=1, max_size=6),
     st.sampled_from([10.0, 37.0, 200.0]),

@@ -26,7 +26,7 @@ def test_whitening_does_not_reach_across_runs() -> None:
     assert out[3] == 3.0 and out[4] == 4.0 - 1.5
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(seed=st.integers(0, 10_000), count=st.integers(1, 12))
 def test_boxed_least_squares_is_the_bounded_optimum(seed: int, count: int) -> None:
     generator = np.random.default_rng(seed)
