@@ -41,16 +41,13 @@ OURS = {
 def dataset(path: Path) -> pd.DataFrame:
     """The paper's rig, recorded and made into a dataset; 5,000 training points in the split `within`."""
     from pipeline.dataset import make_dataset
-    from pipeline.ingest import read_samples
-    from pipeline.recorded import Recorded
-    from pipeline.strokes import segment
+    from pipeline.recorded_run import read
 
     if not path.is_file():
         folder = path.parent / "synthetic-01"
         command = [sys.executable, "-m", "pipeline.rig.record", "paper", str(folder), "--seed", "1"]
         subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-        run, samples = read_samples(folder)
-        make_dataset([Recorded(run, "", samples, segment(samples, "motor_turns", folder))]).to_parquet(path)
+        make_dataset([read(folder)]).to_parquet(path)
     return pd.read_parquet(path)
 
 

@@ -4,8 +4,6 @@ A mapping is a `run.yaml` without `run`: the string, the rig, how the file is wr
 """
 
 import argparse
-import os
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +13,7 @@ import yaml
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
+from pipeline.folders import whole_folder
 from pipeline.ingest import check, check_finite
 from pipeline.kinematics import Array
 from pipeline.recording import read_table, to_samples
@@ -80,20 +79,10 @@ def read_mapping(path: Path) -> dict[str, Any]:
 
 def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path) -> None:
     """Make a run folder, whole or not at all; raises BadInput when it is there already."""
-    if folder.exists():
-        raise BadInput(folder, "run", "is there already", "choose another --run; runs are never overwritten")
-    temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
-    try:
-        try:
-            temporary.mkdir(parents=True)
-        except OSError as error:
-            raise BadInput(folder.parent, "--out", f"cannot be written ({error})", "choose another folder") from None
+    with whole_folder(folder, "run", "choose another --run; runs are never overwritten") as temporary:
         schemas.write(samples, schemas.samples(list(samples.columns)), temporary / "recording.parquet")
         text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
         (temporary / "run.yaml").write_text(text, encoding="utf-8")
-        os.rename(temporary, folder)
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
 
 
 def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:

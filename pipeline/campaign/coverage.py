@@ -1,20 +1,16 @@
 """How often prediction intervals hold what came: each string's last strokes, foreseen from its first ones."""
 
-import argparse
 import json
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
 from pipeline import schemas
-from pipeline.campaign.points import SCHEMA
+from pipeline.campaign.asked import parser, points_of
 from pipeline.campaign.tables import COVERAGE
 from pipeline.errors import BadInput, program
 from pipeline.models.interface import make_model
 from pipeline.models.intervals import Intervals, TooFew
-from pipeline.tables import opened
-from pipeline.train import configured
 
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)
@@ -52,16 +48,10 @@ def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed:
 @program
 def main() -> None:
     """Write the coverage of one model's intervals on the strings of a campaign."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("points", type=Path)
-    parser.add_argument("--model", required=True)
-    parser.add_argument("--settings", default="{}", metavar="JSON")
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--strings", type=int, help="the first so many of them (all)")
-    parser.add_argument("--out", type=Path, required=True)
-    asked = parser.parse_args()
-    configured(asked.model, asked.settings)  # complains before anything is fitted
-    points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    words = parser(__doc__)
+    words.add_argument("--strings", type=int, help="the first so many of them (all)")
+    asked = words.parse_args()
+    points = points_of(asked)
     by_string = [rows for _, rows in points.groupby("string", sort=True)]
     settings = json.loads(asked.settings)
     parts = [of_string(rows, asked.model, settings, asked.seed) for rows in by_string[: asked.strings]]

@@ -1,9 +1,7 @@
 """Which model knows a new string from how many of its strokes: errors on strokes that nothing has learnt from."""
 
-import argparse
 import json
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,12 +9,10 @@ import pandas as pd
 
 from pipeline import schemas
 from pipeline.campaign.adapt import Adaptation
-from pipeline.campaign.points import SCHEMA
+from pipeline.campaign.asked import parser, points_of
 from pipeline.campaign.tables import FEW_SHOT
 from pipeline.errors import BadInput, program
 from pipeline.models.interface import Model, make_model
-from pipeline.tables import opened
-from pipeline.train import configured
 
 SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown
@@ -98,15 +94,8 @@ def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int)
 @program
 def main() -> None:
     """Write the few-shot errors of one model."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("points", type=Path)
-    parser.add_argument("--model", required=True)
-    parser.add_argument("--settings", default="{}", metavar="JSON")
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--out", type=Path, required=True)
-    asked = parser.parse_args()
-    configured(asked.model, asked.settings)  # complains before anything is fitted
-    points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    asked = parser(__doc__).parse_args()
+    points = points_of(asked)
     strings = points.groupby("strings")["string"].nunique()
     if any(strings.get(part, 0) < least for part, least in LEAST_STRINGS.items()):
         problem = "has too few strings to learn from, to tune on or to ask about"

@@ -13,7 +13,7 @@ from pipeline.ingest import geometry, read_samples
 from pipeline.kinematics import RAD_PER_TURN
 from pipeline.rig.campaign.plan import plan
 from pipeline.rig.campaign.specimen import SIGMA, Bands, draw_specimen, materials
-from pipeline.rig.folder import whole_folder
+from pipeline.rig.folder import whole_recordings
 from pipeline.strokes import segment
 
 ROOT = Path(__file__).parents[2]
@@ -112,7 +112,7 @@ def test_materials_hide_different_amounts():
 def test_a_campaign_is_made_whole_and_never_over_another(campaign, tmp_path):
     done = program("--strings", 1, "--out", campaign)
     assert done.returncode == 2 and "is there already" in done.stderr and len(list(campaign.iterdir())) == 5
-    with pytest.raises(BadInput, match="half way"), whole_folder(tmp_path / "new") as folder:
+    with pytest.raises(BadInput, match="half way"), whole_recordings(tmp_path / "new") as folder:
         (folder / "run").mkdir()
         raise BadInput("run", "run", "half way", "go on")
     assert not list(tmp_path.iterdir())

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from pipeline.errors import program
 from pipeline.rig.campaign.plan import plan
-from pipeline.rig.folder import whole_folder, write_run
+from pipeline.rig.folder import whole_recordings, write_run
 
 
 @program
@@ -20,7 +20,7 @@ def main() -> None:
     asked = parser.parse_args()
     if not (1 <= asked.strings <= 1000 and asked.strokes >= 1 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):
         parser.error("--strings must be 1 to 1000, --strokes 1 or more, --seed 0 or more, --rate-hz 10 to 1000")
-    with whole_folder(asked.out) as folder:
+    with whole_recordings(asked.out) as folder:
         for planned in plan(asked.seed, asked.strings, asked.strokes):
             write_run(planned.specimen.described(planned.run), planned.recorded(asked.rate_hz).samples,
                       folder / planned.run)  # fmt: skip

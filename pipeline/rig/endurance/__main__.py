@@ -10,7 +10,7 @@ from pipeline.errors import program
 from pipeline.files import whole
 from pipeline.rig.endurance.life import live
 from pipeline.rig.endurance.plan import plan
-from pipeline.rig.folder import whole_folder, write_run
+from pipeline.rig.folder import whole_recordings, write_run
 
 
 @program
@@ -25,7 +25,7 @@ def main() -> None:
     if not (1 <= asked.strings <= 1000 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):
         parser.error("--strings must be 1 to 1000, --seed 0 or more, --rate-hz 10 to 1000")
     truths = []
-    with whole_folder(asked.out) as folder:
+    with whole_recordings(asked.out) as folder:
         for planned in plan(asked.seed, asked.strings):
             life = live(planned, asked.rate_hz)
             write_run(planned.specimen.described(planned.run), life.samples, folder / planned.run)

@@ -1,0 +1,27 @@
+"""What the programs that try models on a campaign are asked: its points, a model, a seed, and where to write."""
+
+import argparse
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline.campaign.points import SCHEMA
+from pipeline.tables import opened
+from pipeline.train import configured
+
+
+def parser(doc: str | None) -> argparse.ArgumentParser:
+    """The command line of a program with this docstring; a program may add to it."""
+    found = argparse.ArgumentParser(description=doc)
+    found.add_argument("points", type=Path)
+    found.add_argument("--model", required=True)
+    found.add_argument("--settings", default="{}", metavar="JSON")
+    found.add_argument("--seed", type=int, default=0)
+    found.add_argument("--out", type=Path, required=True)
+    return found
+
+
+def points_of(asked: argparse.Namespace) -> pd.DataFrame:
+    """The campaign's points (`points.SCHEMA`); raises BadInput for these or the model before anything is fitted."""
+    configured(asked.model, asked.settings)
+    return opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
