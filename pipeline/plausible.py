@@ -62,7 +62,7 @@ class Curve:
         return self.base.contraction_mm(turns, self.load_n)
 
     def likely(self, guesses: list[Guess], best: float) -> list[Guess]:
-        """The guesses with which the recording passes without doubt and fits about as well as the best, or as `best`."""
+        """The guesses that let the recording pass without doubt and fit about as well as the best, or as `best`."""
         good = [one for one in guesses if 1.0 / DOUBT_RATIO <= self.ratio(one.turns, one.length) <= DOUBT_RATIO]
         misfits = [self.misfit(one.turns, one.length) for one in good]
         return [one for one, misfit in zip(good, misfits, strict=True) if misfit <= bound(min([best, *misfits]))]
