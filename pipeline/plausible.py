@@ -45,10 +45,11 @@ class Curve:
         self.span_mm = float(high_mm - low_mm)
         self.base, self.load_n = base, float(np.median(samples["load_n"]))
 
-    def ratio(self, turns: float = 1.0, length: float = 1.0) -> float:
-        """Recorded span over the simulated one, both factors applied; NaN where a pair cannot be wound so far."""
+    def ratio(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
+        """Recorded span over the simulated one, factors and offset applied; NaN where a pair cannot be wound so far."""
+        ends = np.array([max(self.low + offset_turns, 0.0), self.high + offset_turns]) * turns
         with np.errstate(all="ignore"):
-            ends_mm = self.base.contraction_mm(np.array([max(self.low, 0.0), self.high]) * turns, self.load_n)
+            ends_mm = self.base.contraction_mm(ends, self.load_n)
             return float(self.span_mm * length / (ends_mm[1] - ends_mm[0]))
 
     def misfit(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
@@ -60,6 +61,11 @@ class Curve:
 
     def _model_mm(self, turns: Array) -> Array:
         return self.base.contraction_mm(turns, self.load_n)
+
+    @property
+    def far(self) -> bool:
+        """Whether the lowest twist is far from 0, the untwisted string."""
+        return abs(self.low) > max(UNTWISTED_TURNS, UNTWISTED_SHARE * (self.high - self.low))
 
     def likely(self, guesses: list[Guess], best: float) -> list[Guess]:
         """The guesses that let the recording pass without doubt and fit about as well as the best, or as `best`."""
@@ -121,7 +127,10 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
     mend = ", or ".join(one.mend for one in likely)
     if len(likely) > 1:
         mend = f"find out which: {mend}"
-    if not likely:
+    shifted = 1.0 / DOUBT_RATIO <= curve.ratio(offset_turns=-curve.low) <= DOUBT_RATIO
+    if curve.far and shifted and curve.misfit(offset_turns=-curve.low) <= bound(best):
+        field, mend = "motor_turns", _home(run, curve)
+    elif not likely:
         mend = "check the units of motor_turns and displacement_mm, counts_per_turn, gears and the string's dimensions"
         fitting = [words for misfit, words in freely if misfit <= bound(best)]
         mend += f"; it would fit {' or '.join(fitting)}" if fitting else ""
@@ -153,12 +162,12 @@ def doubts(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> list[
     """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span."""
     curve = Curve(samples, base)
     found = []
-    if not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
-        found.append(_span(run, curve, path))
-    if abs(curve.low) > max(UNTWISTED_TURNS, UNTWISTED_SHARE * (curve.high - curve.low)):
+    if curve.far:
         begins = float(np.median(samples["motor_turns"].iloc[:5]))
         problem = f"begins at {begins:.3g} turns and its lowest is {curve.low:.3g}, but 0 must be the untwisted string"
         found.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
+    elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
+        found.append(_span(run, curve, path))
     return found
 
 

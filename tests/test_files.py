@@ -1,4 +1,5 @@
 import os
+import stat
 
 import pandas as pd
 import pytest
@@ -54,3 +55,19 @@ def test_every_column_with_a_unit_says_it():
         units = {field.name: field.metadata[b"unit"].decode() for field in schema}
         assert units.get("displacement_mm", "mm") == "mm" and units.get("start_turns", "turns") == "turns"
         assert units.get("stiffness_n_per_mm", "N/mm") == "N/mm" and units.get("stroke", "1") == "1"
+
+
+def test_only_a_file_is_ever_replaced(tmp_path):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "file").write_text("old")
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("pipe")
+    before = sorted(os.listdir(tmp_path))
+    for target in ("", "folder", "pipe", "link", "file/below", "x" * 300, "a\0b"):
+        with pytest.raises(BadInput, match=r"--out: .*Mend: give the name of a file"):
+            write_text(tmp_path / target if target else "", "new")
+    assert sorted(os.listdir(tmp_path)) == before and (tmp_path / "file").read_text() == "old"
+    for device in ("/dev/null", "/dev/full"):
+        with pytest.raises(BadInput, match="a device"):
+            write_text(device, "new")
+        assert stat.S_ISCHR(os.stat(device).st_mode)
