@@ -24,7 +24,7 @@ def short(value: Any) -> str:
 def key_name(key: Any) -> str:
     """A key as it stands, or in quotes and cut where it is long or cannot be printed."""
     text = str(key)
-    return text if text.isprintable() and len(text) <= LONGEST else short(text)
+    return text if text.strip() and text.isprintable() and len(text) <= LONGEST else short(text)
 
 
 def meant(key: str, known: Iterable[str]) -> str:
