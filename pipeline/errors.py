@@ -39,6 +39,11 @@ def program(main: Callable[[], int | None]) -> Callable[[], None]:
         except BadInput as error:
             print(f"error: {error}", file=sys.stderr)
             status = 2
+        except OSError as error:  # a path that was given, or the disk: nothing that a traceback would explain
+            said, where = error.strerror or str(error), error.filename or "a file"
+            mend = "check the path, who may use it, and the room on its disk"
+            print(f"error: {where!s}: file: cannot be read or written ({said}). Mend: {mend}.", file=sys.stderr)
+            status = 2
         sys.exit(status or 0)
 
     return command
