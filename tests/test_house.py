@@ -45,7 +45,7 @@ def part(module):
 BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins")
 # the one model, with its parts, that may use the diagnosis: it is what the diagnosis finds
 DIAGNOSED = "pipeline.models.diagnosed"
-GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "units", "wire"}
+GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "seal", "units", "wire"}
 
 
 def test_the_ground_stands_on_nothing_but_the_ground():
