@@ -40,9 +40,9 @@ def _footer_bytes(end: bytes | memoryview, whole: int) -> int:
     raise Damaged("its end is missing")
 
 
-def seal_parquet(path: Path) -> None:
+def seal_parquet(temporary: Path) -> None:
     """Put the seal of a whole Parquet file between its data and its footer, where no reader of Parquet looks."""
-    with open(path, "rb+") as file:
+    with open(temporary, "rb+") as file:
         size = file.seek(0, os.SEEK_END)
         file.seek(size - PARQUET_TAIL.size)
         start = size - _footer_bytes(file.read(), size + SEAL_BYTES)
