@@ -127,7 +127,8 @@ def test_wire_does_no_io_and_has_no_clock():
 
 
 def test_no_stage_writes_to_its_final_path():
-    """Only `files` writes, and `seal` into its temporary file; run folders are made beside their place and renamed, recordings are appended to."""
+    """Only `files` writes, and `seal` into its temporary file; run folders are made beside their place and renamed,
+    recordings are appended to."""
     writers = {"write_bytes", "write_text", "to_parquet", "to_csv", "write_table", "savefig", "save", "copyfile"}
     for module, path in MODULES.items():
         tree = ast.parse(path.read_text())
