@@ -15,6 +15,7 @@ LONGEST_BYTES = 200
 RUN_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 MATERIAL_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 SYNTHETIC = "synthetic"  # the material of the runs that the synthetic rig makes itself
+SYNTHETIC_DEVICE = "twistbench synthetic rig"  # what its hello calls itself
 # Folders and files under reports/ and processed/ that are made for something else than a material or a run.
 TAKEN = {"blind", "campaign", "diagnosis", "docs", "index", "leak", "lifespan", "logs", "metrics", "processed", "proof"}
 TAKEN |= {"raw", "readme", "real", "recordings", "reports", "together"}

@@ -46,7 +46,7 @@ BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins")
 # the one model, with its parts, that may use the diagnosis: it is what the diagnosis finds
 DIAGNOSED = "pipeline.models.diagnosed"
 GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "units", "wire"}
-GROUND |= {"names", "regular_file", "seal", "strict_yaml"}
+GROUND |= {"complaint", "names", "regular_file", "seal", "strict_yaml", "text_file"}
 
 
 def test_the_ground_stands_on_nothing_but_the_ground():
