@@ -1,21 +1,31 @@
+from pipeline.left_out import to_json
+
+
 def fits_of_inn(wildcards):
     return list(fits(config["models"], wildcards.material, only="inn"))
 
 
+def refused_of_material(wildcards):
+    return to_json([one for one in PLAN.refused if one.material == wildcards.material])
+
+
 rule table:
     input:
-        "processed/{material}/metrics.parquet",
+        metrics="processed/{material}/metrics.parquet",
+        left_out="processed/{material}/left_out.json",
     output:
         expand("reports/{{material}}/{file}", file=TABLES),
     log:
         "processed/logs/table-{material}.log",
     params:
         titles=TITLES,
+        planned=refused_of_material,
         code=fingerprint("pipeline.report.tables"),
     message:
         "write Tables I and II of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.tables {input:q} --titles {params.titles:q}"
+        "exec python -m pipeline.report.tables {input.metrics:q} --titles {params.titles:q}"
+        " --left-out {input.left_out:q} --planned {params.planned:q}"
         " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
@@ -86,11 +96,18 @@ rule metrics:
         "exec python -m pipeline.report.metrics {input:q} --out {output:q} > {log:q} 2>&1"
 
 
+# What the stages left out: of materials by their datasets, of other runs in place of their strokes.
+LEFT_OUT = expand("processed/{material}/left_out.json", material=MATERIALS) + expand(
+    "processed/{run}/strokes.parquet", run=PLAN.others
+)
+
+
 rule index:
     input:
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
+        left_out=LEFT_OUT,
     output:
         "reports/index.html",
     log:
@@ -98,9 +115,30 @@ rule index:
     params:
         materials=MATERIALS,
         runs=DIAGNOSED,
+        planned=to_json(PLAN.left_out),
         code=fingerprint("pipeline.report.index"),
     message:
         "write the page that leads to every report"
     shell:
         "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
+        " --left-out {input.left_out:q} --planned {params.planned:q}"
         " --reports reports --out {output:q} > {log:q} 2>&1"
+
+
+# It fails where a run was refused, after everything else is made, so that this is not overlooked.
+rule all_taken:
+    input:
+        left_out=LEFT_OUT,
+        last=["reports/index.html", "reports/metrics.csv"],
+    output:
+        "processed/left_out.json",
+    log:
+        "processed/logs/all_taken.log",
+    params:
+        planned=to_json(PLAN.refused),
+        code=fingerprint("pipeline.report.left_out"),
+    message:
+        "ask whether every run was taken"
+    shell:
+        "exec python -m pipeline.report.left_out --left-out {input.left_out:q} --planned {params.planned:q}"
+        " --out {output:q} > {log:q} 2>&1"
