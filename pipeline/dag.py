@@ -44,7 +44,7 @@ class Plan:
 def _folders(raw: Path) -> list[Path]:
     """Folders under `raw/` that hold a `run.yaml` or a recording, or that may not be looked into; no hidden ones."""
     try:
-        entries = sorted(entry.name for entry in os.scandir(raw) if not entry.name.startswith(".") and entry.is_dir())
+        names = sorted(name for name in os.listdir(raw) if not name.startswith(".") and os.path.isdir(raw / name))
     except FileNotFoundError:
         return []
     wanted = {"run.yaml", *CAPTURED, *RECORDINGS}
@@ -55,7 +55,7 @@ def _folders(raw: Path) -> list[Path]:
         except OSError:
             return True  # reading its run.yaml says what is wrong
 
-    return [raw / name for name in entries if holds(raw / name)]
+    return [raw / name for name in names if holds(raw / name)]
 
 
 def _perhaps(folder: Path) -> str:
