@@ -105,9 +105,7 @@ def main() -> None:
     parser.add_argument("--string-id", help="name of this very string, if more than one run is made with it")
     parser.add_argument("--strokes-before", type=int)
     parser.add_argument("--recording", type=Path, help="a .csv, .csv.gz or .parquet with the contract's channels")
-    parser.add_argument(
-        "--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'"
-    )
+    parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument("--out", type=Path, default=Path("raw"))

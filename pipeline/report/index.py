@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pipeline.errors import program
 from pipeline.files import write_text
-from pipeline.report import paper
+from pipeline.report import left_out, paper
 from pipeline.report.diagnoses import section
 
 STYLE = """
@@ -67,8 +67,10 @@ def main() -> None:
     parser.add_argument("--runs", nargs="*", default=[], help="runs that are diagnosed")
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
+    left_out.arguments(parser)
     arguments = parser.parse_args()
-    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs))
+    text = page(arguments.reports, arguments.materials, arguments.runs)
+    write_text(arguments.out, text + left_out.section(left_out.told(arguments)))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import program
 from pipeline.files import write_text
-from pipeline.report import paper
+from pipeline.report import left_out, paper
 from pipeline.report.titles import titles_of
 
 Row = tuple[str, str, list[str]]  # model's title, stroke, cells
@@ -92,12 +92,14 @@ def main() -> None:
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--out-dir", type=Path, required=True)
+    left_out.arguments(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     for number in paper.TABLES:
         table = rows(metrics, number, titles_of(arguments.titles))
         for suffix, form in {"csv": to_csv, "md": to_markdown, "tex": to_latex}.items():
-            write_text(arguments.out_dir / f"table_{number}.{suffix}", form(number, table))
+            text = form(number, table) + left_out.beneath(suffix, arguments)
+            write_text(arguments.out_dir / f"table_{number}.{suffix}", text)
 
 
 if __name__ == "__main__":
