@@ -90,10 +90,12 @@ def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[
     """
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     try:
-        return diagnose([folder], out / folder.resolve().name, without=without), True
+        return diagnose([folder], out / Path(os.path.realpath(folder)).name, without=without), True
     except BadInput as error:
         if note:
-            write_text(out / folder.resolve().name / "verdict.txt", f"{folder.name}: not decided: {error}\n")
+            write_text(
+                out / Path(os.path.realpath(folder)).name / "verdict.txt", f"{folder.name}: not decided: {error}\n"
+            )
         return f"error: {error}", note
     except Exception:  # a fault of ours in one run must not cost the others
         return f"error: {folder}: the diagnosis failed, please report it:\n{traceback.format_exc()}", None

@@ -40,8 +40,11 @@ def to_json(runs: list[LeftOut]) -> str:
 
 
 def from_json(text: str) -> list[LeftOut]:
-    """Runs from such JSON."""
-    return [LeftOut(**one) for one in json.loads(text)]
+    """Runs from such JSON; raises BadInput for anything else."""
+    try:
+        return [LeftOut(**one) for one in json.loads(text)]
+    except (ValueError, TypeError, RecursionError):
+        raise BadInput("the runs left out", "JSON", "is not what the plan writes", "run snakemake") from None
 
 
 @contextmanager

@@ -197,3 +197,9 @@ def test_held_out_points_are_capped_evenly():
     assert (dataset["within"] == "test").sum() == HELD_OUT_POINTS == (dataset["later"] == "test").sum()
     held = dataset[dataset["within"] == "test"].groupby(["stroke", "phase"]).size()
     assert len(held) == 18 and held.max() < 1.2 * held.min()
+
+
+def test_a_stiffness_that_nobody_measured_is_the_usual_one_of_its_size():
+    unknown = {key: value for key, value in string().items() if key != "stiffness_n_per_mm"}
+    usual = make_dataset([recorded(string=unknown)])["stiffness_n_per_mm"]
+    assert usual.to_numpy() == pytest.approx(7000 * np.pi * 0.4**2 / 400)

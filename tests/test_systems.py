@@ -78,3 +78,14 @@ def test_lever_and_travel_are_finite(system, run, inputs):
     assert np.isfinite(sine).all() and np.isfinite(tangent).all()
     assert np.isfinite(system.travel(values, inputs)).all()
     assert system.levered == (np.ptp(sine) > 0.0)
+
+
+def test_a_stiffness_that_nobody_measured_may_be_moved_and_a_measured_one_may_not():
+    rig = {"separator_mm": 8.0, "torsion_zone_mm": 150.0}
+    unknown = SimpleNamespace(radius_mm=0.5, length_mm=300.0, stiffness_n_per_mm=None)
+    for name, moves in (("separator", True), ("twisted_pair", False)):  # the pair's equation has no stiffness
+        for string in (STRING, unknown):
+            run = SimpleNamespace(string=string, rig=rig, tolerance={})
+            found = {one.name: one for one in systems()[name].parameters(run)}["stiffness_n_per_mm"]
+            assert found.nominal == pytest.approx(30.0 if string is STRING else 7000.0 * np.pi * 0.25 / 300.0)
+            assert found.sigma == (pytest.approx(0.3 * found.nominal) if moves and string is unknown else 0.0)

@@ -1,5 +1,6 @@
 """Run folders → the health of every string in them."""
 
+import os
 from pathlib import Path
 
 from pipeline.errors import BadInput
@@ -11,7 +12,7 @@ from pipeline.recorded_run import read
 def strings(folders: list[Path]) -> list[Health]:
     """Health of every string in run folders; raises BadInput."""
     runs: dict[str, list[Recorded]] = {}
-    told = [folder.resolve() for folder in folders]
+    told = [Path(os.path.realpath(folder)) for folder in folders]
     for folder in told:
         if told.count(folder) > 1:
             raise BadInput(folder, "run_dir", "is named twice", "name each run once: its strokes would count twice")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.errors import program
+from pipeline.errors import BadInput, program
 from pipeline.files import whole, write_text
 from pipeline.real.rigs import Rig, read_rigs
 from pipeline.report.index import STYLE
@@ -109,6 +109,9 @@ def main() -> None:
     told = parser.parse_args()
     rows = pd.concat([pd.read_csv(path) for path in told.tables], ignore_index=True)
     texts = ["verdict", "named", "expected", "unit", "doubt", "why"]
+    missing = [name for name in texts if name not in rows]
+    if missing:
+        raise BadInput(told.tables[0], missing[0], "is not among its columns", "make the rigs' tables again")
     rows[texts] = rows[texts].fillna("").astype(str)
     write_text(told.out, page(rows, read_rigs()))
     with whole(told.table) as temporary:
