@@ -2,7 +2,6 @@
 
 import argparse
 import json
-import os
 import sys
 import time
 import traceback
@@ -88,7 +87,6 @@ def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[
 
     `note` writes a refusal where the words would be.
     """
-    os.environ.setdefault("OMP_NUM_THREADS", "1")
     try:
         return diagnose([folder], out / folder.resolve().name, without=without), True
     except BadInput as error:
