@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import TOLERANCE
-from pipeline.recorded import Recorded, in_order, read_recorded, tare_mm
+from pipeline.recorded import Recorded, in_order, read_recorded
 from pipeline.runs import capture_info
+from pipeline.zero import jumps, offsets_mm
 
 TRAINING_POINTS = 5000  # as in the paper
 HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes
@@ -120,18 +121,23 @@ def _split(test: Mask, eligible: Mask) -> NDArray[np.str_]:
     return np.where(_thinned(test, HELD_OUT_POINTS), "test", np.where(train, "train", ""))
 
 
-def make_dataset(recorded: list[Recorded], left_out: Mapping[str, frozenset[int]] | None = None) -> pd.DataFrame:
-    """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
-
-    Runs of the same string continue each other's stroke numbers and share its tare.
-    """
+def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:
+    """Runs of each string in the order in which they were recorded; the strings in the order of their runs' names."""
     strings: dict[str, list[Recorded]] = {}
     for one in sorted(recorded, key=lambda one: one.run.run):
         strings.setdefault(one.run.string_id, []).append(one)
+    return [in_order(runs) for runs in strings.values()]
+
+
+def make_dataset(recorded: list[Recorded], left_out: Mapping[str, frozenset[int]] | None = None) -> pd.DataFrame:
+    """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
+
+    Runs of the same string continue each other's stroke numbers and share its tare (`zero.offsets_mm`).
+    """
     parts = []
-    for runs in map(in_order, strings.values()):
-        offset_mm, done = tare_mm(runs[0]), 0
-        for one in runs:
+    for runs in by_string(recorded):
+        done = 0
+        for one, offset_mm in zip(runs, offsets_mm(runs), strict=True):
             assert one.run.string is not None
             done = max(done, one.run.string.strokes_before)
             parts.append(points_of(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset())))
@@ -165,6 +171,10 @@ def main() -> None:
             print(f"{one.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": ")
             print("kept all the same" if arguments.keep_lossy else "left out")
             left_out[one.run.run] = frozenset() if arguments.keep_lossy else lossy
+    for runs in by_string(recorded):
+        of_run = {one.run.run: one.run.tare for one in runs}
+        for jump in jumps(runs):
+            print(jump.handled if of_run[jump.run] == "run" else jump.proposal)
     dataset = make_dataset(recorded, left_out)
     if not {"train", "test"} <= set(dataset["within"]):
         mend = "record more strokes, or more samples a stroke"

@@ -15,6 +15,7 @@ from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
 from pipeline.run_yaml import Run
+from pipeline.same_string import jumps_into
 
 Result = TypeVar("Result")
 
@@ -55,11 +56,16 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
     content = verdict.diagnosis(found, fine, held, runs, experiment, without)
+    jumps = optional("the zero of this string's runs", name, lambda: jumps_into(folders, runs, tables)) or []
+    if jumps:
+        told = ("before", "run", "jump_mm", "floor_mm")
+        content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
     words = sentences.sentences(content, problem.system, sentences.left_tolerance(found))
+    words = "\n".join([words, *(jump.proposal for jump in jumps)])
     write_text(out / "verdict.txt", words + "\n")
     return words
 

@@ -3,7 +3,7 @@
 import difflib
 import re
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, field_validator, model_validator
 
@@ -77,6 +77,9 @@ class Run(_Section):
     simulation: list[dict[str, Any]] = Field(default_factory=list)
     file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
     channels: dict[str, Channel] = Field(default_factory=dict)
+    tare: Literal["string", "run"] = Field(
+        "string", description='"run" where the zero was moved since the run before of the same string'
+    )
     mended: dict[str, Annotated[int, Field(ge=0)]] = Field(default_factory=dict)
 
     @model_validator(mode="after")

@@ -6,7 +6,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from made_recording import recording
 from models.made_dataset import made_dataset
 
 from pipeline import ONE_THREAD, schemas
@@ -27,7 +26,12 @@ def run(*words: object, threads: str | None = None) -> str:
 
 @pytest.mark.parametrize(
     ("first", "threads"),
-    [("pipeline.predict", None), ("pipeline.models.cinn", "4"), ("numpy, scipy.linalg, pipeline", "4")],
+    [
+        ("pipeline.predict", None),
+        ("pipeline.diagnose", "4"),
+        ("pipeline.models.cinn", "4"),
+        ("numpy, scipy.linalg, pipeline", "4"),
+    ],
 )
 def test_every_library_has_one_thread(first: str, threads: str | None) -> None:
     assert run("-c", f"import {first}; import numpy, scipy.linalg; {COUNT}", threads=threads) == "{1}\n"
@@ -44,13 +48,3 @@ def test_a_trained_model_has_the_same_bytes_whatever_the_variable(tmp_path: Path
             run("-m", "pipeline.train", dataset, *words, "--out-predictions", out / "p.parquet", threads=threads)
             made.add(((out / "model").read_bytes(), (out / "p.parquet").read_bytes()))
         assert len(made) == 1, model
-
-
-def test_a_diagnosis_has_the_same_bytes_whatever_the_variable(make_run, tmp_path: Path) -> None:
-    folder = make_run("made-01", recording(3, rate_hz=10.0))
-    made = set()
-    for threads in (None, "4"):
-        out = tmp_path / str(threads)
-        run("-m", "pipeline.diagnose", folder, "--out", out, threads=threads)
-        made.add((out / "made-01" / "diagnosis.json").read_bytes())
-    assert len(made) == 1

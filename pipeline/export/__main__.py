@@ -9,7 +9,10 @@ from pipeline.errors import BadInput, program
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
 from pipeline.files import whole, write_text
+from pipeline.outputs import file_to_write, folder_to_write
 from pipeline.train import SPLITS
+
+LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 
 
 def arguments(words: list[str]) -> argparse.Namespace:
@@ -31,9 +34,12 @@ def main() -> None:
     asked = arguments(sys.argv[1:])
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", asked.name):
         raise BadInput("--name", asked.name, "cannot begin a C name", "use letters, digits and _")
-    if asked.out and asked.out.exists() and asked.out.is_dir() != (asked.format == "onnx"):
-        wanted = "a folder" if asked.format == "onnx" else "a file"
-        raise BadInput("--out", str(asked.out), f"is there and is not {wanted}", f"name {wanted}")
+    if len(asked.name) > LONGEST:
+        raise BadInput("--name", f"{asked.name[:40]}…", f"has {len(asked.name)} characters", f"use at most {LONGEST}")
+    if asked.format == "c":
+        file_to_write(asked.out or Path(f"{asked.name}.h"))
+    else:
+        folder_to_write(asked.out or Path())
     source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
     if asked.format == "c":
         out = asked.out or Path(f"{asked.name}.h")
