@@ -95,7 +95,7 @@ def points_of(
     points["run"], points["string"], points["actuator"] = run.run, run.string_id, run.actuator
     points["radius_mm"] = run.string.radius_mm
     points["length_mm"] = run.string.length_mm
-    points["stiffness_n_per_mm"] = run.string.stiffness_n_per_mm
+    points["stiffness_n_per_mm"] = run.string.nominal_stiffness_n_per_mm
     points["torsion_zone_mm"] = run.rig.get("torsion_zone_mm", np.nan)
     points["separator_mm"] = run.rig.get("separator_mm", np.nan)
     tolerance = {**TOLERANCE, **run.tolerance}

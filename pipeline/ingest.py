@@ -29,7 +29,7 @@ def geometry(run: Run) -> Geometry:
         run.actuator,
         run.string.radius_mm,
         run.string.length_mm,
-        run.string.stiffness_n_per_mm,
+        run.string.nominal_stiffness_n_per_mm,
         run.rig.get("torsion_zone_mm", np.nan),
         run.rig.get("separator_mm", np.nan),
     )

@@ -14,8 +14,8 @@ from pydantic import ValidationError
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
-from pipeline.files import write_text
 from pipeline.models.interface import Model, make_model, names, settings_of
+from pipeline.models.saved import write_bytes
 from pipeline.models.settings import Refused, refusal, shown, told
 from pipeline.outputs import file_to_write
 from pipeline.tables import opened
@@ -112,7 +112,7 @@ def main() -> None:
     train, test = divided(dataset, asked.split, asked.dataset)
     if test.empty:
         print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")
-        write_text(asked.out_model, "")
+        write_bytes(asked.out_model, b"")
         schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, asked.out_predictions)
         return
     with fitting(asked.model):

@@ -21,4 +21,4 @@ rule dataset:
     message:
         "make the dataset of {wildcards.material}"
     shell:
-        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output} {params.lossy} > {log} 2>&1"
+        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output:q} {params.lossy:q} > {log:q} 2>&1"

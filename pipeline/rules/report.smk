@@ -15,8 +15,8 @@ rule table:
     message:
         "write Tables I and II of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.tables {input} --titles {params.titles:q}"
-        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.report.tables {input:q} --titles {params.titles:q}"
+        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 rule comparison:
@@ -32,7 +32,7 @@ rule comparison:
     message:
         "compare {wildcards.material} with the paper"
     shell:
-        "exec python -m pipeline.report.comparison {input} --titles {params.titles:q} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.comparison {input:q} --titles {params.titles:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule models:
@@ -50,8 +50,8 @@ rule models:
     message:
         "hold the models of {wildcards.material} against its floor"
     shell:
-        "exec python -m pipeline.report.models {input} --titles {params.titles:q} --directed {params.directed}"
-        " --out {output.page} --table {output.table} > {log} 2>&1"
+        "exec python -m pipeline.report.models {input:q} --titles {params.titles:q} --directed {params.directed:q}"
+        " --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
 
 
 rule figures:
@@ -67,8 +67,8 @@ rule figures:
     message:
         "draw Figures 4 and 5 of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.figures {input.dataset} --inn {input.inn}"
-        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.report.figures {input.dataset:q} --inn {input.inn:q}"
+        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 rule metrics:
@@ -83,7 +83,7 @@ rule metrics:
     message:
         "gather the metrics of all materials"
     shell:
-        "exec python -m pipeline.report.metrics {input} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.metrics {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule index:
@@ -102,5 +102,5 @@ rule index:
     message:
         "write the page that leads to every report"
     shell:
-        "exec python -m pipeline.report.index {params.materials} --runs {params.runs}"
-        " --reports reports --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
+        " --reports reports --out {output:q} > {log:q} 2>&1"
