@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import TOLERANCE
+from pipeline.outputs import file_to_write
 from pipeline.recorded import Recorded, in_order, read_recorded
 from pipeline.runs import capture_info
 from pipeline.zero import jumps, offsets_mm
@@ -163,6 +164,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     arguments = parser.parse_args()
+    file_to_write(arguments.out)
     recorded = [read_recorded(folder, arguments.processed) for folder in arguments.run_dirs]
     left_out: dict[str, frozenset[int]] = {}
     for folder, one in zip(arguments.run_dirs, recorded, strict=True):

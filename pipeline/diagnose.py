@@ -14,6 +14,7 @@ from pipeline.diagnosis import engine, figures, heldout, library, outcome, sente
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
+from pipeline.outputs import folder_to_write
 from pipeline.run_yaml import Run
 from pipeline.same_string import jumps_into
 
@@ -118,6 +119,7 @@ def main() -> int:
         "--note-refusals", action="store_true", help="write why a run is refused as its verdict.txt, and exit with 0"
     )
     arguments = parser.parse_args()
+    folder_to_write(arguments.out)
     folders: list[Path] = [folder if folder.name else folder.resolve() for folder in arguments.run_dir]
     without = frozenset(arguments.without)
     for id_ in sorted(without - set(library.mechanisms())):

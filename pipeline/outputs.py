@@ -6,6 +6,7 @@ from pathlib import Path
 
 from pipeline.errors import BadInput
 
+LONGEST_PATH = 3500  # bytes in all: 4096 are taken, and names go under a folder
 LONGEST_NAME = 200  # bytes: file systems take 255, and a temporary name beside it is longer
 
 
@@ -35,6 +36,9 @@ def _refuse_names(path: Path, field: str, wanted: str) -> None:
         raise BadInput(field, "path", "is empty or the folder itself", f"name {wanted}")
     if "\0" in str(path):
         raise BadInput(field, "path", "holds a NUL character", f"name {wanted} without it")
+    if len(os.fsencode(path.absolute())) > LONGEST_PATH:
+        problem = f"is {len(os.fsencode(path.absolute()))} bytes long"
+        raise BadInput(field, f"{str(path)[:40]}…", problem, f"name {wanted} in at most {LONGEST_PATH}")
     for part in path.parts:
         if len(os.fsencode(part)) > LONGEST_NAME:
             problem = f"is {len(os.fsencode(part))} bytes long"

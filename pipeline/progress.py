@@ -1,7 +1,7 @@
 """How far a long piece of work is: one line on the terminal that renews itself, or a line a minute in a log.
 
 Programs say what they go through by `steps`; one inside another stands in the same line, as in "fit 3 of 8, epoch 20 of
-60, 41 s". Everything goes to stderr, and what takes less than a moment says nothing.
+60, 41 s". Everything goes to stderr. What is done within a minute says nothing in a log.
 """
 
 import shutil
@@ -68,7 +68,7 @@ def _say() -> None:
     if stream is None or stream.closed:
         return
     terminal = stream.isatty()
-    if now_s - _line.said_s < (RENEWED_S if terminal else LOGGED_S):
+    if now_s - _line.said_s < (RENEWED_S if terminal else LOGGED_S) and (_line.drawn or not terminal):
         return
     _line.said_s = now_s
     text = words(now_s - _line.began_s)

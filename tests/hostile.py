@@ -10,9 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.errors import program
+
 NAMES = (
-    "", ".", "..", "../x", "/", "/dev/full", "/dev/null", "/proc/self/mem", "a" * 300, "x/" * 2000 + "x", "it's $(touch PWNED)",
-    "-", "--", "-1", "\n", "\0", "ünïcode 名", "\udcff", "*", "a;b", "nan", "1e999", "[]", "{}", "null", "#", "%s%n", "~",
+    "", ".", "..", "../x", "/", "/dev/full", "/dev/null", "/proc/self/mem", "a" * 300, "x/" * 2000 + "x",
+    "it's $(touch PWNED)", "-", "--", "-1", "\n", "ünïcode 名", "\udcff", "*", "a;b", "nan", "1e999", "[]", "{}",
+    "null", "#", "%s%n", "~",
 )  # fmt: skip
 NUMBERS = ("0", "-1", "1", "nan", "inf", "-inf", "1e400", "1e-400", "0x10", "１", "9" * 5000, "2.5", "", " ", "True")
 
@@ -25,7 +28,7 @@ def ended(module: str, words: list[str], place: Path) -> tuple[int, str]:
     try:
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(complained), warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            importlib.import_module(module).main()
+            program(importlib.import_module(module).main)()
         return 0, complained.getvalue()
     except SystemExit as end:
         return int(end.code or 0), complained.getvalue()

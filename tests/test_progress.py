@@ -10,6 +10,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from made_recording import recording
 from models.made_dataset import made_dataset
 
 from pipeline import progress, schemas
@@ -56,11 +57,13 @@ def test_a_log_gets_a_line_a_minute(clock: Clock, monkeypatch: pytest.MonkeyPatc
     ]
 
 
-def test_what_is_soon_done_says_nothing(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
-    for stream in (io.StringIO(), Terminal()):
+def test_what_is_soon_done_says_nothing_in_a_log_and_little_on_a_terminal(
+    clock: Clock, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for stream, said in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s\x1b[K\r\x1b[K")):
         monkeypatch.setattr(sys, "stderr", stream)
         work(clock, 0.001)
-        assert stream.getvalue() == ""
+        assert stream.getvalue() == said
 
 
 def test_a_terminal_has_one_line_that_is_gone_at_the_end(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -68,7 +71,7 @@ def test_a_terminal_has_one_line_that_is_gone_at_the_end(clock: Clock, monkeypat
     monkeypatch.setattr(sys, "stderr", screen)
     work(clock, 1.0)
     said = screen.getvalue()
-    assert "\n" not in said and said.startswith("\rfit 1 of 3, epoch 2 of 4, 1 s")
+    assert "\n" not in said and said.startswith("\rfit 1 of 3, 0 s\x1b[K\r\rfit 1 of 3, epoch 2 of 4, 1 s")
     assert "fit 3 of 3, epoch 4 of 4, 11 s" in said and said.endswith("\r\x1b[K")
 
 
@@ -80,7 +83,7 @@ def test_work_that_fails_leaves_no_line_behind(clock: Clock, monkeypatch: pytest
             clock.now_s += 1.0
             for _ in steps(range(2), "epoch"):
                 raise ValueError
-    assert screen.getvalue() == "" or screen.getvalue().endswith("\r\x1b[K")
+    assert screen.getvalue().endswith("\r\x1b[K")
     work(clock, 1.0)
     assert "\rfit 1 of 3, epoch 2 of 4, 1 s" in screen.getvalue()
 
@@ -108,6 +111,15 @@ def on_a_terminal(command: list[str]) -> str:
     listener.join()
     os.close(ours)
     return b"".join(said).decode()
+
+
+def test_lifespan_and_a_campaign_show_theirs(make_run, tmp_path: Path) -> None:
+    folder = make_run("a-1", recording(13, rate_hz=10.0))
+    words = {"lifespan": [str(folder), "--out", f"{tmp_path}/life"]}
+    words["campaign.points"] = [str(folder.parent), "--out", f"{tmp_path}/points.parquet"]
+    for program, shown in (("lifespan", r"\rstring 1 of 1, law \d+ of 12"), ("campaign.points", r"\rstring 1 of 1")):
+        said = on_a_terminal([sys.executable, "-m", f"pipeline.{program}", *words[program]])
+        assert re.search(shown, said) and "\n" not in said and said.endswith("\r\x1b[K")
 
 
 @pytest.mark.parametrize("program", ["predict", "train"])

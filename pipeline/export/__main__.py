@@ -3,6 +3,8 @@
 import argparse
 import re
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from pipeline.errors import BadInput, program
@@ -29,6 +31,16 @@ def arguments(words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
+@contextmanager
+def writable(file: Path) -> Iterator[None]:
+    """Raise BadInput where a model that could be loaded and asked holds what no export can be made of."""
+    try:
+        yield
+    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError) as error:
+        problem = f"cannot be exported ({type(error).__name__}: {error})"
+        raise BadInput(file, "model", problem, "train it again; should that not help, report it") from error
+
+
 def main() -> None:
     """Export."""
     asked = arguments(sys.argv[1:])
@@ -43,12 +55,16 @@ def main() -> None:
     source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
     if asked.format == "c":
         out = asked.out or Path(f"{asked.name}.h")
-        write_text(out, header(source, asked.name))
+        with writable(asked.file):
+            text = header(source, asked.name)
+        write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text")
         return
     from pipeline.export.onnx_model import graphs  # a header needs no onnx
 
-    for way, graph in graphs(source, asked.name).items():
+    with writable(asked.file):
+        made = graphs(source, asked.name)
+    for way, graph in made.items():
         out = (asked.out or Path()) / f"{asked.name}.{way}.onnx"
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
