@@ -174,9 +174,8 @@ def main() -> None:
             print("kept all the same" if arguments.keep_lossy else "left out")
             left_out[one.run.run] = frozenset() if arguments.keep_lossy else lossy
     for runs in by_string(recorded):
-        of_run = {one.run.run: one.run.tare for one in runs}
         for jump in jumps(runs):
-            print(jump.handled if of_run[jump.run] == "run" else jump.proposal)
+            print(jump.advice)
     dataset = make_dataset(recorded, left_out)
     if not {"train", "test"} <= set(dataset["within"]):
         mend = "record more strokes, or more samples a stroke"

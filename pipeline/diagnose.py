@@ -66,7 +66,7 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
     words = sentences.sentences(content, problem.system, sentences.left_tolerance(found))
-    words = "\n".join([words, *(jump.proposal for jump in jumps)])
+    words = "\n".join([words, *(jump.advice for jump in jumps)])
     write_text(out / "verdict.txt", words + "\n")
     return words
 

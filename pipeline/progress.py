@@ -41,8 +41,8 @@ def steps(items: Iterable[Item], what: str, total: int | None = None) -> Iterato
             _say()
             yield item
     finally:
-        if level in _line.levels:
-            del _line.levels[_line.levels.index(level) :]
+        place = next((at for at, one in enumerate(_line.levels) if one is level), len(_line.levels))
+        del _line.levels[place:]
         if not _line.levels:
             clear()
 

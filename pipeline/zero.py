@@ -33,6 +33,12 @@ class Jump:
     jump_mm: float
     floor_mm: float
     unrecorded: int = 0
+    taken_off: bool = False  # by `tare: run` in the run's run.yaml
+
+    @property
+    def may_be_wear(self) -> bool:
+        """Whether strokes that nobody recorded may have made the change."""
+        return self.unrecorded > 0 and not self.taken_off
 
     @property
     def sentence(self) -> str:
@@ -46,17 +52,14 @@ class Jump:
         )
 
     @property
-    def proposal(self) -> str:
-        """What is seen, and what to do if the zero was moved."""
+    def advice(self) -> str:
+        """What is seen, and what to do if the zero was moved, or that it was done."""
+        if self.taken_off:
+            return f"{self.sentence} For the tables `tare: run` takes it off."
         return (
             f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
             f"{self.run}: it is then tared on its own rest, from where {self.before} ended."
         )
-
-    @property
-    def handled(self) -> str:
-        """What is seen, and that run.yaml has it taken off."""
-        return f"{self.sentence} `tare: run` takes it off."
 
 
 def jumps(runs: list[Recorded]) -> list[Jump]:
@@ -97,7 +100,7 @@ def _jump(before: Recorded, after: Recorded, unrecorded: int) -> Jump | None:
     floor_mm = max(noise_mm(before), noise_mm(after), LEAST_FLOOR_MM)
     if abs(change) <= max(FLOORS * floor_mm, STROKES * _usual_mm(before, after)):
         return None
-    return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded)
+    return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded, after.run.tare == "run")
 
 
 def _change_mm(before: Recorded, after: Recorded) -> float | None:

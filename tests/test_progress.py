@@ -60,7 +60,7 @@ def test_a_log_gets_a_line_a_minute(clock: Clock, monkeypatch: pytest.MonkeyPatc
 def test_what_is_soon_done_says_nothing_in_a_log_and_little_on_a_terminal(
     clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for stream, said in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s\x1b[K\r\x1b[K")):
+    for stream, said in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s\x1b[K\r\r\x1b[K")):
         monkeypatch.setattr(sys, "stderr", stream)
         work(clock, 0.001)
         assert stream.getvalue() == said

@@ -56,7 +56,7 @@ def test_a_jump_is_seen_with_its_size_in_noise_floors(jump_mm: float) -> None:
     assert (seen.before, seen.run, seen.unrecorded) == (*NAMES, 0)
     assert seen.jump_mm == pytest.approx(jump_mm, abs=0.02) and seen.floor_mm == pytest.approx(0.02, rel=0.3)
     assert re.search(rf"reads 0\.5[6-9] mm {'more' if jump_mm > 0 else 'less'} than a-1 at its end", seen.sentence)
-    assert "`tare: run`" in seen.proposal and "no stroke in between" in seen.sentence
+    assert "`tare: run`" in seen.advice and "no stroke in between" in seen.sentence
 
 
 def test_wear_and_noise_are_no_jump() -> None:

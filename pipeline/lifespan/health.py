@@ -36,7 +36,7 @@ class Health:
 def numbered(runs: list[Recorded]) -> list[Stroke]:
     """Complete strokes of one string's runs, which continue each other's numbers; no jump of the zero is in them."""
     runs = in_order(runs)
-    moved = frozenset(jump.run for jump in jumps(runs) if not jump.unrecorded)
+    moved = frozenset(jump.run for jump in jumps(runs) if not jump.may_be_wear)
     done, found = 0, list[Stroke]()
     for one, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):
         assert one.run.string is not None

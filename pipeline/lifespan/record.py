@@ -77,7 +77,7 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
         "last_stroke": int(table["stroke"].iloc[-1]),
         "strokes_of_another_range": health.left_out,
         "zero_jumps": [
-            {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.unrecorded}
+            {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
             for jump in health.jumps
         ],
         "level": level,
@@ -115,7 +115,7 @@ def sentences(health: Health, answers: list[Answer], level: float) -> str:
     if health.left_out:
         lines.append(f"  {len(health.left_out)} strokes wind over another range than the first ones and are left out.")
     for jump in health.jumps:
-        how = "It may be theirs, and counts as wear" if jump.unrecorded else "It is taken off: it is no wear"
+        how = "It may be theirs, and counts as wear" if jump.may_be_wear else "It is taken off: it is no wear"
         lines.append(f"  {jump.sentence} {how}.")
     lines += [f"  {sentence(one, level)}" for one in answers]
     if any(len(one.left.when) for one in answers):
