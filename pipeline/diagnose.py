@@ -16,7 +16,7 @@ from pipeline.files import write_text
 from pipeline.ingest import read_samples
 from pipeline.outputs import folder_to_write
 from pipeline.run_yaml import Run
-from pipeline.same_string import jumps_into
+from pipeline.zero_beside import jumps_into
 
 Result = TypeVar("Result")
 

@@ -16,9 +16,9 @@ from pipeline import schemas
 from pipeline.dataset import make_dataset
 from pipeline.lifespan.gather import strings
 from pipeline.recorded import Recorded
-from pipeline.same_string import jumps_into
 from pipeline.strokes import segment
 from pipeline.zero import jumps, offsets_mm
+from pipeline.zero_beside import jumps_into
 
 ROOT = Path(__file__).parent.parent
 CUT_S, JUMP_MM = 121.0, 0.58  # amid the rest after the fourth of eight strokes; 29 times the noise
