@@ -4,20 +4,23 @@ A mapping is a `run.yaml` without `run`: the string, the rig, how the file is wr
 """
 
 import argparse
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
-import yaml
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.folders import whole_folder
-from pipeline.ingest import check, check_finite
+from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
-from pipeline.recording import read_table, to_samples
+from pipeline.names import checked, own_material, run_name
+from pipeline.recording import to_samples
 from pipeline.run_yaml import parse_run
+from pipeline.strict_yaml import read_yaml, write_yaml
+from pipeline.table_file import read_table
 
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
 
@@ -67,10 +70,7 @@ def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
 
 def read_mapping(path: Path) -> dict[str, Any]:
     """Content of a mapping; raises BadInput when it is not there, not YAML, or names a run."""
-    try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise BadInput(path, "mapping", f"cannot be read ({type(error).__name__})", "write it as a run.yaml") from None
+    content = read_yaml(path)
     if not isinstance(content, dict) or {"run", "mended"} & content.keys():
         mend = "write it as a run.yaml, without run and mended"
         raise BadInput(path, "mapping", "is not a mapping", mend)
@@ -81,8 +81,7 @@ def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path) -> N
     """Make a run folder, whole or not at all; raises BadInput when it is there already."""
     with whole_folder(folder, "run", "choose another --run; runs are never overwritten") as temporary:
         schemas.write(samples, schemas.samples(list(samples.columns)), temporary / "recording.parquet")
-        text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
-        (temporary / "run.yaml").write_text(text, encoding="utf-8")
+        (temporary / "run.yaml").write_text(write_yaml(content), encoding="utf-8")
 
 
 def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
@@ -90,18 +89,21 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     folder = out / name
     content = {"run": name, **read_mapping(mapping)}
     try:
+        checked(run_name, name, folder / "run.yaml", "run")
         run = parse_run(content, folder / "run.yaml")
+        if run.string:
+            checked(own_material, run.string.material, mapping, "string.material")
     except BadInput as error:  # the mapping is what a person can mend, but for the name
         where = "--run" if error.field == "run" else str(mapping)
         raise BadInput(where, error.field, error.problem, error.mend) from None
-    if not file.is_file():
-        raise BadInput(file, "file", "is not there", "check the path")
     table = read_table(file, run.file)
     samples = to_samples(run, table, file, mapping)
     check_finite(samples, file)
     time_s, mended = mend_time(samples["time_s"].to_numpy())
     samples["time_s"] = time_s
     check(run, samples, file)
+    for question in questions(run, samples, file):
+        print(f"warning: {question}", file=sys.stderr)
     if "load_n" not in run.channels and "load_n" not in table.columns:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}

@@ -1,6 +1,7 @@
 """Recording → samples: a run's channels in our units, checked at the door."""
 
 import argparse
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
+from pipeline.plausible import check_string, doubts
 from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
 from pipeline.runs import read_run, recording_path
@@ -16,10 +18,6 @@ from pipeline.strokes import segment
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 LEAST_SAMPLES = 20
-# A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
-SPAN_RATIO = 4.0
-ANGLE_UNITS = {"rad": 2.0 * np.pi, "deg": 360.0, "turns": 1.0}
-LENGTH_UNITS = {"mm": 1.0, "cm": 0.1, "m": 0.001}
 
 
 def geometry(run: Run) -> Geometry:
@@ -62,49 +60,6 @@ def check_clock(samples: pd.DataFrame, path: Path) -> None:
         raise BadInput(path, "time_s", f"a sample every {median_s:g} s is no rate of a rig", mend)
 
 
-def check_string(samples: pd.DataFrame, base: Geometry, path: Path) -> None:
-    """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
-    turns, measured_mm = samples["motor_turns"].to_numpy(), samples["displacement_mm"].to_numpy()
-    low, high = np.percentile(turns, [1, 99])
-    if high - low < 0.05:
-        return  # no stroke in it: the segmentation says so
-    if high <= 0:
-        raise BadInput(path, "motor_turns", "is negative throughout", "winding is positive: set its scale to -1")
-    span_mm = float(np.subtract(*np.percentile(measured_mm, [99, 1])))
-    if span_mm == 0:
-        raise BadInput(path, "displacement_mm", "never changes while the motor turns", "check the sensor and its cable")
-    if np.corrcoef(turns, measured_mm)[0, 1] < -0.5:
-        mend = "contraction is positive: set its scale to -1"
-        raise BadInput(path, "displacement_mm", "falls while the motor winds", mend)
-    load_n = float(np.median(samples["load_n"]))
-
-    def ratio(angle: float, length: float) -> float:
-        ends_mm = base.contraction_mm(np.array([max(low, 0.0), high]) / angle, load_n)
-        return span_mm / length / float(ends_mm[1] - ends_mm[0])
-
-    as_named = ratio(1.0, 1.0)
-    if 1.0 / SPAN_RATIO <= as_named <= SPAN_RATIO:
-        return
-    others = [
-        (abs(np.log(ratio(angle, length))), angle_unit, length_unit)
-        for angle_unit, angle in ANGLE_UNITS.items()
-        for length_unit, length in LENGTH_UNITS.items()
-        if 1.0 / SPAN_RATIO <= ratio(angle, length) <= SPAN_RATIO
-    ]
-    field, mend = (
-        "motor_turns",
-        "check the units of motor_turns and displacement_mm and the string's dimensions",
-    )
-    if others:
-        _, angle_unit, length_unit = min(others)
-        field = "motor_turns" if angle_unit != "turns" else "displacement_mm"
-        unit = angle_unit if angle_unit != "turns" else length_unit
-        mend = f"it looks like {unit}: set channels.{field}.unit to {unit}"
-    expected = f"{span_mm / as_named:.3g} mm" if np.isfinite(as_named) else "more than the string is long"
-    problem = f"{low:.3g} to {high:.3g} turns should contract the string by {expected}, recorded are {span_mm:.3g} mm"
-    raise BadInput(path, field, problem, mend)
-
-
 def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
     """Raise BadInput unless the samples of a run, read from `path`, can be what their names say and hold a stroke."""
     check_finite(samples, path)
@@ -112,8 +67,13 @@ def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
     if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
-        check_string(samples, geometry(run), path)
+        check_string(run, samples, geometry(run), path)
     segment(samples, run.system.driver, path)
+
+
+def questions(run: Run, samples: pd.DataFrame, path: Path) -> list[BadInput]:
+    """What of checked samples is possible, but more likely a mistake: nothing to refuse, all to be said."""
+    return doubts(run, samples, geometry(run), path) if run.actuator in STRING_ACTUATORS else []
 
 
 def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
@@ -134,6 +94,8 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
     run, samples = read_samples(arguments.run_dir)
+    for question in questions(run, samples, recording_path(arguments.run_dir)):
+        print(f"warning: {question}", file=sys.stderr)
     schemas.write(samples, schemas.samples(list(samples.columns)), arguments.out)
     print(f"{run.run}: {len(samples)} samples over {samples['time_s'].iloc[-1] - samples['time_s'].iloc[0]:.1f} s")
 

@@ -1,55 +1,93 @@
 """A new run folder: `run.yaml` from what was measured, and the recording beside it if there is one already."""
 
 import argparse
-import os
 import shutil
+import sys
 from pathlib import Path
 from typing import Any
 
-import yaml
+import pandas as pd
 
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
-from pipeline.run_yaml import STRING_ACTUATORS, parse_run
-from pipeline.runs import RECORDINGS
+from pipeline.folders import whole_folder
+from pipeline.ingest import check, questions
+from pipeline.names import checked, own_material, run_name
+from pipeline.recording import read_recording, to_samples
+from pipeline.run_yaml import STRING_ACTUATORS, Run, parse_run
+from pipeline.runs import RECORDINGS, recording_path, unfinished
+from pipeline.same_string import string_id
+from pipeline.strict_yaml import parse_yaml, write_yaml
+from pipeline.table_file import read_table
 
 
-def make_run(content: dict[str, Any], recording: Path | None, out: Path) -> Path:
-    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput."""
-    folder = out / str(content["run"])
-    parse_run(content, folder / "run.yaml")
-    if (folder / "run.yaml").exists() or (folder.exists() and recording is not None):
-        raise BadInput(folder, "run", "is there already", "choose another name; runs are never overwritten")
-    text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
-    if folder.exists():  # recorded before it was described
-        write_text(folder / "run.yaml", text)
-        return folder
-    suffix = "".join(recording.suffixes[-2:]) if recording and recording.suffix == ".gz" else ""
-    name = f"recording{suffix or (recording.suffix if recording else '')}"
-    if recording is not None and (not recording.is_file() or name not in RECORDINGS[1:]):
+def recording_name(recording: Path) -> str:
+    """What a recording is called in its run folder; raises BadInput for a kind that has no name there."""
+    name = f"recording{''.join(recording.suffixes[-2:]) if recording.suffix == '.gz' else recording.suffix}"
+    if not recording.is_file() or name not in RECORDINGS[1:]:
         mend = f"give a file that ends like {', '.join(RECORDINGS[1:])}, or use python -m pipeline.import_run"
         raise BadInput(recording, "--recording", "is not there or not of a known kind", mend)
-    temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
-    try:
-        temporary.mkdir(parents=True)
-        (temporary / "run.yaml").write_text(text, encoding="utf-8")
+    return name
+
+
+def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool) -> None:
+    """Raise BadInput for a recording that ingest would refuse, and, unless `sure`, for one that is likely a mistake."""
+    check(run, samples, path)
+    for question in questions(run, samples, path):
+        if not sure:
+            mend = f"{question.mend}; if it is right as it is, add --sure"
+            raise BadInput(question.file, question.field, question.problem, mend)
+        print(f"warning: {question}", file=sys.stderr)
+
+
+def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False) -> Path:
+    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput."""
+    name = checked(run_name, str(content["run"]), out / "run.yaml", "run")
+    folder, path = out / name, out / name / "run.yaml"
+    run = parse_run(content, path)
+    if run.string:
+        checked(own_material, run.string.material, path, "string.material")
+    taken = "choose another name; runs are never overwritten"
+    if path.exists() or (folder.exists() and recording is not None):
+        raise BadInput(folder, "run", "is there already", taken)
+    if recording is not None:
+        kept = recording_name(recording)
+        samples = to_samples(run, read_table(recording, run.file), recording, path)
+        check_samples(run, samples, recording, sure)
+    if folder.exists():  # recorded before it was described
+        if any((folder / there).exists() for there in RECORDINGS) and not unfinished(folder):
+            check_samples(run, read_recording(run, folder), recording_path(folder), sure)
+        write_text(path, write_yaml(content))
+        return folder
+    with whole_folder(folder, "run", taken) as temporary:
+        (temporary / "run.yaml").write_text(write_yaml(content), encoding="utf-8")
         if recording is not None:
-            shutil.copyfile(recording, temporary / name)
-        os.rename(temporary, folder)
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+            shutil.copyfile(recording, temporary / kept)
     return folder
 
 
 def arguments_to_content(arguments: argparse.Namespace) -> dict[str, Any]:
-    """The `run.yaml` that the command line asks for, without what was not given."""
+    """The `run.yaml` that the command line asks for, without what was not given; raises BadInput for bad YAML in it."""
     string = {key: getattr(arguments, key) for key in ("material", "radius_mm", "length_mm", "stiffness_n_per_mm")}
     string |= {"id": arguments.string_id, "strokes_before": arguments.strokes_before}
     rig = {key: getattr(arguments, key) for key in ("torsion_zone_mm", "separator_mm", "load_n")}
     content: dict[str, Any] = {"run": arguments.run, "actuator": arguments.actuator}
     content["string"] = {key: value for key, value in string.items() if value is not None}
     content["rig"] = {key: value for key, value in rig.items() if value is not None}
+    for key in ("file", "channels"):
+        if getattr(arguments, key) is not None:
+            content[key] = parse_yaml(getattr(arguments, key), Path(f"--{key}"))
     return content
+
+
+def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
+    """The content with the name of a string that has a run in `out`, where a person says that it is the same."""
+    run = parse_run(content, out / str(content["run"]) / "run.yaml")
+    if run.string is None or run.string.id is not None:
+        return content
+    terminal = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
+    found = string_id(run.string, out, run.run, input if terminal else None)
+    return {**content, "string": {**content["string"], "id": found}} if found else content
 
 
 @program
@@ -59,16 +97,21 @@ def main() -> None:
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     parser.add_argument("--actuator", choices=STRING_ACTUATORS, default="separator")
     parser.add_argument("--material", required=True)
-    for name in ("radius-mm", "length-mm", "stiffness-n-per-mm"):
+    for name in ("radius-mm", "length-mm"):
         parser.add_argument(f"--{name}", type=float, required=True)
+    parser.add_argument("--stiffness-n-per-mm", type=float, help="leave it out where nobody measured it")
     for name in ("torsion-zone-mm", "separator-mm", "load-n"):
         parser.add_argument(f"--{name}", type=float)
     parser.add_argument("--string-id", help="name of this very string, if more than one run is made with it")
     parser.add_argument("--strokes-before", type=int)
     parser.add_argument("--recording", type=Path, help="a .csv, .csv.gz or .parquet with the contract's channels")
+    parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
+    parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
+    parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument("--out", type=Path, default=Path("raw"))
     arguments = parser.parse_args()
-    folder = make_run(arguments_to_content(arguments), arguments.recording, arguments.out)
+    content = with_string_id(arguments_to_content(arguments), arguments.out)
+    folder = make_run(content, arguments.recording, arguments.out, arguments.sure)
     recorded = any((folder / name).exists() for name in RECORDINGS)
     following = "snakemake --cores 2" if recorded else f"python -m pipeline.capture PORT {folder}"
     print(f"{folder} is there; {'make its reports' if recorded else 'record into it'} with: {following}")

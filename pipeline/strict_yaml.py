@@ -161,14 +161,19 @@ def read_yaml(path: Path) -> Any:
         text = read_regular(path, LARGEST, path.name).decode("utf-8")
     except UnicodeDecodeError:
         raise BadInput(path, path.name, "is not UTF-8 text", "save it as UTF-8") from None
-    reader = _Reader(path)
+    return parse_yaml(text, path)
+
+
+def parse_yaml(text: str, where: Path) -> Any:
+    """Content of YAML text that stands in the file, or was given as the option, `where`; raises BadInput as above."""
+    reader = _Reader(where)
     try:
         for event in yaml.parse(text, PARSER):
             reader.take(event)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, UnicodeEncodeError) as error:
         mark = getattr(error, "problem_mark", None)
-        place = f"line {mark.line + 1}" if mark else path.name
-        raise BadInput(path, place, "is not YAML", "check its indentation, colons and quotes") from None
+        place = f"line {mark.line + 1}" if mark else where.name
+        raise BadInput(where, place, "is not YAML", "check its indentation, colons and quotes") from None
     return reader.result
 
 

@@ -4,17 +4,18 @@ import math
 
 from pipeline.schemas import unit_of
 
-# What one of each unit is in the base of its quantity: turn, mm, N, Nm, s, degC, A.
-_TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT = (
+# What one of each unit is in the base of its quantity: turn, mm, N, Nm, s, A, Pa.
+_TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE = (
     {"turns": 1.0, "rad": 1.0 / math.tau, "deg": 1.0 / 360.0},
     {"mm": 1.0, "cm": 10.0, "m": 1000.0},
     {"N": 1.0, "kgf": 9.80665},
     {"Nm": 1.0, "Nmm": 1e-3},
     {"s": 1.0, "ms": 1e-3, "us": 1e-6},
     {"A": 1.0, "mA": 1e-3},
+    {"Pa": 1.0, "bar": 1e5},
 )
-_QUANTITIES = (_TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, {"degC": 0.0, "K": 0.0})
-UNITS = sorted({"count", "V"}.union(*_QUANTITIES))
+_QUANTITIES = (_TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE, {"degC": 0.0, "K": 0.0})
+UNITS = sorted({"count", "V", "W", "Hz", "kg"}.union(*_QUANTITIES))
 
 
 def conversion(column: str, unit: str | None, counts_per_turn: float | None = None) -> tuple[float, float]:

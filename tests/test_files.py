@@ -1,5 +1,6 @@
 import os
 import random
+import stat
 
 import pandas as pd
 import pytest
@@ -114,3 +115,19 @@ def test_no_flipped_bit_of_a_model_is_read_silently(tmp_path, name):
     model.save(path)
     make_model(name).load(path)
     assert flipped(path.read_bytes(), path, make_model(name).load) == 0
+
+
+def test_only_a_file_is_ever_replaced(tmp_path):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "file").write_text("old")
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("pipe")
+    before = sorted(os.listdir(tmp_path))
+    for target in ("", "folder", "pipe", "link", "file/below", "x" * 300, "a\0b"):
+        with pytest.raises(BadInput, match=r"--out: .*Mend: give the name of a file"):
+            write_text(tmp_path / target if target else "", "new")
+    assert sorted(os.listdir(tmp_path)) == before and (tmp_path / "file").read_text() == "old"
+    for device in ("/dev/null", "/dev/full"):
+        with pytest.raises(BadInput, match="a device"):
+            write_text(device, "new")
+        assert stat.S_ISCHR(os.stat(device).st_mode)

@@ -1,13 +1,17 @@
+import gzip
+import os
+import re
 import subprocess
 import sys
 
 import numpy as np
+import pandas as pd
 import pytest
 from made_recording import recording
 
 from pipeline import schemas
 from pipeline.errors import BadInput
-from pipeline.ingest import read_samples
+from pipeline.ingest import questions, read_samples
 
 GOOD = recording()
 
@@ -44,6 +48,10 @@ def repeated(values):
         (spoiled("motor_turns", lambda v: v * 2 * np.pi), "motor_turns", "looks like rad: set channels"),
         (spoiled("motor_turns", lambda v: v * 360), "motor_turns", "looks like deg"),
         (spoiled("displacement_mm", lambda v: v / 1000), "displacement_mm", "looks like m:"),
+        (spoiled("displacement_mm", lambda v: v / 25.4), "displacement_mm", "Mend: it looks like inches: set .*scale"),
+        (spoiled("motor_turns", lambda v: v * 3), "motor_turns", "fit with motor_turns, or radius_mm, 0.33 times as"),
+        (spoiled("motor_turns", lambda v: v / 9), "motor_turns", "fit with motor_turns, or radius_mm, 9.1 times as"),
+        (spoiled("displacement_mm", lambda v: v * 7), "motor_turns", "displacement_mm 0.14 times as"),
         (spoiled("motor_turns", lambda v: -v), "motor_turns", "negative throughout.*scale to -1"),
         (spoiled("displacement_mm", lambda v: -v), "displacement_mm", "falls while the motor winds"),
         (spoiled("displacement_mm", lambda v: v * 0 + 3), "displacement_mm", "never changes"),
@@ -157,7 +165,7 @@ def test_samples_carry_units(make_run, tmp_path):
         ("", "file", "holds no samples"),
         ("time_s,motor_turns,displacement_mm\n", "file", "holds no samples"),
         ("time_s,motor_turns,displacement_mm\n1,2,x\n", "displacement_mm", "row 1 holds 'x', not a number"),
-        ("time_s;motor_turns;displacement_mm\n1;2;3\n", "time_s", "no column 'time_s'"),
+        ("time_s;motor_turns;displacement_mm\n1;2;3\n", "file.delimiter", "set file.delimiter to ';'"),
         ('time_s,motor_turns,displacement_mm\n1,2,"3,5"\n', "displacement_mm", "with a decimal point"),
         ('time_s,motor_turns\n1,2\n1,2,3,4\n"', "file", "is not a table"),
     ],
@@ -192,3 +200,128 @@ def test_a_truncated_file_is_named(make_run, suffix, says):
 def test_a_bad_channel_is_named(make_run, channels, says):
     with pytest.raises(BadInput, match=says):
         read_samples(make_run("a-01", channels=channels))
+
+
+def test_a_unit_given_wrongly_is_seen(make_run):
+    folder = make_run("a-01", channels={"motor_turns": {"unit": "rad"}})
+    with pytest.raises(BadInput, match=r"looks like turns: set channels.motor_turns.unit to turns"):
+        read_samples(folder)
+
+
+def test_two_wrong_units_are_both_said(make_run):
+    samples = spoiled("motor_turns", lambda v: v * 360)
+    samples["displacement_mm"] /= 10
+    with pytest.raises(BadInput, match=r"looks like deg: set .* to deg, and it looks like cm: set .* to cm"):
+        read_samples(make_run("a-01", samples))
+
+
+def test_every_mend_that_names_a_unit_was_tried(make_run, tmp_path):
+    """Whatever the factor: once its mend is followed, the recording is read as it was before it was spoiled."""
+    for number, (column, factor) in enumerate(
+        [(c, f) for c in ("motor_turns", "displacement_mm") for f in (1e-3, 0.039, 0.1, 3, 6.2832, 10, 25.4, 360, 1e3)]
+    ):
+        samples = spoiled(column, lambda v, factor=factor: v * factor)
+        folder = make_run(f"a-{number}", samples)
+        try:
+            run, read = read_samples(folder)
+        except BadInput as error:
+            mends = re.findall(r"set channels\.(\w+)\.(unit|scale) to ([\w.]+)", str(error))
+            if "find out which" in str(error) or len(mends) != 1:
+                continue
+            channel, key, value = mends[0]
+            value = value.rstrip(".")
+            again = make_run(
+                f"b-{number}", samples, channels={channel: {key: float(value) if key == "scale" else value}}
+            )
+            _, read = read_samples(again)
+            span_mm = np.ptp(GOOD["displacement_mm"])
+            assert np.ptp(read["displacement_mm"]) == pytest.approx(span_mm, rel=0.2), (column, factor, mends)
+            assert np.ptp(read["motor_turns"]) == pytest.approx(np.ptp(GOOD["motor_turns"]), rel=0.2), (column, factor)
+        else:
+            assert questions(run, read, folder), (column, factor)
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda v: v + 30, "begins at 30 turns and its lowest is 30.*curve fits 0 at that lowest.*offset to -30"),
+        (lambda v: v + 5, "begins at 5 turns.*offset to -5"),
+        (lambda v: v - 4, "begins at -4 turns.*offset to 4"),
+    ],
+)
+def test_a_twist_that_does_not_start_near_0_is_questioned(make_run, tmp_path, change, says):
+    folder = make_run("a-01", spoiled("motor_turns", change))
+    command = [sys.executable, "-m", "pipeline.ingest", str(folder), "--out", str(tmp_path / "samples.parquet")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0 and re.search(f"warning: .*motor_turns: {says}", done.stderr)
+    assert not questions(*read_samples(make_run("b-01")), folder)
+
+
+def test_one_column_is_no_two_channels(make_run):
+    folder = make_run("a-01", channels={"displacement_mm": {"column": "motor_turns"}})
+    with pytest.raises(BadInput, match=r"channels.displacement_mm.column: is column motor_turns, which is motor_turns"):
+        read_samples(folder)
+    folder = make_run("a-02", channels={"motor_turns": {"column": 2}})
+    with pytest.raises(BadInput, match=r"channels.motor_turns.column: is column displacement_mm, which is displ"):
+        read_samples(folder)
+
+
+def test_a_column_that_is_there_twice_is_asked_for_by_index(make_run):
+    folder = make_run("a-01", suffix=".csv")
+    text = GOOD.to_csv(index=False).splitlines()
+    (folder / "recording.csv").write_text("\n".join(["time_s,motor_turns,displacement_mm,motor_turns", *text[1:]]))
+    with pytest.raises(BadInput, match="motor_turns: the column 'motor_turns' is there 2 times"):
+        read_samples(folder)
+
+
+def test_a_packed_file_without_end_is_stopped(make_run):
+    for number, content in enumerate((b"\0", b"1,2,3\n", b"\n")):
+        folder = make_run(f"a-{number}", suffix=".csv.gz")
+        with gzip.open(folder / "recording.csv.gz", "wb") as file:
+            for _ in range(120):
+                file.write(content * (1_000_000 // len(content)))
+        with pytest.raises(BadInput, match=r"packed more than 200-fold|a line of more than 100000 characters"):
+            read_samples(folder)
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        (b"PK\x03\x04" + b"x" * 100, "is an Excel workbook or another zip file, no text. Mend: save its table as CSV"),
+        (b'{"time_s": [1, 2]}\n{}', "is JSON or a page"),
+        (b"a\tb\n1\t2\n", r"set file.delimiter to \"\\t\""),
+        (b"," * 5000 + b"\n1\n", "has 5001 columns"),
+        (b"\xff\xfe\x00", "is not utf-8"),
+        (b"\x1f\x8b" + b"no gzip", "cannot be read"),
+    ],
+)
+def test_what_is_no_table_of_text_is_named(make_run, content, says):
+    folder = make_run("a-01", suffix=".csv")
+    (folder / "recording.csv").write_bytes(content)
+    with pytest.raises(BadInput, match=says):
+        read_samples(folder)
+
+
+def test_a_recording_that_is_no_plain_file_is_no_hang(make_run):
+    folder = make_run("a-01", suffix=".csv")
+    (folder / "recording.csv").unlink()
+    for make in (os.mkfifo, os.mkdir):
+        make(folder / "recording.csv")
+        with pytest.raises(BadInput, match="recording"):
+            read_samples(folder)
+        (folder / "recording.csv").rmdir() if make is os.mkdir else (folder / "recording.csv").unlink()
+
+
+def test_reading_text_takes_little_more_than_the_text(make_run):
+    folder = make_run("a-01", suffix=".csv")
+    many = pd.concat([GOOD] * 150, ignore_index=True)
+    many["time_s"] = np.arange(len(many)) / 100
+    many.to_csv(folder / "recording.csv", index=False)
+    program = (
+        "import resource, sys\nfrom pipeline.text_table import read_text\nfrom pipeline.text_file import TextFile\n"
+        "from pathlib import Path\npeak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\nbefore = peak()\n"
+        "read_text(Path(sys.argv[1]), TextFile.model_validate({}))\nprint(1024 * (peak() - before))"
+    )
+    path = folder / "recording.csv"
+    took = int(subprocess.run([sys.executable, "-c", program, str(path)], capture_output=True, check=True).stdout)
+    assert took < 5 * path.stat().st_size

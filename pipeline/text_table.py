@@ -1,0 +1,145 @@
+"""A text recording, plain or gzipped, as a table of numbers: read line by line, never endless and never guessed."""
+
+import csv
+import gzip
+import io
+import os
+import re
+import warnings
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline.errors import BadInput
+from pipeline.regular_file import open_regular
+from pipeline.text_file import TextFile
+
+GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
+OTHERS = {  # what else a file that is no text begins with, and what to do about it
+    b"PK\x03\x04": ("an Excel workbook or another zip file", "save its table as CSV"),
+    b"\xd0\xcf\x11\xe0": ("an Excel workbook", "save its table as CSV"),
+    b"\x89HDF": ("an HDF5 file", "save its table as CSV or Parquet"),
+    b"PAR1": ("a Parquet file", "name it .parquet"),
+    b"MATLAB": ("a MATLAB file", "name it .mat and use python -m pipeline.import_run"),
+}
+LONGEST_LINE = 100_000  # characters
+MOST_COLUMNS = 2_000
+LARGEST_TEXT = 4_000_000_000  # bytes: a day at 1 kHz
+BOMB_BYTES, BOMB_RATIO = 50_000_000, 200  # unpacked size from which, and packing by which, a file holds no readings
+DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}
+
+
+def _lines(path: Path, encoding: str) -> Iterator[str]:
+    """Lines of a text file, ends taken off; raises BadInput for what is packed without bound."""
+    with open_regular(path) as file:
+        start = file.read(8)
+        for sign, (kind, mend) in OTHERS.items():
+            if start.startswith(sign):
+                raise BadInput(path, "file", f"is {kind}, no text", mend)
+        file.seek(0)
+        zipped = start[:2] == GZIP
+        content = gzip.GzipFile(fileobj=file) if zipped else file
+        packed, read, look = os.fstat(file.fileno()).st_size, 0, BOMB_BYTES
+        with io.TextIOWrapper(content, encoding=encoding, newline=None) as text:  # breaks: \n, \r\n and \r alone
+            while line := text.readline(LONGEST_LINE + 1):
+                if len(line) > LONGEST_LINE:
+                    problem = f"has a line of more than {LONGEST_LINE} characters"
+                    raise BadInput(path, "file", problem, "check that it is a recording, one sample a line")
+                read += len(line)
+                if read > look:
+                    look = read + BOMB_BYTES
+                    if zipped and read > BOMB_RATIO * packed:
+                        problem = f"is packed more than {BOMB_RATIO}-fold, as no readings can be"
+                        raise BadInput(path, "file", problem, "check that it is the recording")
+                    if read > LARGEST_TEXT:
+                        problem = f"has more than {LARGEST_TEXT / 1e9:g} GB of text"
+                        raise BadInput(path, "file", problem, "save it as Parquet, or cut it into runs")
+                yield line
+
+
+def _kept(path: Path, layout: TextFile) -> tuple[io.BytesIO, list[str], int]:
+    """Lines of numbers as UTF-8, without blank ones and remarks; the first two, and how many there are.
+
+    Raises BadInput for a file that cannot be read or is in another encoding.
+    """
+    kept, first, count = io.BytesIO(), [], 0
+    try:
+        for line in _lines(path, layout.encoding):
+            shown = line.removeprefix("\ufeff").strip() if count == 0 else line.strip()
+            if not shown or (layout.comment and shown.startswith(layout.comment)):
+                continue
+            line = line.removeprefix("\ufeff") if count == 0 else line
+            if count < 2:
+                first.append(line.rstrip("\n"))
+            kept.write((line if line.endswith("\n") else line + "\n").encode("utf-8", "replace"))
+            count += 1
+    except (OSError, EOFError, zlib.error) as error:
+        raise BadInput(path, "file", f"cannot be read ({error})", "copy it again from the logger") from None
+    except (UnicodeError, LookupError):
+        mend = "set file.encoding, latin1 for instance"
+        raise BadInput(path, "file.encoding", f"is not {layout.encoding}", mend) from None
+    kept.seek(0)
+    return kept, first, count
+
+
+def _cells(line: str, delimiter: str) -> list[str]:
+    """Cells of a line, without the white space around them."""
+    if delimiter == " ":
+        return line.split()
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))]
+    except csv.Error:
+        return []
+
+
+def _other_delimiter(lines: list[str], delimiter: str) -> str | None:
+    """Another delimiter that parts both of a file's first lines into equally many cells, where the given parts none."""
+    if any(len(_cells(line, delimiter)) > 1 for line in lines):
+        return None
+    for other in DELIMITERS:
+        cells = {len(_cells(line, other)) for line in lines}
+        if other != delimiter and len(cells) == 1 and cells.pop() > 1:
+            return other
+    return None
+
+
+def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
+    """Text table of numbers as it stands in the file; columns have their header's names or indices from 0.
+
+    Raises BadInput for a file that is empty, is not text, or holds something else than numbers.
+    """
+    kept, first, count = _kept(path, layout)
+    if count <= layout.header:
+        raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
+    if first[0].lstrip().startswith(("{", "[", "<")):
+        raise BadInput(path, "file", "is JSON or a page, not a table", "save its table as CSV")
+    other = _other_delimiter(first, layout.delimiter)
+    if other:
+        problem, mend = f"is {layout.delimiter!r}, which parts no line", f"set file.delimiter to {DELIMITERS[other]}"
+        raise BadInput(path, "file.delimiter", problem, mend)
+    names = _cells(first[0], layout.delimiter)
+    if len(names) > MOST_COLUMNS:
+        problem = f"has {len(names)} columns in its first line"
+        raise BadInput(path, "file", problem, "check file.delimiter; a recording has one column a channel")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", pd.errors.DtypeWarning)  # a word among numbers is found below
+            warnings.simplefilter("error", pd.errors.ParserWarning)  # a row with a field too many is cut otherwise
+            table = pd.read_csv(
+                kept,
+                sep=r"\s+" if layout.delimiter == " " else layout.delimiter,
+                header=0 if layout.header else None,
+                skipinitialspace=True,
+                index_col=False,
+                engine="c",
+            )
+    except (ValueError, OverflowError, pd.errors.ParserWarning) as error:
+        mend = "check file.delimiter, and the line that it names"
+        said = re.sub(r"\s+", " ", str(error)).strip()[:200]
+        raise BadInput(path, "file", f"is not a table ({said})", mend) from None
+    if layout.header:  # as they stand: pandas would number those that stand twice
+        own = [str(name).strip() for name in table.columns]
+        table.columns = [name or own[i] for i, name in enumerate(names)] if len(names) == len(own) else own
+    return table

@@ -1,0 +1,140 @@
+"""New runs: what ingest would refuse is refused at once, and a second run of one string is not taken for another's."""
+
+import os
+import pty
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from made_recording import content, recording
+
+from pipeline.ingest import read_samples
+from pipeline.new_run import main
+from pipeline.new_run import make_run as new_folder
+from pipeline.runs import read_run
+from pipeline.strict_yaml import read_yaml
+
+GOOD = recording()
+SIZES = ["--radius-mm", "0.4", "--length-mm", "400", "--torsion-zone-mm", "150", "--separator-mm", "8"]
+
+
+@pytest.fixture
+def new(tmp_path, monkeypatch, capsys):
+    """The program on a command line, under tmp_path/raw: its status and what it says on either stream."""
+
+    def run(name, *more, samples=None, material="UHMWPE"):
+        monkeypatch.setattr(sys, "argv", ["new_run", name, "--material", material, *SIZES, *more])
+        sys.argv += ["--out", str(tmp_path / "raw")]
+        if samples is not None:
+            samples.to_csv(tmp_path / "log.csv", index=False)
+            sys.argv += ["--recording", str(tmp_path / "log.csv")]
+        with pytest.raises(SystemExit) as end:
+            main()
+        said = capsys.readouterr()
+        return end.value.code, said.out, said.err
+
+    return run
+
+
+def spoiled(column, change):
+    samples = GOOD.copy()
+    samples[column] = change(samples[column].to_numpy(copy=True))
+    return samples
+
+
+@pytest.mark.parametrize(
+    ("samples", "says"),
+    [
+        (spoiled("time_s", lambda v: v[::-1]), "time_s: runs backwards"),
+        (spoiled("displacement_mm", lambda v: np.where(v > 5, np.nan, v)), "displacement_mm: is not a number"),
+        (spoiled("motor_turns", lambda v: v * 360), "it looks like deg"),
+        (GOOD.drop(columns="motor_turns"), "there is no column 'motor_turns'"),
+        (GOOD.iloc[:9], "holds 9 samples"),
+        (spoiled("motor_turns", lambda v: v * 0), "no stroke in it"),
+    ],
+)
+def test_a_recording_that_ingest_refuses_is_refused_and_nothing_written(new, tmp_path, samples, says):
+    status, _, said = new("a-01", samples=samples)
+    assert status == 2 and said.startswith("error: ") and says in said and "Mend: " in said
+    assert not (tmp_path / "raw").exists()
+
+
+def test_a_twist_far_from_0_needs_a_person_who_is_sure(new, tmp_path):
+    far = spoiled("motor_turns", lambda v: v + 30)
+    status, _, said = new("a-01", samples=far)
+    assert status == 2 and "begins at 30 turns" in said and "if it is right as it is, add --sure" in said
+    assert not (tmp_path / "raw").exists()
+    status, _, said = new("a-01", "--sure", samples=far)
+    assert status == 0 and "warning: " in said and "begins at 30 turns" in said
+    status, _, _ = new("a-02", "--channels", "{motor_turns: {offset: -30}}", samples=far)
+    assert status == 0  # the mend that was given
+    assert read_samples(tmp_path / "raw" / "a-02")[1]["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"])
+
+
+def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_path):
+    samples = GOOD.rename(columns={"motor_turns": "theta"})
+    samples["theta"] *= 360
+    channels = "{motor_turns: {column: theta, unit: deg}}"
+    status, _, said = new("a-01", "--channels", channels, "--file", '{comment: "%"}', samples=samples)
+    assert status == 0, said
+    written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")
+    assert (
+        written["channels"] == {"motor_turns": {"column": "theta", "unit": "deg"}} and written["file"]["comment"] == "%"
+    )
+    for text, says in [("{a: 1, a: 2}", "--channels: line 1: says 'a' a second time"), ("[", "is not YAML")]:
+        status, _, said = new("a-02", "--channels", text, samples=samples)
+        assert status == 2 and says in said
+
+
+def test_a_stiffness_that_nobody_measured_is_left_out(new, tmp_path):
+    assert new("a-01", samples=GOOD)[0] == 0
+    run, _ = read_samples(tmp_path / "raw" / "a-01")
+    assert run.string.stiffness_n_per_mm is None and run.string.nominal_stiffness_n_per_mm > 1
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "-1", "0"])
+def test_a_size_that_is_none_is_refused(new, tmp_path, value):
+    status, _, said = new("a-01", "--stiffness-n-per-mm", value)
+    assert status == 2 and "string.stiffness_n_per_mm" in said and not (tmp_path / "raw").exists()
+
+
+def test_a_second_run_of_the_same_size_is_told_how_to_be_of_the_same_string(new, tmp_path):
+    assert "note:" not in new("a-01", samples=GOOD)[2]
+    assert "note:" not in new("n-01", samples=GOOD, material="nylon")[2]
+    status, _, said = new("a-02", samples=GOOD)
+    assert status == 0 and "counts as another string" in said and "--string-id a-01" in said
+    status, _, said = new("a-03", "--string-id", "a-01", samples=GOOD)
+    assert status == 0 and "note:" not in said
+    assert read_run(tmp_path / "raw" / "a-03").string_id == read_run(tmp_path / "raw" / "a-01").string_id
+    (tmp_path / "raw" / "a-02" / "run.yaml").write_text("no run")  # ingest's business
+    assert "--string-id a-01" in new("a-04", samples=GOOD)[2]
+
+
+@pytest.mark.parametrize(("answer", "same"), [("y", True), ("n", False)])
+def test_on_a_terminal_it_asks_whether_it_is_the_same_string(tmp_path, answer, same):
+    new_folder(content("a-01", string={**content("x")["string"], "id": "spool 3"}), None, tmp_path / "raw")
+    command = [sys.executable, "-m", "pipeline.new_run", "a-02", "--material", "UHMWPE", *SIZES, "--out"]
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen([*command, str(tmp_path / "raw")], stdin=theirs, stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    os.write(ours, f"{answer}\n".encode())
+    assert process.wait(300) == 0
+    assert b"Is it the string 'spool 3'" in os.read(ours, 10_000)
+    os.close(ours)
+    assert read_run(tmp_path / "raw" / "a-02").string_id == ("spool 3" if same else "a-02")
+
+
+@pytest.mark.parametrize("material", ["synthetic", "diagnosis", "real", "../x"])
+def test_a_material_that_is_taken_is_refused(new, tmp_path, material):
+    status, _, said = new("a-01", samples=GOOD, material=material)
+    assert status == 2 and "string.material" in said and not (tmp_path / "raw").exists()
+
+
+def test_what_was_recorded_before_it_was_described_is_checked_too(make_run, new):
+    folder = make_run("a-01", spoiled("motor_turns", lambda v: v * 360))
+    (folder / "run.yaml").unlink()
+    status, _, said = new("a-01")
+    assert status == 2 and "it looks like deg" in said and not (folder / "run.yaml").exists()
+    assert new("a-01", "--channels", "{motor_turns: {unit: deg}}")[0] == 0
+    assert "is there already" in new("a-01")[2]
