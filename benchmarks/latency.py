@@ -1,6 +1,6 @@
 """Time of one query: the exported C header beside ONNX Runtime, Python and FrEIA, one process, one thread.
 
-    OMP_NUM_THREADS=1 python benchmarks/latency.py processed/<material>
+    python benchmarks/latency.py processed/<material>
 
 prints a Markdown table of microseconds: medians over rounds, of one query and, where a way takes tables, of one in a
 table of 1000. The folder holds fitted models as the workflow puts them. Another way is another function in `WAYS`.

@@ -11,7 +11,6 @@ counted.
 import argparse
 import json
 import math
-import os
 import resource
 import subprocess
 import sys
@@ -19,10 +18,10 @@ import tempfile
 import time
 from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
+import pipeline  # noqa: E402, F401, I001  (one thread of linear algebra: before numpy)
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402

@@ -18,8 +18,10 @@ from pipeline.files import write_text
 from pipeline.kinematics import TOLERANCE
 from pipeline.left_out import LeftOut, to_json
 from pipeline.lossy import MOVING, all_lossy, moving_strokes, touched
-from pipeline.recorded import Recorded, in_order, read_recorded, tare_mm
+from pipeline.outputs import file_to_write
+from pipeline.recorded import Recorded, by_string, read_recorded
 from pipeline.runs import capture_info
+from pipeline.zero import jumps, offsets_mm
 
 TRAINING_POINTS = 5000  # as in the paper
 HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes
@@ -113,16 +115,13 @@ def make_dataset(
 ) -> pd.DataFrame:
     """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
 
-    Runs of the same string continue each other's stroke numbers and share its tare; of the runs `without` the strokes
-    count and no point is taken.
+    Runs of the same string continue each other's stroke numbers and share its tare (`zero.offsets_mm`); of the runs
+    `without` the strokes count and no point is taken.
     """
-    strings: dict[str, list[Recorded]] = {}
-    for one in sorted(recorded, key=lambda one: one.run.run):
-        strings.setdefault(one.run.string_id, []).append(one)
     parts = []
-    for runs in map(in_order, strings.values()):
-        offset_mm, done = tare_mm(runs[0]), 0
-        for one in runs:
+    for runs in by_string(recorded):
+        done = 0
+        for one, offset_mm in zip(runs, offsets_mm(runs), strict=True):
             assert one.run.string is not None
             done = max(done, one.run.string.strokes_before)
             if one.run.run not in without:
@@ -166,6 +165,7 @@ def main() -> None:
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     parser.add_argument("--note-refusals", action="store_true", help="leave out a run in which every stroke is lossy")
     arguments = parser.parse_args()
+    file_to_write(arguments.out)
     recorded, refused = _usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
     for one in recorded:
@@ -179,6 +179,9 @@ def main() -> None:
     without = frozenset(one.run for one in refused)
     if without >= {one.run.run for one in recorded}:
         raise all_lossy(", ".join(sorted(without)))
+    for runs in by_string(recorded):
+        for jump in jumps(runs):
+            print(jump.advice)
     dataset = make_dataset(recorded, strokes_left, without)
     if not {"train", "test"} <= set(dataset["within"]):
         mend = "record more strokes, or more samples a stroke"

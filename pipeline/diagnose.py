@@ -2,7 +2,6 @@
 
 import argparse
 import json
-import os
 import sys
 import time
 import traceback
@@ -15,7 +14,9 @@ from pipeline.diagnosis import engine, figures, heldout, library, outcome, sente
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
+from pipeline.outputs import folder_to_write
 from pipeline.run_yaml import Run
+from pipeline.zero_beside import jumps_into
 
 Result = TypeVar("Result")
 
@@ -56,11 +57,16 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
     content = verdict.diagnosis(found, fine, held, runs, experiment, without)
+    jumps = optional("the zero of this string's runs", name, lambda: jumps_into(folders, runs, tables)) or []
+    if jumps:
+        told = ("before", "run", "jump_mm", "floor_mm")
+        content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
     words = sentences.sentences(content, problem.system, sentences.left_tolerance(found))
+    words = "\n".join([words, *(jump.advice for jump in jumps)])
     write_text(out / "verdict.txt", words + "\n")
     return words
 
@@ -88,7 +94,6 @@ def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[
 
     `note` writes a refusal where the words would be.
     """
-    os.environ.setdefault("OMP_NUM_THREADS", "1")
     try:
         return diagnose([folder], out / Path(os.path.realpath(folder)).name, without=without), True
     except BadInput as error:
@@ -116,6 +121,7 @@ def main() -> int:
         "--note-refusals", action="store_true", help="write why a run is refused as its verdict.txt, and exit with 0"
     )
     arguments = parser.parse_args()
+    folder_to_write(arguments.out)
     folders: list[Path] = [folder if folder.name else folder.resolve() for folder in arguments.run_dir]
     without = frozenset(arguments.without)
     for id_ in sorted(without - set(library.mechanisms())):

@@ -1,6 +1,7 @@
 """Bad input, said so that a person can mend it."""
 
 import ctypes
+import errno
 import functools
 import os
 import signal
@@ -26,8 +27,18 @@ def die_with(parent: int) -> None:
             os.kill(os.getpid(), signal.SIGKILL)
 
 
+def _unusable(error: OSError) -> BadInput:
+    """What the operating system refused, in words."""
+    name = os.fsdecode(error.filename) if isinstance(error.filename, str | bytes) else "a file"
+    mend = "check the path, its rights and the space on its disk"
+    return BadInput(name if len(name) <= 200 else f"{name[:80]}…", "file", os.strerror(error.errno or 0), mend)
+
+
 def program(main: Callable[[], int | None]) -> Callable[[], None]:
-    """Turn a `main` into a command: exit 0 when done, 2 on bad input with one line that names the mend."""
+    """Turn a `main` into a command: exit 0 when done, 2 on bad input with one line that names the mend.
+
+    A path that cannot be used, a disk that is full and the like are said in one line as well.
+    """
 
     @functools.wraps(main)
     def command() -> None:
@@ -39,10 +50,10 @@ def program(main: Callable[[], int | None]) -> Callable[[], None]:
         except BadInput as error:
             print(f"error: {error}", file=sys.stderr)
             status = 2
-        except OSError as error:  # a path that was given, or the disk: nothing that a traceback would explain
-            said, where = error.strerror or str(error), error.filename or "a file"
-            mend = "check the path, who may use it, and the room on its disk"
-            print(f"error: {where!s}: file: cannot be read or written ({said}). Mend: {mend}.", file=sys.stderr)
+        except OSError as error:
+            if error.errno is None or error.errno == errno.EPIPE:
+                raise
+            print(f"error: {_unusable(error)}", file=sys.stderr)
             status = 2
         sys.exit(status or 0)
 

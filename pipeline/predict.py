@@ -17,12 +17,15 @@ from pipeline.files import write_text
 from pipeline.models.box import COLUMNS
 from pipeline.models.conditions import Conditions
 from pipeline.models.intervals import GIVEN, Intervals, TooFew
+from pipeline.models.settings import shown
+from pipeline.outputs import file_to_write
 from pipeline.tables import opened
-from pipeline.train import configured
+from pipeline.train import configured, fitting, seed
 
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = (1, -1)
+MOST_STROKE = 10**9  # that a question may be about: any number that a person means
 MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
 WITH_MEMORY = ("diagnosed",)  # models whose answer depends on the whole motion before, which a question does not tell
 
@@ -58,8 +61,12 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
             raise BadInput(path, name, "is missing, and varies in the recordings", "add the column")
         else:
             points[name] = dataset[name].iloc[0]
+    strange = sorted(set(points["actuator"].astype(str)) - set(dataset["actuator"]))
+    if strange:
+        given = f"is {shown(strange[0])}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
+        raise BadInput(path, "actuator", given, "ask a dataset of that actuator")
     strokes = points["stroke"].to_numpy(float)
-    if not (np.isfinite(strokes).all() and (strokes == np.floor(strokes)).all() and strokes.min() >= 1.0):
+    if not (((strokes == np.floor(strokes)) & (strokes >= 1.0) & (strokes <= MOST_STROKE)).all()):
         raise BadInput(path, "stroke", "is no whole number from 1 somewhere", "the first stroke of a new string is 1")
     points["stroke"] = strokes.astype(np.int64)
     if not points["direction"].isin(WAYS).all():
@@ -84,7 +91,7 @@ def main() -> None:
     parser.add_argument("--model", default="spline", help="a file of pipeline/models, without .py")
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
-    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
     if not 0.0 < asked.level < 1.0:
@@ -93,14 +100,16 @@ def main() -> None:
         problem = "answers along a whole motion, which single questions do not tell"
         raise BadInput("--model", asked.model, problem, "choose another, such as spline")
     configured(asked.model, asked.settings)  # complains before anything is fitted
+    file_to_write(asked.out)
     dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     points, known = read_questions(asked.questions, dataset)
     intervals = Intervals(lambda: configured(asked.model, asked.settings))
     try:
-        intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), asked.seed)
+        with fitting(asked.model):
+            intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), asked.seed)
+            table = answers(intervals, points, known, asked.level)
     except TooFew as error:
         raise BadInput(asked.dataset, "points", str(error), "record more strokes, or more samples a stroke") from None
-    table = answers(intervals, points, known, asked.level)
     write_text(asked.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())
     print(f"{len(table)} answers in {asked.out}", end="")

@@ -75,3 +75,11 @@ def read_recorded(run_dir: Path, processed: Path) -> Recorded:
     samples = schemas.read(processed / run.run / "samples.parquet")
     strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
     return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes, run_dir)
+
+
+def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:
+    """Runs of each string in the order in which they were recorded; the strings in the order of their runs' names."""
+    strings: dict[str, list[Recorded]] = {}
+    for one in sorted(recorded, key=lambda one: one.run.run):
+        strings.setdefault(one.run.string_id, []).append(one)
+    return [in_order(runs) for runs in strings.values()]

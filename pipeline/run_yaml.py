@@ -1,7 +1,7 @@
 """What `run.yaml` may say: the string, the rig, the file and its channels, checked key by key."""
 
 from pathlib import Path
-from typing import Annotated, Any, Required
+from typing import Annotated, Any, Literal, Required
 
 from pydantic import (
     AfterValidator,
@@ -99,6 +99,9 @@ class Run(_Section):
     simulation: list[Included] = Field(default_factory=list)
     file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
     channels: dict[str, Channel] = Field(default_factory=dict)
+    tare: Literal["string", "run"] = Field(
+        "string", description='"run" where the zero was moved since the run before of the same string'
+    )
     mended: dict[str, Times] = Field(default_factory=dict)
 
     @model_validator(mode="after")

@@ -16,6 +16,7 @@ from pipeline.diagnosis.problem import Problem, State
 from pipeline.errors import BadInput, program
 from pipeline.ingest import read_samples
 from pipeline.kinematics import Array
+from pipeline.outputs import file_to_write
 
 TARE_S = 1.0
 
@@ -76,6 +77,7 @@ def main() -> None:
     parser.add_argument("--simulation", type=Path, required=True, help="a diagnosis.json")
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
+    file_to_write(arguments.out)
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(arguments.simulation)
     problem = at_own_rate([run], [samples], thin=run.system.differentiates)

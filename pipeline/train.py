@@ -1,19 +1,24 @@
 """Fit a model on the training points of a dataset's split and predict its held-out points, both ways."""
 
 import argparse
-import json
 import logging
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
+from pydantic import ValidationError
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
-from pipeline.models.interface import Model, make_model
+from pipeline.models.interface import Model, make_model, names, settings_of
 from pipeline.models.saved import write_bytes
+from pipeline.models.settings import Refused, refusal, shown, told
+from pipeline.outputs import file_to_write
+from pipeline.tables import opened
 
 SPLITS = ("within", "later")
 
@@ -52,12 +57,34 @@ def predictions(model: Model, test: pd.DataFrame) -> pd.DataFrame:
 
 def configured(name: str, settings: str) -> Model:
     """The unfitted model of a name with settings given as a JSON object; raises BadInput for what it refuses."""
+    if name not in names():
+        problem = "is no file of pipeline/models that has a MODEL"
+        raise BadInput("--model", shown(name) or '""', problem, f"choose one of {', '.join(names())}")
     try:
-        return make_model(name, **json.loads(settings))
-    except (ImportError, AttributeError) as error:
-        raise BadInput("--model", name, str(error), "name a file of pipeline/models that has a MODEL") from error
-    except (TypeError, ValueError) as error:
-        raise BadInput("--settings", name, str(error), "give the model's own settings as JSON") from error
+        given = told(settings)
+        try:
+            return make_model(name, **given)
+        except (TypeError, ValidationError) as error:
+            raise refusal(error, settings_of(name), given) from error
+    except Refused as error:
+        raise BadInput("--settings", f"{name}.{error.field}", error.problem, error.mend) from error
+
+
+@contextmanager
+def fitting(name: str) -> Iterator[None]:
+    """Raise BadInput for a fit, or an answer of it, in which numbers overflow or equations have no solution."""
+    try:
+        yield
+    except (ArithmeticError, np.linalg.LinAlgError) as error:
+        mend = "lower its rate or its size in --settings, or take another model; see whether the points are all alike"
+        raise BadInput("--model", name, f"cannot be fitted to these points: {error}", mend) from error
+
+
+def seed(text: str) -> int:
+    """A seed from a command line, for argparse: a whole number from 0 to 2^32 - 1."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 10 and int(text) < 2**32):
+        raise argparse.ArgumentTypeError(f"{shown(text)!r} is no whole number from 0 to {2**32 - 1}")
+    return int(text)
 
 
 def arguments(words: list[str]) -> Any:
@@ -66,7 +93,7 @@ def arguments(words: list[str]) -> Any:
     parser.add_argument("dataset", type=Path)
     parser.add_argument("--model", required=True, help="a file of pipeline/models, without .py")
     parser.add_argument("--split", required=True, choices=SPLITS)
-    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--out-model", type=Path, required=True)
     parser.add_argument("--out-predictions", type=Path, required=True)
@@ -79,15 +106,20 @@ def main() -> None:
     # A stream handler flushes every line: progress shows while the fit runs, also through a pipe.
     logging.basicConfig(level=logging.INFO, stream=sys.stdout, format=f"{asked.model}: %(message)s")
     model = configured(asked.model, asked.settings)
-    train, test = divided(schemas.read(asked.dataset, schemas.DATASET), asked.split, asked.dataset)
+    for option, path in (("--out-model", asked.out_model), ("--out-predictions", asked.out_predictions)):
+        file_to_write(path, option)
+    dataset = opened(asked.dataset, schemas.DATASET, "make it: python -m pipeline.dataset")
+    train, test = divided(dataset, asked.split, asked.dataset)
     if test.empty:
         print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")
         write_bytes(asked.out_model, b"")
         schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, asked.out_predictions)
         return
-    model.fit(train, asked.seed)
+    with fitting(asked.model):
+        model.fit(train, asked.seed)
+        predicted = predictions(model, test)
     model.save(asked.out_model)
-    schemas.write(predictions(model, test), schemas.PREDICTIONS, asked.out_predictions)
+    schemas.write(predicted, schemas.PREDICTIONS, asked.out_predictions)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import ast
 import re
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ MODULES = {
 }
 
 
+@cache
 def imports(module):
     """Modules of ours that a module imports."""
     names = set()
@@ -27,6 +29,7 @@ def imports(module):
     return {name for name in names if name in MODULES} - {"pipeline", module}
 
 
+@cache
 def reach(module):
     """Modules of ours that a module imports, directly or not."""
     found, waiting = set(), [module]

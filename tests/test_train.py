@@ -97,7 +97,7 @@ def test_the_points_of_neither_part_are_left_out() -> None:
         ("nonesuch", "{}", "nonesuch"),
         ("interface", "{}", "MODEL"),
         ("calibrated", '{"depth": 3}', "depth"),
-        ("traditional", '{"depth": 3}', "arguments"),
+        ("traditional", '{"depth": 3}', "depth"),
         ("inn", '{"loss": "none"}', "loss"),
         ("inn", "{", "JSON"),
     ],

@@ -6,8 +6,9 @@ from pathlib import Path
 import pandas as pd
 
 from pipeline.campaign.points import SCHEMA
+from pipeline.outputs import file_to_write
 from pipeline.tables import opened
-from pipeline.train import configured
+from pipeline.train import configured, seed
 
 
 def parser(doc: str | None) -> argparse.ArgumentParser:
@@ -16,7 +17,7 @@ def parser(doc: str | None) -> argparse.ArgumentParser:
     found.add_argument("points", type=Path)
     found.add_argument("--model", required=True)
     found.add_argument("--settings", default="{}", metavar="JSON")
-    found.add_argument("--seed", type=int, default=0)
+    found.add_argument("--seed", type=seed, default=0)
     found.add_argument("--out", type=Path, required=True)
     return found
 
@@ -24,4 +25,5 @@ def parser(doc: str | None) -> argparse.ArgumentParser:
 def points_of(asked: argparse.Namespace) -> pd.DataFrame:
     """The campaign's points (`points.SCHEMA`); raises BadInput for these or the model before anything is fitted."""
     configured(asked.model, asked.settings)
+    file_to_write(asked.out)
     return opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")

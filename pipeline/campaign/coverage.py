@@ -11,6 +11,8 @@ from pipeline.campaign.tables import COVERAGE
 from pipeline.errors import BadInput, program
 from pipeline.models.interface import make_model
 from pipeline.models.intervals import Intervals, TooFew
+from pipeline.progress import steps
+from pipeline.train import fitting
 
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)
@@ -51,10 +53,14 @@ def main() -> None:
     words = parser(__doc__)
     words.add_argument("--strings", type=int, help="the first so many of them (all)")
     asked = words.parse_args()
+    if asked.strings is not None and asked.strings < 1:
+        raise BadInput("--strings", str(asked.strings), "is none", "give a number from 1, or leave it out for all")
     points = points_of(asked)
     by_string = [rows for _, rows in points.groupby("string", sort=True)]
     settings = json.loads(asked.settings)
-    parts = [of_string(rows, asked.model, settings, asked.seed) for rows in by_string[: asked.strings]]
+    with fitting(asked.model):
+        some = steps(by_string[: asked.strings], "string")
+        parts = [of_string(rows, asked.model, settings, asked.seed) for rows in some]
     table = pd.concat(parts, ignore_index=True)
     schemas.write(table, COVERAGE, asked.out)
     weighted = table.assign(held=table["held"] * table["points"]).groupby(["map", "level"])[["held", "points"]].sum()

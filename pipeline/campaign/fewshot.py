@@ -13,6 +13,8 @@ from pipeline.campaign.asked import parser, points_of
 from pipeline.campaign.tables import FEW_SHOT
 from pipeline.errors import BadInput, program
 from pipeline.models.interface import Model, make_model
+from pipeline.progress import steps
+from pipeline.train import fitting
 
 SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown
@@ -78,7 +80,7 @@ def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int)
     told = reads(model, points[points["strings"] == "test"])
     if learns:
         adaptation = Adaptation(model, points[points["strings"] == "tune"])
-    for asked, shown in asked_and_shown(points):
+    for asked, shown in steps(asked_and_shown(points), "string"):
         about = (str(asked["string"].iloc[0]), str(asked["material"].iloc[0]))
         for shots, few in shown.items():
             if learns:
@@ -100,7 +102,8 @@ def main() -> None:
     if any(strings.get(part, 0) < least for part, least in LEAST_STRINGS.items()):
         problem = "has too few strings to learn from, to tune on or to ask about"
         raise BadInput(asked.points, "strings", problem, "record at least 20 strings, 4 of each material")
-    table = curves(asked.model, json.loads(asked.settings), points, asked.seed)
+    with fitting(asked.model):
+        table = curves(asked.model, json.loads(asked.settings), points, asked.seed)
     schemas.write(table, FEW_SHOT, asked.out)
     middle = table.groupby(["how", "shots"])[["forward_mm", "inverse_turns"]].median()
     print(middle.to_string(float_format="%.3f"))

@@ -13,12 +13,14 @@ from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import FLOOR
 from pipeline.errors import program
 from pipeline.floor import FLOORS, residuals
+from pipeline.outputs import file_to_write
+from pipeline.progress import steps
 from pipeline.tables import opened
 
 
 def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:
     """Rows of `FLOOR`: of each string that models are asked about, what an oracle that sees the answers misses."""
-    for asked, _ in asked_and_shown(points):
+    for asked, _ in steps(asked_and_shown(points), "string"):
         missed = residuals(asked, FLOORS["floor"])
         forward_mm, inverse_turns = (float(np.sqrt(np.mean(np.square(errors)))) for errors in missed)
         yield str(asked["string"].iloc[0]), str(asked["material"].iloc[0]), forward_mm, inverse_turns
@@ -31,6 +33,7 @@ def main() -> None:
     parser.add_argument("points", type=Path)
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
+    file_to_write(asked.out)
     points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
     table = pd.DataFrame(list(floors(points)), columns=FLOOR.names)
     schemas.write(table, FLOOR, asked.out)

@@ -15,6 +15,8 @@ import pyarrow as pa
 from pipeline import schemas
 from pipeline.dataset import make_dataset
 from pipeline.errors import BadInput, program
+from pipeline.outputs import file_to_write
+from pipeline.progress import steps
 from pipeline.recorded_run import read
 from pipeline.runs import find_runs, read_run
 
@@ -62,7 +64,7 @@ def campaign_points(folder: Path) -> pd.DataFrame:
         if run.string is None:
             raise BadInput(one / "run.yaml", "string", "is missing", "a campaign is of strings")
         strings.setdefault(run.string_id, []).append(one)
-    points = pd.concat([string_points(runs) for runs in strings.values()], ignore_index=True)
+    points = pd.concat([string_points(runs) for runs in steps(strings.values(), "string")], ignore_index=True)
     return labelled(points)[SCHEMA.names]
 
 
@@ -73,6 +75,7 @@ def main() -> None:
     parser.add_argument("folder", type=Path, help="a folder of run folders")
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
+    file_to_write(asked.out)
     points = campaign_points(asked.folder)
     schemas.write(points, SCHEMA, asked.out)
     for part, rows in points.groupby("strings"):

@@ -3,13 +3,18 @@
 import argparse
 import re
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from pipeline.errors import BadInput, program
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
 from pipeline.files import whole, write_text
+from pipeline.outputs import file_to_write, folder_to_write
 from pipeline.train import SPLITS
+
+LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 
 
 def arguments(words: list[str]) -> argparse.Namespace:
@@ -26,23 +31,40 @@ def arguments(words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
+@contextmanager
+def writable(file: Path) -> Iterator[None]:
+    """Raise BadInput where a model that could be loaded and asked holds what no export can be made of."""
+    try:
+        yield
+    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError) as error:
+        problem = f"cannot be exported ({type(error).__name__}: {error})"
+        raise BadInput(file, "model", problem, "train it again; should that not help, report it") from error
+
+
 def main() -> None:
     """Export."""
     asked = arguments(sys.argv[1:])
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", asked.name):
         raise BadInput("--name", asked.name, "cannot begin a C name", "use letters, digits and _")
-    if asked.out and asked.out.exists() and asked.out.is_dir() != (asked.format == "onnx"):
-        wanted = "a folder" if asked.format == "onnx" else "a file"
-        raise BadInput("--out", str(asked.out), f"is there and is not {wanted}", f"name {wanted}")
+    if len(asked.name) > LONGEST:
+        raise BadInput("--name", f"{asked.name[:40]}…", f"has {len(asked.name)} characters", f"use at most {LONGEST}")
+    if asked.format == "c":
+        file_to_write(asked.out or Path(f"{asked.name}.h"))
+    else:
+        folder_to_write(asked.out or Path())
     source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
     if asked.format == "c":
         out = asked.out or Path(f"{asked.name}.h")
-        write_text(out, header(source, asked.name))
+        with writable(asked.file):
+            text = header(source, asked.name)
+        write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text")
         return
     from pipeline.export.onnx_model import graphs  # a header needs no onnx
 
-    for way, graph in graphs(source, asked.name).items():
+    with writable(asked.file):
+        made = graphs(source, asked.name)
+    for way, graph in made.items():
         out = (asked.out or Path()) / f"{asked.name}.{way}.onnx"
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())

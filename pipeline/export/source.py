@@ -1,6 +1,5 @@
 """A saved model as the exporters want it: loaded, with its inputs, and refused in one line where it cannot be."""
 
-import pickle
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -27,7 +26,6 @@ READS = {  # the measured columns that a model reads whether or not they vary; c
     "traditional": MEASURED,
     "calibrated": ("load_n",),
 }
-DAMAGED = (ValueError, LookupError, TypeError, AttributeError, RuntimeError, EOFError, pickle.UnpicklingError)
 TRIED = 20  # queries that a model must answer before it is exported
 
 
@@ -66,14 +64,16 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     try:
         source = _loaded(file, name, beside)
         _try(source)
-    except DAMAGED as error:
+    except BadInput:
+        raise
+    except Exception as error:  # whatever a file that is no such model makes its loaders stumble over
         what = f"is not a saved {name} ({type(error).__name__})"
         raise BadInput(file, "model", what, "train it again, or say --model") from error
     return source
 
 
 def _loaded(file: Path, name: str, beside: Beside) -> Source:
-    """The model of a file; raises BadInput for one that cannot be exported, one of DAMAGED for a file of no model."""
+    """The model of a file; raises BadInput for one that cannot be exported, anything for a file of no model."""
     model: Any = make_model(name)
     model.load(file)
     box, zero_mm = getattr(model, "box", None), 0.0

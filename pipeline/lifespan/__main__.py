@@ -10,6 +10,8 @@ from pipeline.lifespan import figure, record
 from pipeline.lifespan.ask import Answer, model_error, stroke_loss
 from pipeline.lifespan.gather import strings
 from pipeline.lifespan.health import Health
+from pipeline.outputs import folder_to_write
+from pipeline.progress import clear, steps
 
 
 def ask(one: Health, loss: float, drift_mm: float) -> list[Answer]:
@@ -36,13 +38,13 @@ def main() -> int:
             raise BadInput(
                 "arguments", f"--{name}", f"is {value:g}", f"give a number above 0{' and below 1' * (most == 1)}"
             )
-    if told.out.exists() and not told.out.is_dir():
-        raise BadInput(told.out, "--out", "is a file", "name a folder, which may be new")
-    for one in strings(told.run_dir):
+    folder_to_write(told.out)
+    for one in steps(strings(told.run_dir), "string"):
         answers = ask(one, told.loss, told.drift_mm)
         content = record.lifespan(one, answers, told.level)
         write_text(told.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
         figure.page(one, answers, told.level, told.out / one.string / "lifespan.png")
+        clear()
         print(record.sentences(one, answers, told.level))
     return 0
 

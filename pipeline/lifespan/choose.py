@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.kinematics import Array
 from pipeline.lifespan.fit import Fit, fit
 from pipeline.lifespan.laws import LAWS, Law
+from pipeline.progress import steps
 
 MOST_POINTS = 80  # strokes beyond are averaged in blocks: the laws are smooth
 ORIGINS = (0.4, 0.5, 0.6, 0.7, 0.8, 0.9)  # of the strokes seen: fitted up to there, scored on what comes after
@@ -96,7 +97,7 @@ def choose(n: Array, values: Array, laws: tuple[Law, ...] = LAWS) -> Choice:
     """Weigh laws of an indicator over strokes n, both of shape (strokes,); at least LEAST_FITTED of them."""
     n, values, counts = blocks(n, values)
     fits = [(law, fit(law, n, values, counts)) for law in laws]
-    pairs = [(one, forecasts(law, n, values, counts)) for law, one in fits if one is not None]
+    pairs = [(one, forecasts(law, n, values, counts)) for law, one in steps(fits, "law") if one is not None]
     pairs = [(one, ahead) for one, ahead in pairs if sum(at is not None for at in ahead) > JUDGED * len(ahead)]
     common = [at for at in range(len(pairs[0][1])) if all(ahead[at] is not None for _, ahead in pairs)]
     told = [[one for at in common if (one := ahead[at]) is not None] for _, ahead in pairs]

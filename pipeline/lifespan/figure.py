@@ -76,7 +76,8 @@ def question(axes: Axes, one: Answer, level: float) -> None:
         axes.set_xlim(one.n[0] - 0.02 * end, end)
         axes.set_ylim(min(0.0, scale * float(np.nanmin(one.values))) - 0.03 * top, top)
         interval(axes, one, level, end, scale * one.limit)
-    axes.axvline(one.n[-1], color="0.7", lw=0.8)
+    if len(one.n):
+        axes.axvline(one.n[-1], color="0.7", lw=0.8)
     axes.legend(fontsize=7.5, loc="upper left" if left.band is not None else "center right")
 
 

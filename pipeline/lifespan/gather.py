@@ -5,6 +5,7 @@ from pathlib import Path
 
 from pipeline.errors import BadInput
 from pipeline.lifespan.health import Health, health
+from pipeline.progress import steps
 from pipeline.recorded import Recorded
 from pipeline.recorded_run import read
 
@@ -16,7 +17,7 @@ def strings(folders: list[Path]) -> list[Health]:
     for folder in told:
         if told.count(folder) > 1:
             raise BadInput(folder, "run_dir", "is named twice", "name each run once: its strokes would count twice")
-    for folder in folders:
+    for folder in steps(folders, "run read"):
         one = read(folder if folder.name else folder.resolve())
         runs.setdefault(one.run.string_id, []).append(one)
     return [health(of_one) for of_one in runs.values()]

@@ -1,6 +1,6 @@
 """Samples and strokes → the indicators of a string's health, stroke by stroke, each with its standard error."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import pandas as pd
@@ -10,8 +10,9 @@ from pipeline.ingest import geometry
 from pipeline.lifespan.indicators import REFERENCE, ends_mm, loop, model_errors
 from pipeline.lifespan.readings import Stroke, readings
 from pipeline.lifespan.stiffness import stiffness
-from pipeline.recorded import Recorded, in_order, tare_mm
+from pipeline.recorded import Recorded, in_order
 from pipeline.run_yaml import STRING_ACTUATORS
+from pipeline.zero import Jump, jumps, offsets_mm
 
 SAME_RANGE = 0.05  # of the reference's range by which a stroke's ends may differ from the reference's
 INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_error_mm")
@@ -21,20 +22,23 @@ INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_er
 class Health:
     """A string's `strokes`, one row each: run, stroke, each of INDICATORS with its `_error`, NaN where not measured.
 
-    `string` is its name, `left_out` the complete strokes that wind over another range than the first ones.
+    `string` is its name, `left_out` the complete strokes that wind over another range than the first ones, `jumps` what
+    the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no wear.
     """
 
     string: str
     runs: list[str]
     strokes: pd.DataFrame
     left_out: list[int]
+    jumps: list[Jump] = field(default_factory=list)
 
 
 def numbered(runs: list[Recorded]) -> list[Stroke]:
-    """Complete strokes of one string's runs, which continue each other's numbers and share its tare."""
+    """Complete strokes of one string's runs, which continue each other's numbers; no jump of the zero is in them."""
     runs = in_order(runs)
-    offset_mm, done, found = tare_mm(runs[0]), 0, list[Stroke]()
-    for one in runs:
+    moved = frozenset(jump.run for jump in jumps(runs) if not jump.may_be_wear)
+    done, found = 0, list[Stroke]()
+    for one, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):
         assert one.run.string is not None
         done = max(done, one.run.string.strokes_before)
         found += readings(one, done, offset_mm)
@@ -68,4 +72,6 @@ def health(runs: list[Recorded]) -> Health:
          **loop(one, low, high), **stiffness(one.moving), **error}
         for one, error in zip(same, model_errors(same, low, high), strict=True)
     ]  # fmt: skip
-    return Health(first.run.string_id, [one.run.run for one in in_order(runs)], pd.DataFrame(rows), left_out)
+    return Health(
+        first.run.string_id, [one.run.run for one in in_order(runs)], pd.DataFrame(rows), left_out, jumps(runs)
+    )

@@ -76,6 +76,10 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
         "strokes_seen": len(table),
         "last_stroke": int(table["stroke"].iloc[-1]),
         "strokes_of_another_range": health.left_out,
+        "zero_jumps": [
+            {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
+            for jump in health.jumps
+        ],
         "level": level,
         "first": earliest.question if earliest else None,
         "questions": {one.question: answer(one, level) for one in answers},
@@ -110,6 +114,9 @@ def sentences(health: Health, answers: list[Answer], level: float) -> str:
     lines = [f"{health.string}: {len(table)} strokes seen, the last one stroke {int(table['stroke'].iloc[-1])}."]
     if health.left_out:
         lines.append(f"  {len(health.left_out)} strokes wind over another range than the first ones and are left out.")
+    for jump in health.jumps:
+        how = "It may be theirs, and counts as wear" if jump.may_be_wear else "It is taken off: it is no wear"
+        lines.append(f"  {jump.sentence} {how}.")
     lines += [f"  {sentence(one, level)}" for one in answers]
     if any(len(one.left.when) for one in answers):
         lines.append(f"  {UNFORESEEN}")

@@ -18,6 +18,8 @@ from pipeline.lifespan.left import LEAST_STROKES, Left, first_passed
 from pipeline.lifespan.peers import PEERS, peer
 from pipeline.lifespan.scorefigure import page
 from pipeline.lifespan.scoretable import words
+from pipeline.outputs import folder_to_write
+from pipeline.progress import steps
 from pipeline.recorded_run import read
 
 SHARES = (0.25, 0.5, 0.75)  # of the strokes to the limit
@@ -98,7 +100,7 @@ def score(folder: Path, loss: float, drift_mm: float) -> pd.DataFrame:
     except (OSError, ValueError) as error:
         raise BadInput(path, "file", "is not what the endurance rig writes", "write the folder again") from error
     rows: list[dict[str, Any]] = []
-    for run, lived in truth.groupby("run", sort=True):
+    for run, lived in steps(truth.groupby("run", sort=True), "string"):
         rows += asked(health([read(folder / str(run))]), lived.sort_values("stroke"), loss, drift_mm)
     return pd.DataFrame(rows)
 
@@ -112,6 +114,7 @@ def main() -> None:
     parser.add_argument("--drift-mm", type=float, default=1.0)
     parser.add_argument("--out", type=Path, required=True)
     told = parser.parse_args()
+    folder_to_write(told.out)
     rows = score(told.lives, told.loss, told.drift_mm)
     with whole(told.out / "lifespan.csv") as temporary:
         rows.to_csv(temporary, index=False)

@@ -36,7 +36,12 @@ class Box:
 
     @classmethod
     def from_saved(cls, saved: dict[str, object]) -> "Box":
-        """The box that `saved` wrote."""
+        """The box that `saved` wrote; raises ValueError for one that is none."""
+        low, high = dict(saved["low"]), dict(saved["high"])  # type: ignore[call-overload]
+        if set(low) != set(high) or not set(low) <= set(COLUMNS):
+            raise ValueError("the box is of other columns")
+        if not all(-np.inf < float(low[name]) <= float(high[name]) < np.inf for name in low):
+            raise ValueError("the box holds what is no range")
         return cls(dict(saved["low"]), dict(saved["high"]), tuple(saved["materials"]))  # type: ignore[call-overload, arg-type]
 
     def saved(self) -> dict[str, object]:

@@ -11,7 +11,6 @@ they came out, which is a little off: a few steps of the secant make good for it
 
 import io
 import math
-from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +25,7 @@ from pipeline.models.coupling import InvertibleNet
 from pipeline.models.features import conditions
 from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
+from pipeline.models.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
 from pipeline.models.training import minimise, repeatable, tensor
 
 SIZE = 5
@@ -36,18 +36,18 @@ FLATTEST, STEEPEST, NEAREST = 0.2, 5.0, 1e-5  # of the secant's slope and width,
 ABOVE_ZERO = 0.005  # of the contraction's range, that the root's argument stays above 0 in the whole box
 
 
-@dataclass(frozen=True)
+@checked
 class Settings:
     """The network's shape, its training, and what it is told."""
 
-    blocks: int = 5
-    width: int = 32
-    layers: int = 2
-    clamp: float = 1.0
-    permutation_seed: int = 0
-    epochs: int = 60
-    batch: int = 125
-    rate: float = 4e-3  # the highest; it rises to it and falls as a cosine
+    blocks: Blocks = 5
+    width: Width = 32
+    layers: Layers = 2
+    clamp: Clamp = 1.0
+    permutation_seed: Drawn = 0
+    epochs: Epochs = 60
+    batch: Batch = 125
+    rate: Rate = 4e-3  # the highest; it rises to it and falls as a cosine
     direction: bool = True  # whether it may know winding from unwinding
 
 
@@ -109,7 +109,7 @@ class Cinn:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [self.inputs.mean, self.inputs.std, self.outputs.mean, self.outputs.std]
         saved = {
-            "settings": asdict(self.settings),
+            "settings": values(self.settings),
             "box": self.box.saved(),
             "conditions": self.conditions.saved(),
             "shift_mm": self.shift_mm,

@@ -5,11 +5,13 @@ depends on what was done before: the simulator goes through the motion of the tr
 A run of which no training points were seen is simulated by the nominal equations.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 import pandas as pd
+from pydantic import Field, field_validator
 
 from pipeline.diagnosis import calibrate, engine, library, order, outcome
 from pipeline.diagnosis.problem import State
@@ -19,6 +21,7 @@ from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
 from pipeline.models.diagnosed_problem import SAMPLES, holed, plain
 from pipeline.models.diagnosed_run import Simulator
 from pipeline.models.saved import read_json, write_json
+from pipeline.models.settings import checked
 from pipeline.run_yaml import Run
 
 LEAST_POINTS = 20  # in which a stroke can be seen at all; a run with fewer stays nominal
@@ -29,14 +32,26 @@ TOLERANCES = {
 }  # fmt: skip
 
 
+@checked
+class Settings:
+    """What the library shall lack."""
+
+    without: Annotated[tuple[str, ...], Field(strict=False)] = ()
+
+    @field_validator("without")
+    @classmethod
+    def _known(cls, ids: tuple[str, ...]) -> tuple[str, ...]:
+        strange = sorted(set(ids) - set(library.mechanisms()))
+        if strange:
+            raise ValueError(f"{strange[0]} is no mechanism; use {', '.join(library.mechanisms())}")
+        return ids
+
+
 class Diagnosed:
     """A simulator for every run of a string that was seen, by run and string; it names none of the ids in `without`."""
 
-    def __init__(self, without: Sequence[str] = ()) -> None:
-        strange = sorted(set(without) - set(library.mechanisms()))
-        if strange:
-            raise ValueError(f"without: {strange[0]} is no mechanism; use {', '.join(library.mechanisms())}")
-        self.without = frozenset(without)
+    def __init__(self, **settings: object) -> None:
+        self.without = frozenset(Settings(**settings).without)  # type: ignore[arg-type]
         self.simulators: dict[tuple[str, str], Simulator] = {}
 
     def fit(self, points: pd.DataFrame, seed: int) -> None:
@@ -60,7 +75,7 @@ class Diagnosed:
     def load(self, path: Path) -> None:
         """Take over the simulators of a JSON file."""
         content = read_json(path)
-        self.without = frozenset(content["without"])
+        self.without = frozenset(Settings(without=content["without"]).without)
         strings = [one.pop("string") for one in content["simulators"]]
         found = map(Simulator.from_saved, content["simulators"])
         self.simulators = {(one.run.run, string): one for string, one in zip(strings, found, strict=True)}

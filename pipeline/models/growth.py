@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 
 from pipeline.kinematics import Array
+from pipeline.progress import steps
 
 FAMILIES: dict[str, Callable[[Array, float], Array]] = {
     "logarithm": lambda stroke, before: np.log(before + stroke),
@@ -71,6 +72,6 @@ def chosen(points: pd.DataFrame, error_of: Callable[[Law, pd.DataFrame, pd.DataF
     squares = [
         len(late) * error_of(law.standardised(first), early, late) ** 2
         + len(points) * error_of(law.standardised(every), points, points) ** 2
-        for law in CANDIDATES
+        for law in steps(CANDIDATES, "law of growth")
     ]
     return CANDIDATES[int(np.argmin(squares))].standardised(every)

@@ -18,11 +18,12 @@ unwinding, and half the hysteresis loop is its floor.
 """
 
 import io
-from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Annotated, Literal
 
 import pandas as pd
 import torch
+from pydantic import Field
 from torch.nn.functional import mse_loss
 
 from pipeline.kinematics import Array
@@ -30,30 +31,27 @@ from pipeline.models.coupling import InvertibleNet
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
 from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
+from pipeline.models.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
 from pipeline.models.training import minimise, repeatable, tensor
 
 SIZE = 5
 
 
-@dataclass(frozen=True)
+@checked
 class Settings:
     """The network's shape and its training."""
 
-    blocks: int = 7
-    width: int = 256
-    layers: int = 3
-    clamp: float = 1.0  # largest |s| of a block
-    composite: str = "identity"  # or "random"
-    permutation_seed: int = 0
-    loss: str = "forward"  # or "both"
+    blocks: Blocks = 7
+    width: Width = 256
+    layers: Layers = 3
+    clamp: Clamp = 1.0  # largest |s| of a block
+    composite: Literal["identity", "random"] = "identity"
+    permutation_seed: Drawn = 0
+    loss: Literal["forward", "both"] = "forward"
     log_stroke: bool = True
-    epochs: int = 24
-    batch: int = 125
-    rates: tuple[float, ...] = (8e-4, 4e-4, 1e-4, 5e-5)
-
-    def __post_init__(self) -> None:
-        if self.loss not in ("forward", "both"):
-            raise ValueError(f'loss: "{self.loss}" is neither "forward" nor "both"')
+    epochs: Epochs = 24
+    batch: Batch = 125
+    rates: Annotated[tuple[Rate, ...], Field(min_length=1, max_length=100, strict=False)] = (8e-4, 4e-4, 1e-4, 5e-5)
 
 
 class Inn:
@@ -96,7 +94,7 @@ class Inn:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [self.inputs.mean, self.inputs.std, self.outputs.mean, self.outputs.std]
         saved = {
-            "settings": asdict(self.settings),
+            "settings": values(self.settings),
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
         }

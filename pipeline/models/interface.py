@@ -1,6 +1,8 @@
 """What a kinematic model is: fitted on points, it maps twist to contraction and back."""
 
 import importlib
+import re
+from functools import cache
 from pathlib import Path
 from typing import Protocol
 
@@ -26,6 +28,19 @@ class Model(Protocol):
 
     def load(self, path: Path) -> None:
         """Take over the fitted model that a file holds."""
+
+
+@cache
+def names() -> tuple[str, ...]:
+    """Names of all models: of the files beside this one that hold a MODEL."""
+    holding = (path for path in Path(__file__).parent.glob("*.py") if path.stem.isidentifier())
+    return tuple(sorted(path.stem for path in holding if re.search(r"^MODEL\b", path.read_text("utf-8"), re.M)))
+
+
+def settings_of(name: str) -> type | None:
+    """The dataclass of a model's settings, None for a model without any."""
+    found: type | None = getattr(importlib.import_module(f"pipeline.models.{name}"), "Settings", None)
+    return found
 
 
 def make_model(name: str, **settings: object) -> Model:

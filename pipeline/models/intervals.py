@@ -18,6 +18,7 @@ import pandas as pd
 from pipeline.kinematics import Array
 from pipeline.models.box import Box
 from pipeline.models.interface import Model
+from pipeline.progress import steps
 
 TWISTS = 6  # ranges of twist, equally populated, that have a scatter of their own
 FOLDS = 4  # into which seen strokes are cut to be foreseen from each other
@@ -73,9 +74,13 @@ class Intervals:
         if not parts:
             raise TooFew("are all of one block, so nothing can be foreseen from the rest")
         self.model, self.box = self.make(), Box.of(points)
-        self.model.fit(points, seed)
-        self.strokes = _last_strokes(points)
-        errors = pd.concat([self._foreseen(known, rest, seed) for known, rest in parts], ignore_index=True)
+        self.strokes, found = _last_strokes(points), []
+        for part in steps([None, *parts], "fit"):
+            if part is None:
+                self.model.fit(points, seed)
+            else:
+                found.append(self._foreseen(*part, seed))
+        errors = pd.concat(found, ignore_index=True)
         count = int(points.groupby("string")["stroke"].nunique().max())
         self.scatter: dict[str, Scatter] = {}
         self.scores: dict[str, dict[int, Array]] = {}

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
 from pipeline.kinematics import Array
+from pipeline.progress import steps as shown
 
 Problem = Callable[[Array], tuple[Array, Array]]  # parameters → residuals (rows,), Jacobian (rows, parameters)
 FIRST_DAMPING, SOFTER, HARDER, HARDEST = 1e-3, 0.2, 8.0, 1e9
@@ -26,7 +27,7 @@ def least_squares(problem: Problem, start: Array, ridge: Array, steps: int) -> A
     now = cost(residuals, parameters)
     if not np.isfinite(now):
         raise ArithmeticError("the residuals are not finite at the start of the fit")
-    for _ in range(steps):
+    for _ in shown(range(steps), "step"):
         square = jacobian.T @ jacobian
         square[np.diag_indices_from(square)] += ridge
         downhill = jacobian.T @ residuals + ridge * parameters

@@ -6,7 +6,6 @@ stiffness and material are inputs where they vary.
 
 import io
 import math
-from dataclasses import asdict, dataclass
 from itertools import pairwise
 from pathlib import Path
 
@@ -21,20 +20,21 @@ from pipeline.models.conditions import Conditions
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
 from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
+from pipeline.models.settings import Batch, Epochs, Layers, Rate, Width, checked, values
 from pipeline.models.training import minimise, repeatable, tensor
 
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are inputs in any case
 
 
-@dataclass(frozen=True)
+@checked
 class Settings:
     """The networks' shape and their training."""
 
-    width: int = 64
-    layers: int = 2
-    epochs: int = 240
-    batch: int = 125
-    rate: float = 8e-3  # of the first epoch; a quarter cosine takes it to nearly 0
+    width: Width = 64
+    layers: Layers = 2
+    epochs: Epochs = 240
+    batch: Batch = 125
+    rate: Rate = 8e-3  # of the first epoch; a quarter cosine takes it to nearly 0
 
 
 class Mlp:
@@ -77,7 +77,7 @@ class Mlp:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [values for scaling in self.scalings for values in (scaling.mean, scaling.std)]
         saved = {
-            "settings": asdict(self.settings),
+            "settings": values(self.settings),
             "conditions": self.conditions.saved(),
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.networks.state_dict(),

@@ -5,29 +5,31 @@ varies (dimensions, load, material) multiplies the powers to the third. Inputs b
 its edge, where a polynomial would run away.
 """
 
-from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 import pandas as pd
 from numpy.polynomial.legendre import legvander
+from pydantic import Field
 
 from pipeline.kinematics import Array
 from pipeline.models.box import Box
 from pipeline.models.conditions import Conditions
 from pipeline.models.saved import read_json, write_json
+from pipeline.models.settings import checked, values
 
 GIVEN = ("motor_turns", "displacement_mm")  # of the forward and of the inverse map; each gives the other
 
 
-@dataclass(frozen=True)
+@checked
 class Settings:
     """Degrees of the polynomials and the ridge's weight."""
 
-    degree: int = 7
-    stroke_degree: int = 2
-    other_degree: int = 3
-    ridge: float = 1e-6  # of the points' number, terms being of size 1
+    degree: Annotated[int, Field(ge=1, le=30)] = 7
+    stroke_degree: Annotated[int, Field(ge=0, le=10)] = 2
+    other_degree: Annotated[int, Field(ge=0, le=30)] = 3
+    ridge: Annotated[float, Field(ge=1e-15, le=1e6)] = 1e-6  # of the points' number, terms being of size 1
 
 
 class Polynomial:
@@ -56,7 +58,7 @@ class Polynomial:
     def save(self, path: Path) -> None:
         """Write all of it as JSON."""
         content = {
-            "settings": asdict(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
+            "settings": values(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
             "weights": {given: weights.tolist() for given, weights in self.weights.items()},
         }  # fmt: skip
         write_json(path, content)

@@ -9,11 +9,13 @@ Fitted by Levenberg and Marquardt on the forward error; the law of n is the one 
 and follows all of them.
 """
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 import pandas as pd
+from pydantic import Field
 
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
 from pipeline.models import rational
@@ -22,6 +24,7 @@ from pipeline.models.conditions import Conditions
 from pipeline.models.growth import Law, chosen
 from pipeline.models.marquardt import least_squares
 from pipeline.models.saved import read_json, write_json
+from pipeline.models.settings import checked, values
 
 SHORTEST = 1e-9  # of what the knots span: one twist only is still a spline
 CHOICE_POINTS, CHOICE_STEPS = 2000, 2  # with which the law of n is chosen
@@ -30,12 +33,12 @@ MOST = 3.0  # of the size of a logarithm: no piece is flatter than a twentieth o
 LOOSE, TIGHT = 1.0, 0.2  # spread expected of the logarithms of rises and slopes, and of their change by a condition
 
 
-@dataclass(frozen=True)
+@checked
 class Settings:
     """The spline's size and what it is told."""
 
-    bins: int = 16
-    steps: int = 30
+    bins: Annotated[int, Field(ge=1, le=128)] = 16
+    steps: Annotated[int, Field(ge=1, le=1000)] = 30
     direction: bool = True  # whether it may know winding from unwinding
 
 
@@ -77,7 +80,7 @@ class Spline:
     def save(self, path: Path) -> None:
         """Write all of it as JSON."""
         content = {
-            "settings": asdict(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
+            "settings": values(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
             "law": asdict(self.law), "knots": self.knots_at.tolist(), "weights": self.weights.tolist(),
         }  # fmt: skip
         write_json(path, content)

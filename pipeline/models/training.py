@@ -2,15 +2,15 @@
 
 import logging
 import math
-import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 import torch
 from torch import Tensor, nn
 
+from pipeline.progress import steps
+
 log = logging.getLogger(__name__)
-BETWEEN_LINES_S = 3.0
 
 
 @contextmanager
@@ -36,12 +36,11 @@ def minimise(
 ) -> None:
     """Lower a loss by Adam with the given learning rate in each epoch; `loss_of` takes a batch's row numbers.
 
-    Logs the epoch and its mean loss every few seconds. Raises ArithmeticError when the loss is not finite.
+    Shows the epochs as progress and logs the last one's mean loss. Raises ArithmeticError when the loss is not finite.
     """
     optimiser = torch.optim.Adam(network.parameters(), lr=rates[0], fused=True)
     batches = math.ceil(points / batch)
-    said_s = time.monotonic()
-    for epoch, rate in enumerate(rates, start=1):
+    for epoch, rate in enumerate(steps(rates, "epoch"), start=1):
         optimiser.param_groups[0]["lr"] = rate
         total = torch.zeros(())
         # Batches of equal size: a last one of a few rows would shake the weights as much as a full one.
@@ -54,6 +53,4 @@ def minimise(
         mean = float(total) / batches
         if not math.isfinite(mean):
             raise ArithmeticError(f"the loss is {mean} in epoch {epoch} of {len(rates)}")
-        if epoch == len(rates) or time.monotonic() - said_s >= BETWEEN_LINES_S:
-            said_s = time.monotonic()
-            log.info("epoch %d of %d, loss %.3g", epoch, len(rates), mean)
+    log.info("epoch %d of %d, loss %.3g", epoch, len(rates), mean)

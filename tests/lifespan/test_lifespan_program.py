@@ -63,6 +63,14 @@ def test_too_few_strokes_are_said_and_no_error(tmp_path):
     assert content["first"] is None and content["questions"]["stroke_loss"]["strokes_left"]["low"] is None
 
 
+def test_a_single_stroke_is_no_error(tmp_path):
+    """No stroke is left to compare with the first ones: the figure had nothing to draw a line at."""
+    out = tmp_path / "out"
+    ended = program(folder(tmp_path, "a-1", samples(1, 0.004)), "--out", out)
+    assert ended.returncode == 0 and "1 strokes are too few" in ended.stdout, ended.stderr
+    assert (out / "a-1" / "lifespan.png").stat().st_size
+
+
 def test_bad_input_is_named(tmp_path, monkeypatch, capsys):
     run = folder(tmp_path, "a-1", samples(5, 0.002))
     for arguments in (("--loss", "2"), ("--drift-mm", "0"), ("--level", "1")):

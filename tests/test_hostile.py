@@ -1,0 +1,190 @@
+"""A bounded, seeded fuzz: hostile settings, model files and command lines end in a clean refusal or a right answer."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from export.made_models import NAMES as MODELS
+from export.made_models import QUICK
+from hostile import NAMES, NUMBERS, damaged, ended
+from made_recording import content, recording
+from models.made_dataset import made_dataset
+
+from pipeline import schemas, seal
+from pipeline.errors import BadInput
+from pipeline.models.interface import make_model, settings_of
+from pipeline.train import configured
+
+HURTS, COMMANDS, SETTINGS = 130, 170, 900  # of each kind of model, of each program, of all models
+STRANGE = [
+    "0", "-1", "1e999", "-1e999", "NaN", "1e-320", "null", "true", '"7"', '""', "[]", "{}", "[0]", "[-1]", '["x"]',
+    "2.5", "9" * 400, "1e400", '{"a": 1}', "[" * 5000, '"' + "x" * 400 + '"', "1, 2",
+]  # fmt: skip
+TOO_SMALL = {"degree": -1, "bins": 0, "epochs": 0, "batch": 0, "width": 0, "blocks": 0, "layers": 0, "rates": [],
+             "ridge": 0, "clamp": 0, "steps": 0, "stroke_degree": -1, "other_degree": -1, "rate": -1}  # fmt: skip
+
+
+def clean(code: int, complaint: str) -> None:
+    """Done, or refused in words without a traceback."""
+    assert code in (0, 2), complaint
+    assert "Traceback" not in complaint
+    assert code == 0 or "error: " in complaint, complaint
+
+
+@pytest.mark.parametrize("model", [name for name in (*MODELS, "diagnosed") if settings_of(name)])
+def test_every_setting_has_its_bounds_and_the_refusal_names_them(model: str) -> None:
+    fields = settings_of(model).__dataclass_fields__  # type: ignore[union-attr]
+    for name in fields:
+        for value in (*([TOO_SMALL[name]] if name in TOO_SMALL else []), "none", None, float("nan"), 10**30, -(10**30)):
+            with pytest.raises(BadInput) as refused:
+                configured(model, json.dumps({name: value}))
+            assert refused.value.file == "--settings" and refused.value.field == f"{model}.{name}"
+            assert refused.value.mend.startswith("give ")
+
+
+def test_settings_are_refused_in_words_whatever_they_are() -> None:
+    rng = np.random.default_rng(0)
+    for _ in range(SETTINGS):
+        model = str(rng.choice([*MODELS, "diagnosed"]))
+        kind = settings_of(model)
+        names = [*(kind.__dataclass_fields__ if kind else []), "depth", ""]
+        told = ", ".join(f'"{rng.choice(names)}": {rng.choice(STRANGE)}' for _ in range(rng.integers(1, 3)))
+        text = rng.choice([f"{{{told}}}", f"{{{told}", told, str(rng.choice(STRANGE))], p=[0.7, 0.1, 0.1, 0.1])
+        try:
+            configured(model, str(text))
+        except BadInput as error:
+            assert error.file == "--settings" and error.field.startswith(model) and len(str(error)) < 700
+
+
+@pytest.fixture(scope="module")
+def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a dataset and a small fitted model of every kind that is exported."""
+    folder, points = tmp_path_factory.mktemp("saved"), made_dataset(40, 5)
+    schemas.write(points, schemas.DATASET, folder / "dataset.parquet")
+    for name in MODELS:
+        model = make_model(
+            name, **{**QUICK.get(name, {}), **({"epochs": 2} if "epochs" in QUICK.get(name, {}) else {})}
+        )
+        model.fit(points[points["within"] == "train"], 0)
+        (folder / name).mkdir()
+        model.save(folder / name / "within-0.model")
+    return folder
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_a_damaged_model_is_refused_and_one_that_is_sealed_again_exported_or_refused(
+    saved: Path, tmp_path: Path, name: str
+) -> None:
+    shutil.copy(saved / "dataset.parquet", tmp_path)
+    (tmp_path / name).mkdir()
+    path, rng = tmp_path / name / "within-0.model", np.random.default_rng(1)
+    whole = (saved / name / "within-0.model").read_bytes()
+    inside = bytes(seal.opened(whole))
+    for number in range(HURTS):
+        resealed = number % 2 == 0  # as if written so: what the check sum cannot see
+        path.write_bytes(hurt := seal.sealed(damaged(inside, rng)) if resealed else damaged(whole, rng))
+        code, complaint = ended("pipeline.export.__main__", [str(path), "--format", "c"], tmp_path)
+        clean(code, complaint)
+        assert resealed or hurt == whole or code == 2
+        if code == 0:
+            (tmp_path / "tsa.h").unlink()
+        assert not (tmp_path / "tsa.h").exists()
+
+
+def test_a_truncated_network_and_a_box_of_nan_are_refused(saved: Path, tmp_path: Path) -> None:
+    shutil.copytree(saved / "cinn", tmp_path / "cinn")
+    shutil.copytree(saved / "spline", tmp_path / "spline")
+    cinn, spline = tmp_path / "cinn" / "within-0.model", tmp_path / "spline" / "within-0.model"
+    cinn.write_bytes(seal.sealed(bytes(seal.opened(cinn.read_bytes()))[:-500]))
+    told = json.loads(bytes(seal.opened(spline.read_bytes())))
+    told["box"]["low"]["motor_turns"] = float("nan")
+    spline.write_bytes(seal.sealed(json.dumps(told).encode()))
+    for path in (cinn, spline):
+        for kind in ("c", "onnx"):
+            code, complaint = ended("pipeline.export.__main__", [str(path), "--format", kind], tmp_path)
+            assert code == 2 and str(path) in complaint and "train it again" in complaint
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["cinn", "spline"]
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory, saved: Path) -> Path:
+    """A folder with what the programs read: a dataset, questions, a model, run folders, a diagnosis, files of junk."""
+    folder = tmp_path_factory.mktemp("place")
+    shutil.copytree(saved, folder, dirs_exist_ok=True)
+    (folder / "questions.csv").write_text("stroke,direction,motor_turns\n1,1,3\n")
+    for name, table in (("a-1", recording(1, rate_hz=10.0)), ("short-1", recording(1).iloc[:5])):
+        (folder / "raw" / name).mkdir(parents=True)
+        (folder / "raw" / name / "run.yaml").write_text(json.dumps(content(name)))
+        table.to_parquet(folder / "raw" / name / "recording.parquet", index=False)
+    (folder / "simulation.json").write_text('{"run": "a-1", "parameters": {}, "simulation": []}')
+    (folder / "junk").write_bytes(np.random.default_rng(0).integers(256, size=500, dtype=np.uint8).tobytes())
+    (folder / "empty").write_bytes(b"")
+    (folder / "locked").mkdir()
+    return folder
+
+
+GOOD = {  # command lines that work, or end soon; every try spoils at least one word
+    "predict": "dataset.parquet questions.csv --model polynomial --settings {} --level 0.9 --seed 0 --out out/a.csv",
+    "train": "dataset.parquet --model polynomial --split within --seed 0 --settings {} --out-model out/m "
+    "--out-predictions out/p.parquet",
+    "export.__main__": "spline/within-0.model --format c --out out/t.h --name tsa --model spline "
+    "--dataset dataset.parquet --split within --string made-01",
+    "lifespan.__main__": "raw/a-1 --loss 0.1 --drift-mm 1 --level 0.9 --out out/life",
+    "simulate": "raw/a-1 --simulation simulation.json --out out/s.parquet",
+    "diagnose": "raw/short-1 --out out/d --jobs 1",
+    "campaign.points": "locked --out out/c.parquet",
+    "campaign.fewshot": "dataset.parquet --model polynomial --settings {} --seed 0 --out out/f.parquet",
+    "campaign.coverage": "dataset.parquet --model polynomial --settings {} --seed 0 --strings 2 --out out/f.parquet",
+    "campaign.floor": "dataset.parquet --out out/f.parquet",
+}
+OTHERS = ("junk", "empty", "locked", "nowhere/at/all", "dataset.parquet", "raw/a-1", "questions.csv", "junk/under")
+
+
+@pytest.mark.parametrize("program", GOOD)
+def test_a_spoilt_command_line_is_answered_or_refused(program: str, place: Path) -> None:
+    rng, before = np.random.default_rng(list(program.encode())), sorted(Path("/dev").iterdir())
+    for number in range(COMMANDS):  # each spoils one word or two, and may end early
+        words = GOOD[program].split()
+        spoils = rng.choice(len(words), size=int(rng.integers(1, 3)), replace=False)
+        for at in spoils:
+            pool = NUMBERS if words[at].replace(".", "").isdigit() else (*NAMES, *NUMBERS, *OTHERS, *OTHERS)
+            words[at] = str(pool[int(rng.integers(len(pool)))])
+        if number % 7 == 0:
+            words = words[: int(rng.integers(len(words)))]
+        try:
+            clean(*ended(f"pipeline.{program}", words, place))
+        except Exception as error:
+            raise AssertionError(f"{program} {words}"[:1500]) from error
+    assert sorted(Path("/dev").iterdir()) == before and not list(place.rglob("PWNED"))
+    assert Path("/dev/full").is_char_device() and Path("/dev/null").is_char_device()
+
+
+@pytest.mark.parametrize("wrong", ["", "locked", "junk/under/a.csv", "/dev/full", "a" * 300])
+def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong: str) -> None:
+    words = ["dataset.parquet", "questions.csv", "--model", "polynomial", "--out", wrong]
+    code, complaint = ended("pipeline.predict", words, place)
+    assert code == 2 and complaint.startswith("error: --out: ") and "Mend: name" in complaint
+    assert not [path for path in place.rglob("*") if path.name.startswith(".")]
+
+
+def test_another_actuator_than_the_recorded_is_refused(place: Path) -> None:
+    """It was answered -0.048 for 1.078 as lying inside."""
+    questions = place / "pair.csv"
+    questions.write_text("stroke,direction,motor_turns,actuator\n1,1,3,separator\n1,1,3,twisted_pair\n")
+    words = ["dataset.parquet", str(questions), "--model", "polynomial", "--out", "pair-answers.csv"]
+    code, complaint = ended("pipeline.predict", words, place)
+    assert code == 2 and "actuator: is twisted_pair, and the recordings are of separator" in complaint
+    assert not (place / "pair-answers.csv").exists()
+
+
+def test_a_fit_that_runs_away_is_refused_and_names_the_model(place: Path) -> None:
+    points = pd.read_parquet(place / "dataset.parquet")
+    points["displacement_mm"] *= 1e200
+    schemas.write(points, schemas.DATASET, place / "huge.parquet")
+    for model, settings in (("mlp", '{"epochs": 1, "width": 4}'), ("spline", "{}")):
+        words = ["huge.parquet", "--model", model, "--split", "within", "--settings", settings]
+        code, complaint = ended("pipeline.train", [*words, "--out-model", "m", "--out-predictions", "p.parquet"], place)
+        assert code == 2 and f"--model: {model}: cannot be fitted" in complaint and not (place / "m").exists()

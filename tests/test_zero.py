@@ -1,0 +1,185 @@
+"""A zero that jumps between runs of one string is seen, said, and by `tare: run` taken off; wear is left in."""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_recording import content, recording
+from test_dataset import recorded, string
+
+from pipeline import schemas
+from pipeline.dataset import make_dataset
+from pipeline.lifespan.gather import strings
+from pipeline.recorded import Recorded
+from pipeline.strokes import segment
+from pipeline.zero import jumps, offsets_mm
+from pipeline.zero_beside import jumps_into
+
+ROOT = Path(__file__).parent.parent
+CUT_S, JUMP_MM = 121.0, 0.58  # amid the rest after the fourth of eight strokes; 29 times the noise
+NAMES = ("a-1", "a-2")
+
+
+def halves(jump_mm: float, **how: float) -> list[pd.DataFrame]:
+    """Two recordings of one string, one after the other, between which the zero jumps."""
+    whole = recording(8, rate_hz=20.0, **how)
+    one, two = (whole[part].reset_index(drop=True) for part in (whole["time_s"] < CUT_S, whole["time_s"] >= CUT_S))
+    return [one, two.assign(displacement_mm=two["displacement_mm"] + jump_mm)]
+
+
+def runs(jump_mm: float, tare: str | None = None, **second: object) -> list[Recorded]:
+    one, two = halves(jump_mm)
+    return [
+        recorded(NAMES[0], samples=one, string=string(id="a")),
+        recorded(NAMES[1], samples=two, string=string(id="a", **second), tare=tare),
+    ]
+
+
+@pytest.fixture(scope="module")
+def whole() -> pd.DataFrame:
+    """The dataset of the two runs as one, which no zero can part."""
+    return make_dataset([recorded("a-1", samples=recording(8, rate_hz=20.0), string=string(id="a"))])
+
+
+def test_the_cut_lies_in_a_rest() -> None:
+    assert [int(one.strokes["stroke"].max()) for one in runs(0.0)] == [4, 4]
+
+
+@pytest.mark.parametrize("jump_mm", [JUMP_MM, -JUMP_MM])
+def test_a_jump_is_seen_with_its_size_in_noise_floors(jump_mm: float) -> None:
+    (seen,) = jumps(runs(jump_mm))
+    assert (seen.before, seen.run, seen.unrecorded) == (*NAMES, 0)
+    assert seen.jump_mm == pytest.approx(jump_mm, abs=0.02) and seen.floor_mm == pytest.approx(0.02, rel=0.3)
+    assert re.search(rf"reads 0\.5[6-9] mm {'more' if jump_mm > 0 else 'less'} than a-1 at its end", seen.sentence)
+    assert "`tare: run`" in seen.advice and "no stroke in between" in seen.sentence
+
+
+def test_wear_and_noise_are_no_jump() -> None:
+    assert jumps(runs(0.0)) == []
+    noisy = [
+        recorded(name, samples=part, string=string(id="a"))
+        for name, part in zip(NAMES, halves(0.1, noise_mm=0.1), strict=True)
+    ]
+    assert jumps(noisy) == []  # one floor
+    assert jumps(runs(0.08)) == []  # four floors, and less than a stroke changes
+
+
+def test_rests_that_do_not_compare_say_nothing() -> None:
+    one, two = runs(JUMP_MM)
+    loaded = two.samples.assign(load_n=30.0)
+    assert jumps([one, Recorded(two.run, "", loaded, two.strokes)]) == []
+    late = two.samples[two.samples["time_s"] > CUT_S + 10.0].reset_index(drop=True)  # begins high up
+    assert jumps([one, Recorded(two.run, "", late, segment(late, "motor_turns", "a-2"))]) == []
+
+
+def test_strokes_in_between_are_said() -> None:
+    (seen,) = jumps(runs(JUMP_MM, strokes_before=10))
+    assert seen.unrecorded == 6 and "6 strokes that were not recorded" in seen.sentence
+
+
+def test_by_default_the_tare_is_the_strings(whole: pd.DataFrame) -> None:
+    first, second = offsets_mm(runs(JUMP_MM))
+    assert first == second
+    points = make_dataset(runs(JUMP_MM))
+    off = points["displacement_mm"] - whole["displacement_mm"]
+    assert off[points["run"] == "a-1"].abs().max() < 1e-9
+    assert off[points["run"] == "a-2"].to_numpy() == pytest.approx(JUMP_MM)
+
+
+def test_tare_run_takes_the_jump_off_and_leaves_the_wear_in(whole: pd.DataFrame) -> None:
+    points = make_dataset(runs(JUMP_MM, tare="run"))
+    assert points["stroke"].tolist() == whole["stroke"].tolist()
+    assert (points["displacement_mm"] - whole["displacement_mm"]).abs().max() < 0.02  # what two rests can tell
+    assert jumps(runs(JUMP_MM, tare="run"))  # it is still said
+
+
+def test_a_run_after_the_one_that_was_moved_goes_with_it() -> None:
+    one, two = runs(JUMP_MM, tare="run")
+    later = two.samples.assign(time_s=two.samples["time_s"] + 500.0)
+    three = recorded("a-3", samples=later, string=string(id="a"))
+    first, second, third = offsets_mm([one, two, three])
+    assert second == third == pytest.approx(first - JUMP_MM, abs=0.02)
+
+
+def folders(place: Path, jump_mm: float, tare: str | None = None) -> list[Path]:
+    made = []
+    for name, part in zip(NAMES, halves(jump_mm), strict=True):
+        folder = place / name
+        folder.mkdir(parents=True)
+        told = content(name, string=string(id="a"), tare=tare if name == "a-2" else None)
+        (folder / "run.yaml").write_text(json.dumps(told))
+        part.to_parquet(folder / "recording.parquet", index=False)
+        made.append(folder)
+    return made
+
+
+def program(module: str, *words: object) -> str:
+    command = [sys.executable, "-m", f"pipeline.{module}", *map(str, words)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize(("tare", "said"), [(None, "write `tare: run` in run.yaml of a-2"), ("run", "takes it off")])
+def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, said: str) -> None:
+    made, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
+    for folder in made:
+        program("ingest", folder, "--out", processed / folder.name / "samples.parquet")
+        words = (processed / folder.name / "samples.parquet", "--out", processed / folder.name / "strokes.parquet")
+        program("strokes", *words)
+    text = program("dataset", *made, "--processed", processed, "--out", tmp_path / "dataset.parquet")
+    assert text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and said in text
+    assert len(schemas.read(tmp_path / "dataset.parquet", schemas.DATASET))
+
+
+def test_another_tare_is_refused(make_run) -> None:
+    from pipeline.errors import BadInput
+    from pipeline.runs import read_run
+
+    with pytest.raises(BadInput, match="tare"):
+        read_run(make_run("b-1", tare="always"))
+
+
+def test_lifespan_takes_no_jump_for_wear(tmp_path: Path) -> None:
+    calm, jumped = (strings(folders(tmp_path / str(jump_mm), jump_mm))[0] for jump_mm in (0.0, JUMP_MM))
+    for name in ("rest_mm", "stroke_mm", "model_error_mm"):
+        assert np.abs(calm.strokes[name] - jumped.strokes[name]).max() < 0.03, name
+    assert not calm.jumps and [jump.run for jump in jumped.jumps] == ["a-2"]
+    text = program("lifespan", *folders(tmp_path / "said", JUMP_MM), "--out", tmp_path / "life")
+    assert "It is taken off: it is no wear." in text
+    (told,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["zero_jumps"]
+    assert told["run"] == "a-2" and told["taken_off"] and told["jump_mm"] == pytest.approx(JUMP_MM, abs=0.02)
+
+
+def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Path) -> None:
+    from pipeline.ingest import read_samples
+
+    one, two = folders(tmp_path, JUMP_MM)
+    (tmp_path / "broken").mkdir()
+    (tmp_path / "broken" / "run.yaml").write_text("a: [")
+    for asked, seen in (([two], ["a-2"]), ([one, two], ["a-2"]), ([one], [])):
+        pairs = [read_samples(folder) for folder in asked]
+        found = jumps_into(asked, [run for run, _ in pairs], [table for _, table in pairs])
+        assert [jump.run for jump in found] == seen
+
+
+def test_the_verdict_says_it(tmp_path: Path) -> None:
+    made = []
+    for name, seed, jump_mm in (("a-1", 0, 0.0), ("a-2", 1, 1.0)):
+        samples = recording(2, rate_hz=10.0, seed=seed, top=15.0)
+        folder = tmp_path / name
+        folder.mkdir()
+        (folder / "run.yaml").write_text(json.dumps(content(name, string=string(id="a"))))
+        samples.assign(displacement_mm=samples["displacement_mm"] + jump_mm).to_parquet(folder / "recording.parquet")
+        made.append(folder)
+    text = program("diagnose", *made, "--together", "--out", tmp_path / "out")
+    assert "The zero jumps between two runs of one string: at rest a-2 reads" in text and "`tare: run`" in text
+    assert text.strip() == (tmp_path / "out" / "verdict.txt").read_text().strip()
+    assert [one["run"] for one in json.loads((tmp_path / "out" / "diagnosis.json").read_text())["zero_jumps"]] == [
+        "a-2"
+    ]
