@@ -10,7 +10,7 @@ from snakemake.utils import min_version, validate
 min_version("9.27")
 sys.path.insert(0, workflow.basedir)
 
-from pipeline.dag import SYNTHETIC_FILES, fits, make_plan, recorded_files
+from pipeline.dag import SYNTHETIC_FILES, SYNTHETIC_MATERIAL, fits, make_plan, recorded_files
 from pipeline.fingerprint import fingerprint
 from pipeline.report.summary import summary
 
@@ -26,10 +26,12 @@ DIAGNOSED = [run for runs in PLAN.materials.values() for run in runs] + PLAN.oth
 # The tables' order is a contract, and a configuration on top of the default one comes before it.
 MODELS = ["inn", *(model for model in config["models"] if model not in ("inn", "traditional")), "traditional"]
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
-TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
+TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
-PAGES = ["comparison.md", "models.md", "models.csv"]
-STAGES = "record ingest strokes dataset train floor evaluate leak report diagnose proof real said campaign".split()
+PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
+STAGES = (
+    "marks record ingest strokes dataset train floor evaluate leak report diagnose proof real said campaign".split()
+)
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
 shell.prefix(
@@ -75,3 +77,4 @@ rule diagnosis:
 rule proof:
     input:
         expand("reports/proof/{file}", file=PROOF_FILES),
+        rules.proof_page.output,

@@ -1,5 +1,5 @@
-def fits_of_inn(wildcards):
-    return list(fits(config["models"], wildcards.material, only="inn"))
+def fits_within(wildcards):
+    return [fit for model in MODELS for fit in fits(config["models"], wildcards.material, only=model)]
 
 
 rule table:
@@ -11,28 +11,32 @@ rule table:
         "processed/logs/table-{material}.log",
     params:
         titles=TITLES,
+        made_by=mark_of_material,
         code=fingerprint("pipeline.report.tables"),
     message:
         "write Tables I and II of {wildcards.material}"
     shell:
         "exec python -m pipeline.report.tables {input} --titles {params.titles:q}"
-        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+        " --made-by {params.made_by:q} --out-dir reports/{wildcards.material} > {log} 2>&1"
 
 
 rule comparison:
     input:
         "processed/{material}/metrics.parquet",
     output:
-        "reports/{material}/comparison.md",
+        page="reports/{material}/comparison.md",
+        html="reports/{material}/comparison.html",
     log:
         "processed/logs/comparison-{material}.log",
     params:
         titles=TITLES,
-        code=fingerprint("pipeline.report.comparison"),
+        made_by=mark_of_material,
+        code=fingerprint("pipeline.report.comparison", "pipeline.report.web.*"),
     message:
         "compare {wildcards.material} with the paper"
     shell:
-        "exec python -m pipeline.report.comparison {input} --titles {params.titles:q} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.comparison {input} --titles {params.titles:q}"
+        " --made-by {params.made_by:q} --out {output.page} > {log} 2>&1"
 
 
 rule models:
@@ -40,54 +44,63 @@ rule models:
         "processed/{material}/metrics.parquet",
     output:
         page="reports/{material}/models.md",
+        html="reports/{material}/models.html",
         table="reports/{material}/models.csv",
+        columns="reports/{material}/models.csv-metadata.json",
     log:
         "processed/logs/models-{material}.log",
     params:
         titles=TITLES,
         directed=[model for model, settings in config["models"].items() if settings["direction"]],
-        code=fingerprint("pipeline.report.models"),
+        made_by=mark_of_material,
+        code=fingerprint("pipeline.report.models", "pipeline.report.web.*"),
     message:
         "hold the models of {wildcards.material} against its floor"
     shell:
         "exec python -m pipeline.report.models {input} --titles {params.titles:q} --directed {params.directed}"
-        " --out {output.page} --table {output.table} > {log} 2>&1"
+        " --made-by {params.made_by:q} --out {output.page} --table {output.table} > {log} 2>&1"
 
 
 rule figures:
     input:
         dataset="processed/{material}/dataset.parquet",
-        inn=fits_of_inn,
+        metrics="processed/{material}/metrics.parquet",
+        predictions=fits_within,
     output:
         expand("reports/{{material}}/{file}", file=FIGURES),
     log:
         "processed/logs/figures-{material}.log",
     params:
+        titles=TITLES,
+        made_by=mark_of_material,
         code=fingerprint("pipeline.report.figures"),
     message:
         "draw Figures 4 and 5 of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.figures {input.dataset} --inn {input.inn}"
-        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.report.figures {input.dataset} {input.metrics} --predictions {input.predictions}"
+        " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material} > {log} 2>&1"
 
 
 rule metrics:
     input:
         expand("processed/{material}/metrics.parquet", material=MATERIALS),
     output:
-        "reports/metrics.csv",
+        table="reports/metrics.csv",
+        columns="reports/metrics.csv-metadata.json",
     log:
         "processed/logs/metrics.log",
     params:
+        made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.metrics"),
     message:
         "gather the metrics of all materials"
     shell:
-        "exec python -m pipeline.report.metrics {input} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.metrics {input} --made-by {params.made_by:q} --out {output.table} > {log} 2>&1"
 
 
 rule index:
     input:
+        rules.metrics.output,
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
@@ -98,9 +111,10 @@ rule index:
     params:
         materials=MATERIALS,
         runs=DIAGNOSED,
-        code=fingerprint("pipeline.report.index"),
+        made_by=MARK_OF_ALL,
+        code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
     message:
         "write the page that leads to every report"
     shell:
-        "exec python -m pipeline.report.index {params.materials} --runs {params.runs}"
-        " --reports reports --out {output} > {log} 2>&1"
+        "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
+        " --made-by {params.made_by:q} --reports reports --out {output} > {log} 2>&1"
