@@ -77,9 +77,7 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
             first = column == 0
             letter = "abcdef"[3 * row + column]
             name(curve, f"({letter}) {label[0]}, n={stroke}", "", unit[0] if first else "")
-            name(
-                below, f"error of ({letter})", label[1], f"{unit[1]}\nlogarithmic beyond ±{straight:g}" if first else ""
-            )
+            name(below, f"error of ({letter}), logarithmic beyond ±{straight:g}", label[1], unit[1] if first else "")
     if strokes:
         figure.legend(handles=grid[0, 0].get_lines(), loc="outside lower center", ncols=4)
     figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")

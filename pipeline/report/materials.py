@@ -5,6 +5,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from pipeline.report import paper
+from pipeline.report.strokes_there import NOT_SHOWN
 from pipeline.report.table_forms import from_markdown
 from pipeline.report.web.page import Text, anchor, folded, link, paragraph, picture, together
 from pipeline.report.web.table import table
@@ -20,18 +21,20 @@ PAGES = {
     "models.html": "every model by stroke, direction and angle, beside the floor",
     "comparison.html": "beside the paper's numbers, with the spread over the seeds, and later strokes",
 }
-SAME = "The same as"
 
 
 def html_table(folder: Path, number: int) -> Markup:
     """Table I or II, the model's name in every row, and where to take it from."""
     stem = f"table_{number}"
-    caption, head, rows = from_markdown((folder / f"{stem}.md").read_text(encoding="utf-8"))
+    caption, head, rows, notes = from_markdown((folder / f"{stem}.md").read_text(encoding="utf-8"))
     files = Markup(", ").join(
         Markup('<a href="{}">{}</a>').format(link(folder.name, f"{stem}.{suffix}"), suffix)
         for suffix in ("csv", "tex", "md")
     )
-    return table(head, rows, caption.capitalize(), (0, 1)) + Markup('\n<p class="soft">{} {}.</p>').format(SAME, files)
+    words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
+    below = " ".join(line for line in notes if line.startswith(NOT_SHOWN))
+    told = Markup('\n<p class="soft">{} The same as {}.</p>').format(below, files)
+    return table(head, rows, words, (0, 1)) + told
 
 
 def section(reports: Path, material: str) -> Markup:

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable, Sequence
 
+NOT_SHOWN = "Not shown"
+
 
 def there_of(strokes: Iterable[str | int]) -> list[int]:
     """The strokes that a column of metrics or points names, in order."""
@@ -39,4 +41,4 @@ def left_out(there: Sequence[int], wanted: Sequence[int]) -> str:
     """A sentence on the wanted strokes that the material does not have; empty where it has all of them."""
     missing = ", ".join(f"n={stroke}" for stroke in wanted if stroke not in there)
     known = f"stroke{'s' * (len(there) > 1)} {ranges(there)}"
-    return f"Not shown: {missing}. The material has {known}." if missing else ""
+    return f"{NOT_SHOWN}: {missing}. The material has {known}." if missing else ""

@@ -62,8 +62,8 @@ def to_markdown(number: int, table: list[Row], warning: str = "", notes: tuple[s
     return f"TABLE {'I' * number}: {caption_of(number, warning)}\n\n{rows}{beneath}"
 
 
-def from_markdown(text: str) -> tuple[str, list[str], list[list[str]]]:
-    """Caption, head and rows of what `to_markdown` wrote, the model's name in every row."""
+def from_markdown(text: str) -> tuple[str, list[str], list[list[str]], list[str]]:
+    """Caption, head, rows and notes of what `to_markdown` wrote, the model's name in every row."""
     caption, _, rest = text.partition("\n")
     cells = [
         [re.sub(r"\\(.)", r"\1", cell.strip()) for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
@@ -73,7 +73,8 @@ def from_markdown(text: str) -> tuple[str, list[str], list[list[str]]]:
     rows = cells[2:]
     for above, row in pairwise(rows):
         row[0] = row[0] or above[0]
-    return caption, cells[0] if cells else [], rows
+    notes = [line for line in rest.splitlines() if line and not line.startswith("|")]
+    return caption, cells[0] if cells else [], rows, notes
 
 
 def to_latex(number: int, table: list[Row], label: str, warning: str = "", notes: tuple[str, ...] = ()) -> str:

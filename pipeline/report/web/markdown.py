@@ -13,6 +13,7 @@ from pipeline.made_by import MadeBy
 from pipeline.report.web.page import anchor, document
 
 INDEX = Markup('<a href="../index.html">All reports</a>')
+RANGE, UNBROKEN = re.compile(r"(?<=\d)–(?=\d)"), "\u2060–\u2060"  # no line ends between lowest and highest
 DEEPEST = 2  # headings below are not in the contents
 
 
@@ -74,6 +75,7 @@ def web_page(text: str, mark: MadeBy | None) -> str:
                 token.attrSet("id", anchor(name))
                 places.append((anchor(name), name))
         for child in token.children or []:
+            child.content = RANGE.sub(UNBROKEN, child.content)
             address = str(child.attrGet("href") or "")
             if child.type == "link_open" and "://" not in address and address.endswith(".md"):
                 child.attrSet("href", address.removesuffix(".md") + ".html")

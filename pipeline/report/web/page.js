@@ -26,7 +26,7 @@ for (const table of document.querySelectorAll("table.sortable")) {
 }
 
 for (const table of document.querySelectorAll("table.sortable")) {
-  if (table.tBodies[0].rows.length < 9) continue;
+  if (table.tBodies[0].rows.length < 25) continue;
   const field = document.createElement("input");
   field.type = "search";
   field.placeholder = "show only rows with …";
