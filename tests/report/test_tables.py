@@ -6,9 +6,9 @@ import pandas as pd
 import pytest
 
 from pipeline import schemas
+from pipeline.made_by import MadeBy
 from pipeline.report import paper
 from pipeline.report.comparison import comparison
-from pipeline.made_by import MadeBy
 from pipeline.report.table_forms import from_markdown, to_csv, to_latex, to_markdown
 from pipeline.report.tables import rows, write
 
