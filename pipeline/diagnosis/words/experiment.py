@@ -1,0 +1,84 @@
+"""The run to make next, in words: the protocol, what it is expected to tell, and how its recording is diagnosed."""
+
+import math
+from typing import Any
+
+from pipeline.diagnosis.words.quantity import number
+from pipeline.diagnosis.words.technician import Part, lasting, parts
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
+LITTLE = 1.25  # times further apart, expected: less is hardly worth a run
+
+
+def title(run: dict[str, Any], words: Vocabulary) -> str:
+    """What the run is called."""
+    said = run["title"] if words.twisted else run["title"].replace("twist", words.motion)
+    return f"{said[0].upper()}{said[1:]}"
+
+
+def steps(run: dict[str, Any], words: Vocabulary, whole: float) -> list[str]:
+    """The protocol, a line each step, numbered; a line before each run where it takes several or another load."""
+    found, lines = parts(run, words, whole), []
+    for number_, part in enumerate(found, start=1):
+        head = heading(part, run, words, number_ if len(found) > 1 else None)
+        lines += ([head] if head else []) + [f"{place}. {line}" for place, line in enumerate(begun(part), start=1)]
+    return lines
+
+
+def begun(part: Part) -> list[str]:
+    """Steps of which the first says place and load."""
+    under = f" under {part.load}" if part.load else ""
+    first, *rest = part.steps
+    if first.startswith("Hold"):
+        return [f"{first[:-1]}{under}.", *rest]
+    return [f"Begin at rest, at {part.place}{under}.", *part.steps]
+
+
+def heading(part: Part, run: dict[str, Any], words: Vocabulary, number_: int | None) -> str:
+    """What must be changed before a run, if anything."""
+    run_word = f"Run {number_}" if number_ else "Before it"
+    usual = run.get("load")
+    if not run.get("fixed_load") or not part.load or usual is None:
+        return f"{run_word}:" if number_ else ""
+    value = float(part.load.split()[0].replace(",", ""))
+    if abs(value - usual) <= 0.03 * abs(usual):
+        return f"{run_word}, under {part.load} as recorded:" if number_ else ""
+    change = f"change the load from {number(usual)} to {part.load}"
+    said = f"{change}, and say so in run.yaml (`{words.load}: {number(value)}`) unless a channel records it"
+    return f"{run_word}: {said}:" if number_ else f"Before it, {said}."
+
+
+def purpose(run: dict[str, Any], words: Vocabulary) -> str:
+    """What the run is expected to tell."""
+    if "parts" not in run:
+        return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
+    one, other = (" + ".join(ids) or "calibration alone" for ids in run["parts"])
+    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
+    said = f"It is to tell {one} from {other}: "
+    if then < LITTLE * now:
+        more = f"{number(then)} instead of {number(now)} standard deviations of the noise"
+        return f"{said}but no run that was tried parts them much further ({more})."
+    still = ", which a slightly wrong formula may still make" if now > PLAIN else ""
+    gap = f"{number(then)} standard deviations of the noise (now {number(now)}{still})"
+    return f"{said}they are expected to part by {gap}."
+
+
+def numbers(run: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Endings that part the names of the runs to record: none for one alone."""
+    count = len(parts(run, words, 1.0))
+    return [f"-{number_}" for number_ in range(1, count + 1)] if count > 1 else [""]
+
+
+def together(run: dict[str, Any], words: Vocabulary) -> str:
+    """How the new recording is diagnosed."""
+    several = len(numbers(run, words)) > 1
+    what = "each as a new run" if several else "a new run"
+    of = " of the same string, with the same `string.id`" if words.twisted else " of the same rig"
+    return f"Record {'them' if several else 'it'} as {what}{of}, and diagnose it together with this one (`--together`)."
+
+
+def in_one_line(run: dict[str, Any], words: Vocabulary, whole: float) -> str:
+    """All of it as one string, as `next_experiment` holds it."""
+    said = [f"{title(run, words)}: {lasting(run)} in all.", *steps(run, words, whole), purpose(run, words)]
+    return " ".join([line for line in said if line] + [together(run, words)])

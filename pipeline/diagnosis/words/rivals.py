@@ -1,0 +1,106 @@
+"""The explanations that were weighed, in words: what ties, and why the others were beaten."""
+
+import math
+from typing import Any
+
+from pipeline.diagnosis.words.places import place
+from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+ALIKE = 1.05  # times what the best leaves: less is the same to the eye
+BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
+SHOWN = 8  # of those that were beaten
+
+
+def called(ids: list[str]) -> str:
+    """An explanation's name."""
+    return " + ".join(ids) or "calibration alone"
+
+
+def entries(content: dict[str, Any], *standings: str) -> list[dict[str, Any]]:
+    """Explanations of some standing, the best first."""
+    return [one for one in reversed(content["evidence"]["explanations"]) if one["standing"] in standings]
+
+
+def left(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+    """What an explanation leaves, and in noise floors."""
+    rms, floor = one[f"left_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
+
+
+def briefly(one: dict[str, Any], content: dict[str, Any], ending: str) -> str:
+    """Why an explanation that leaves as little as the best was beaten all the same, in a few words; else nothing."""
+    first = next(iter(entries(content, "named")), None)
+    if one["standing"] != "beaten" or first is None or one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
+        return ""
+    return f"less likely by {times(math.sqrt(one['worse']))} σ" if one["worse"] > 0.0 else "larger, no better"
+
+
+def shared(content: dict[str, Any]) -> str:
+    """What all that tie have in common, and in what they differ."""
+    sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
+    common = [id_ for id_ in sets[0] if all(id_ in ids for ids in sets)]
+    if not common:
+        return f"The {len(sets)} explanations that fit alike share no mechanism."
+    every = "Both" if len(sets) == 2 else f"All {len(sets)}"
+    rests = [" + ".join(id_ for id_ in ids if id_ not in common) or "nothing more" for ids in sets]
+    beside = "it" if len(common) == 1 else "them"
+    return (
+        f"{every} explanations have {listing(common)}; they differ in what is beside {beside}: {listing(rests, 'or')}."
+    )
+
+
+def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What cannot be ruled out, a line each with what it leaves."""
+    shown = {tuple(one["ids"]): one for one in content["evidence"]["explanations"]}
+    lines = []
+    for ids in content["alternatives"]:
+        one = shown.get(tuple(ids))
+        lines.append(f"{called(ids)}{': leaves ' + _bent(one, content, words) if one else ''}.")
+    return lines
+
+
+def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+    """What a tie leaves, and what it would leave if its formulas were a little wrong, where that is why it ties."""
+    said, bent = left(one, content, words), one[f"bent_{words.ending}"]
+    if bent > BENT * one[f"left_{words.ending}"]:
+        return said
+    floor = content["evidence"][f"floor_{words.ending}"]
+    return f"{said}, but only {times(bent / floor)} times the noise if its formula is a little wrong"
+
+
+def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Why each explanation that was beaten was: how much worse it is, where, and following what."""
+    first = next(iter(entries(content, "named", "not enough")), None)
+    found = [one for one in entries(content, "beaten") if one is not first][:SHOWN]
+    lines = [_beaten(one, first, content, words) for one in found if first]
+    lines += [_not_needed(one, content, words) for one in entries(content, "not needed")[: SHOWN - len(lines)]]
+    lines += [f"{called([])}: leaves {left(one, content, words)}." for one in entries(content, "nothing")]
+    return lines
+
+
+def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+    ending = words.ending
+    said = f"{called(one['ids'])}: leaves {left(one, content, words)}"
+    where = place(one["location"], content["evidence"], words)
+    follows = f"; this follows {words.follows(one['driver'])}" if one["driver"] else ""
+    gap = size(one[f"gap_{ending}"], words.unit)
+    if one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
+        return f"{said}. It parts from the best by {gap} rms, mostly {where}{follows}."
+    if one["worse"] > 0.0:
+        less = f"the recording is less likely with it, by {times(math.sqrt(one['worse']))} standard deviations"
+        return f"{said}, no more than the best, but {less}; it parts from it by {gap} rms, mostly {where}{follows}."
+    return f"{said}, no more than the best; it is larger, or no better once formulas may be a little wrong."
+
+
+def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+    """What a larger explanation takes away beyond the one that it contains."""
+    ending, shown = words.ending, content["evidence"]["explanations"]
+    smaller = [other for other in shown if set(other["ids"]) < set(one["ids"]) and other["standing"] != "not needed"]
+    base = min(smaller, key=lambda other: float(other[f"left_{ending}"]), default=None)
+    if base is None:
+        return f"{called(one['ids'])}: leaves {left(one, content, words)}; not needed."
+    saved = math.sqrt(max(base[f"left_{ending}"] ** 2 - one[f"left_{ending}"] ** 2, 0.0))
+    further = [id_ for id_ in one["ids"] if id_ not in base["ids"]]
+    more = f"takes away {size(saved, words.unit)} rms more, too little to count"
+    return f"{listing(further)} beside {called(base['ids'])}: {more}."
