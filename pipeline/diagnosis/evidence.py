@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import generic, locate, named
+from pipeline.diagnosis import engine, generic, locate, named
 from pipeline.diagnosis.compare import price
-from pipeline.diagnosis.outcome import Study
+from pipeline.diagnosis.outcome import Study, cancels
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.kinematics import Array
@@ -46,9 +46,13 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
             standing = "tied" if decided and one is not first else "named" if decided else "not enough"
         elif not one.ids:
             standing = "nothing"
-        elif not first or (len(one.ids) > len(first.ids) and any(set(ids) < set(one.ids) for ids in tied)):
+        elif not first or len(one.ids) > len(first.ids):
             standing = "not needed"
-        entry = {"ids": list(one.ids), "standing": standing, f"left_{ending}": float(np.sqrt(max(one.energy, 0.0)))}
+        entry: dict[str, Any] = {
+            "ids": list(one.ids),
+            "standing": standing,
+            f"left_{ending}": float(np.sqrt(max(one.energy, 0.0))),
+        }
         entry[f"bent_{ending}"] = float(np.sqrt(max(search.bent(one).energy, 0.0)))
         if first and one.ids and one is not first:
             entry["worse"] = price(search, one) - price(search, first)
@@ -56,6 +60,8 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
             entry[f"gap_{ending}"] = float(np.sqrt(np.mean(np.square(gap))))
             entry["location"] = locate.box(gap, found.problem)
             entry["driver"] = follows(found.problem, gap)
+            if standing == "beaten" and entry["worse"] <= 0.0:  # it fits no worse: only that disqualifies it
+                entry["balanced"] = cancels(found.problem, engine.at_work(search, one))
         entries.append(entry)
     return entries
 

@@ -20,7 +20,7 @@ BINS = 24
 STANDINGS = {
     "named": (AFTER, "named: the best"),
     "tied": (TIED, "cannot be ruled out"),
-    "beaten": (OTHER, "beaten (verdict.txt says why)"),
+    "beaten": (OTHER, "beaten: verdict.txt says why"),
     "not needed": ("0.9", "adds too little to count"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),

@@ -17,8 +17,8 @@ def remeasured(content: dict[str, Any]) -> list[str]:
     lines = []
     for name, sigma in moved.items():
         known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
-        values = f"{number(known['nominal'], 4)} measured, {number(known['value'], 4)} {unit}".strip()
-        lines.append(f"re-measure the {name_of(name)}: {values} fits, {abs(sigma):.1f} sigma away.")
+        nominal, value = (f"{number(known[key], 4)} {unit}".strip() for key in ("nominal", "value"))
+        lines.append(f"re-measure the {name_of(name)}: {nominal} measured, {value} fits, {abs(sigma):.1f} sigma away.")
     if len(moved) >= MANY:
         lines.append("So many at once are hardly measured wrong: rather physics is missing that bends them.")
     return lines

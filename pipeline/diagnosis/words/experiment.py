@@ -8,6 +8,11 @@ from pipeline.diagnosis.words.technician import Part, lasting, parts
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
+CARE = {
+    "twice the speed": "Only if the motor can go so fast.",
+    "twice the load": "Only if the rig bears so much.",
+    "another load": "Only if the rig bears so much.",
+}  # by what a title says
 LITTLE = 1.25  # times further apart, expected: less is hardly worth a run
 
 
@@ -22,17 +27,8 @@ def steps(run: dict[str, Any], words: Vocabulary, whole: float) -> list[str]:
     found, lines = parts(run, words, whole), []
     for number_, part in enumerate(found, start=1):
         head = heading(part, run, words, number_ if len(found) > 1 else None)
-        lines += ([head] if head else []) + [f"{place}. {line}" for place, line in enumerate(begun(part), start=1)]
+        lines += ([head] if head else []) + [f"{place}. {line}" for place, line in enumerate(part.steps, start=1)]
     return lines
-
-
-def begun(part: Part) -> list[str]:
-    """Steps of which the first says place and load."""
-    under = f" under {part.load}" if part.load else ""
-    first, *rest = part.steps
-    if first.startswith("Hold"):
-        return [f"{first[:-1]}{under}.", *rest]
-    return [f"Begin at rest, at {part.place}{under}.", *part.steps]
 
 
 def heading(part: Part, run: dict[str, Any], words: Vocabulary, number_: int | None) -> str:
@@ -49,19 +45,29 @@ def heading(part: Part, run: dict[str, Any], words: Vocabulary, number_: int | N
     return f"{run_word}: {said}:" if number_ else f"Before it, {said}."
 
 
+def tried(one: list[str], other: list[str]) -> str:
+    """What two explanations differ in."""
+    rests = [" + ".join(id_ for id_ in ids if id_ not in both) for ids, both in ((one, other), (other, one))]
+    return f"{rests[0]} from {rests[1]}" if all(rests) else f"whether {''.join(rests)} is at work"
+
+
 def purpose(run: dict[str, Any], words: Vocabulary) -> str:
     """What the run is expected to tell."""
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
-    one, other = (" + ".join(ids) or "calibration alone" for ids in run["parts"])
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
-    said = f"It is to tell {one} from {other}: "
+    said = f"It is to tell {tried(*run['parts'])}: "
     if then < LITTLE * now:
-        more = f"{number(then)} instead of {number(now)} standard deviations of the noise"
-        return f"{said}but no run that was tried parts them much further ({more})."
+        more = f"{number(then)} standard deviations of the noise, {number(now)} without it"
+        return f"{said}but no run that was thought of parts the two cases much further ({more})."
     still = ", which a slightly wrong formula may still make" if now > PLAIN else ""
     gap = f"{number(then)} standard deviations of the noise (now {number(now)}{still})"
-    return f"{said}they are expected to part by {gap}."
+    return f"{said}the two cases are expected to part by {gap}."
+
+
+def care(run: dict[str, Any]) -> str:
+    """What to mind before the rig is driven harder than it was."""
+    return next((said for words, said in CARE.items() if words in run["title"]), "")
 
 
 def numbers(run: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -73,12 +79,12 @@ def numbers(run: dict[str, Any], words: Vocabulary) -> list[str]:
 def together(run: dict[str, Any], words: Vocabulary) -> str:
     """How the new recording is diagnosed."""
     several = len(numbers(run, words)) > 1
-    what = "each as a new run" if several else "a new run"
-    of = " of the same string, with the same `string.id`" if words.twisted else " of the same rig"
-    return f"Record {'them' if several else 'it'} as {what}{of}, and diagnose it together with this one (`--together`)."
+    of = "of the same string, with the same `string.id`" if words.twisted else "of the same rig"
+    record = f"Record {'each' if several else 'it'} as a new run {of}"
+    return f"{record}, and diagnose {'them' if several else 'it'} together with this one (`--together`)."
 
 
 def in_one_line(run: dict[str, Any], words: Vocabulary, whole: float) -> str:
     """All of it as one string, as `next_experiment` holds it."""
-    said = [f"{title(run, words)}: {lasting(run)} in all.", *steps(run, words, whole), purpose(run, words)]
+    said = [f"{title(run, words)}: {lasting(run)} in all.", *steps(run, words, whole), care(run), purpose(run, words)]
     return " ".join([line for line in said if line] + [together(run, words)])

@@ -5,6 +5,7 @@ from typing import Any
 from pipeline.diagnosis.words.quantity import span
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
+EVERYWHERE = "everywhere"
 NEARLY_ALL = 0.95  # of the range of motion
 
 
@@ -20,4 +21,4 @@ def place(location: dict[str, Any], evidence: dict[str, Any], words: Vocabulary)
         said.append(f"in stroke {first}" if first == last else f"in strokes {first} to {last}")
     if location["phase"] != "all":
         said.append(words.phase(location["phase"]))
-    return ", ".join(said) or "everywhere"
+    return ", ".join(said) or EVERYWHERE

@@ -44,17 +44,14 @@ def quantity(value: float, unit: str, digits: int = 2, whole: bool = False) -> s
 
 
 def span(low: float, high: float, unit: str, whole: float) -> str:
-    """A range on an axis `whole` wide: ends rounded to a hundredth of it, so that what is nearly 0 is 0."""
-    if whole <= 0.0:
-        return f"{number(low)} {said_unit(unit)}".strip()
+    """A range on an axis `whole` wide."""
     return f"{at(low, '', whole)} to {at(high, unit, whole)}"
 
 
 def at(value: float, unit: str, whole: float) -> str:
-    """A place on an axis `whole` wide, to about a two-hundredth of it: what is nearly 0 is 0."""
-    if abs(value) < 0.005 * whole:
-        value = 0.0
-    return f"{number(value, 3)} {said_unit(unit)}".strip()
+    """A place on an axis `whole` wide, to a hundredth of it or finer: what is nearly 0 is 0."""
+    decimals = -math.floor(math.log10(whole / 100.0)) if whole > 0.0 else 3
+    return f"{number(round(value, decimals), 12)} {said_unit(unit)}".strip()
 
 
 def duration(seconds: float) -> str:

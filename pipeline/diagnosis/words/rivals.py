@@ -3,12 +3,16 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.words.places import place
+from pipeline.diagnosis.search import EXPLAINED
+from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
+NOISY = 1.1  # noise floors: who leaves less has no more to explain
 BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
+VISIBLE = 0.4  # noise floors: smaller gains need no further word
+CLOSEST = 4  # explanations that are shown where none does
 SHOWN = 8  # of those that were beaten
 
 
@@ -33,7 +37,9 @@ def briefly(one: dict[str, Any], content: dict[str, Any], ending: str) -> str:
     first = next(iter(entries(content, "named")), None)
     if one["standing"] != "beaten" or first is None or one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
         return ""
-    return f"less likely by {times(math.sqrt(one['worse']))} σ" if one["worse"] > 0.0 else "larger, no better"
+    if one["worse"] > 0.0:
+        return f"less likely by {times(math.sqrt(one['worse']))} σ"
+    return "a balance" if one.get("balanced") else "not preferred"
 
 
 def shared(content: dict[str, Any]) -> str:
@@ -63,9 +69,9 @@ def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
 def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
     """What a tie leaves, and what it would leave if its formulas were a little wrong, where that is why it ties."""
     said, bent = left(one, content, words), one[f"bent_{words.ending}"]
-    if bent > BENT * one[f"left_{words.ending}"]:
-        return said
     floor = content["evidence"][f"floor_{words.ending}"]
+    if bent > BENT * one[f"left_{words.ending}"] or one[f"left_{words.ending}"] < NOISY * floor:
+        return said
     return f"{said}, but only {times(bent / floor)} times the noise if its formula is a little wrong"
 
 
@@ -79,18 +85,41 @@ def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return lines
 
 
+def insufficient(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What comes closest where nothing explains, with the share of the mismatch's energy that it takes."""
+    ending, floor = words.ending, content["evidence"][f"floor_{words.ending}"]
+    nothing = next(iter(entries(content, "nothing")), None)
+    if nothing is None:
+        return []
+    energy, lines = nothing[f"left_{ending}"] ** 2 - floor**2, []
+    for one in entries(content, "not enough", "beaten", "not needed")[:CLOSEST]:
+        taken = (nothing[f"left_{ending}"] ** 2 - one[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
+        said = f"{called(one['ids'])}: takes {100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
+        helper = all(id_.startswith("x_") for id_ in one["ids"])
+        lines.append(f"{said}{', and is no physics of the library' if helper else ''}.")
+    return [*lines, f"{100.0 * EXPLAINED:.0f} % make an explanation."]
+
+
 def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
     ending = words.ending
     said = f"{called(one['ids'])}: leaves {left(one, content, words)}"
     where = place(one["location"], content["evidence"], words)
+    where = where if where == EVERYWHERE else f"mostly {where}"
     follows = f"; this follows {words.follows(one['driver'])}" if one["driver"] else ""
     gap = size(one[f"gap_{ending}"], words.unit)
     if one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
-        return f"{said}. It parts from the best by {gap} rms, mostly {where}{follows}."
+        return f"{said}. It parts from the best by {gap} rms, {where}{follows}."
     if one["worse"] > 0.0:
         less = f"the recording is less likely with it, by {times(math.sqrt(one['worse']))} standard deviations"
-        return f"{said}, no more than the best, but {less}; it parts from it by {gap} rms, mostly {where}{follows}."
-    return f"{said}, no more than the best; it is larger, or no better once formulas may be a little wrong."
+        return f"{said}, no more than the best, but {less}; it parts from it by {gap} rms, {where}{follows}."
+    if one.get("balanced"):
+        return f"{said}. Its effects are far larger than what they do together: a balance, which is no explanation."
+    return f"{said}, about as little as the best, which the search prefers; it parts from it {where}{follows}."
+
+
+def _saved(base: dict[str, Any], one: dict[str, Any], key: str) -> float:
+    """What a larger explanation takes away of what a smaller one leaves, rms."""
+    return math.sqrt(max(base[key] ** 2 - one[key] ** 2, 0.0))
 
 
 def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
@@ -99,8 +128,14 @@ def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary)
     smaller = [other for other in shown if set(other["ids"]) < set(one["ids"]) and other["standing"] != "not needed"]
     base = min(smaller, key=lambda other: float(other[f"left_{ending}"]), default=None)
     if base is None:
-        return f"{called(one['ids'])}: leaves {left(one, content, words)}; not needed."
-    saved = math.sqrt(max(base[f"left_{ending}"] ** 2 - one[f"left_{ending}"] ** 2, 0.0))
+        said = f"{called(one['ids'])}: leaves {left(one, content, words)}"
+        return f"{said}: too little less for one mechanism more."
+    saved, bent = (_saved(base, one, f"{key}_{ending}") for key in ("left", "bent"))
     further = [id_ for id_ in one["ids"] if id_ not in base["ids"]]
-    more = f"takes away {size(saved, words.unit)} rms more, too little to count"
+    if not saved:
+        return f"{listing(further)} beside {called(base['ids'])}: takes nothing more away."
+    more = f"takes away {size(saved, words.unit)} rms more"
+    if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and bent < saved:
+        more += f", and only {size(bent, words.unit)} if formulas may be a little wrong"
+    more += ": too little to count"
     return f"{listing(further)} beside {called(base['ids'])}: {more}."

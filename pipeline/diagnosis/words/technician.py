@@ -25,10 +25,9 @@ class Step:
 
 @dataclass(frozen=True)
 class Part:
-    """What is recorded in one run: load and place at its beginning, and the steps in words."""
+    """What is recorded in one run: the load at its beginning, and the steps in words."""
 
     load: str
-    place: str
     steps: list[str]
 
 
@@ -38,7 +37,16 @@ def parts(run: dict[str, Any], words: Vocabulary, whole: float) -> list[Part]:
     `whole` is the range of the motion: a place is said to a two-hundredth of it.
     """
     cut = [(load, place, steps) for load, place, steps in by_load(run, words, whole) if steps]
-    return [Part(load, place, repeated(in_rows(steps, words))) for load, place, steps in cut]
+    return [Part(load, repeated(begun(in_rows(steps, words), place, load))) for load, place, steps in cut]
+
+
+def begun(lines: list[str], place: str, load: str) -> list[str]:
+    """Steps of which the first says place and load."""
+    under = f" under {load}" if load else ""
+    first, *rest = lines
+    if first.startswith("Hold"):
+        return [f"{first[:-1]}{under}.", *rest]
+    return [f"Begin at rest, at {place}{under}.", *lines]
 
 
 def legs_of(run: dict[str, Any]) -> list[dict[str, Any]]:
@@ -103,14 +111,14 @@ def _still(step: Step) -> str:
 
 def _move(step: Step, words: Vocabulary) -> str:
     verb = words.verbs[0 if step.up else 1].capitalize()
-    return f"{verb} to {step.to} in {duration(step.seconds)} ({number(step.speed)} {words.motion_unit}/s)."
+    return f"{verb} to {step.to} in {duration(step.seconds)} ({number(step.speed, whole=True)} {words.motion_unit}/s)."
 
 
 def _row(row: list[Step], words: Vocabulary) -> str:
     unit = words.motion_unit
     places = listing([one.to.removesuffix(f" {unit}") for one in row], "and")
     seconds = duration(sum(one.seconds for one in row))
-    return f"Go to {places} {unit} without a pause, at {number(row[0].speed)} {unit}/s ({seconds} in all)."
+    return f"Go to {places} {unit} without a pause, at {number(row[0].speed, whole=True)} {unit}/s ({seconds} in all)."
 
 
 def repeated(lines: list[str]) -> list[str]:
@@ -124,7 +132,7 @@ def repeated(lines: list[str]) -> list[str]:
         found += block
         if again:
             steps = f"step {first}" if size == 1 else f"steps {first} to {first + size - 1}"
-            found.append(f"Repeat {steps} {'once more' if again == 1 else f'{again} more times'}.")
+            found.append(f"Repeat {steps} {'once more' if again == 1 else f'another {again} times'}.")
         start += size * (again + 1)
     return found
 

@@ -12,6 +12,7 @@ from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
 
+CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
 COMMAND = "python -m pipeline.diagnose"
 WIDE = 112
 SAID = {
@@ -34,7 +35,7 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
         ("Dimensions", remeasured(content)),
         ("The run to make next", following(content, words, folders)),
-        ("Why no other explanation", weighed(content, words)),
+        (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", detectable(content, words)),
     ]
     return "\n\n".join(
@@ -99,12 +100,10 @@ def detectable(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
-    lines = rivals.beaten(content, words)
-    if content["verdict"] != "unknown":
-        return lines if content["mechanisms"] else []
-    near = [f"{rivals.called(one['ids'])}: leaves {rivals.left(one, content, words)}: not enough."
-            for one in rivals.entries(content, "not enough")]  # fmt: skip
-    return [*near, *lines, "At most three effects at once are tried: more of them end here too."]
+    if content["verdict"] == "unknown":
+        more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
+        return [*rivals.insufficient(content, words), more]
+    return rivals.beaten(content, words) if content["mechanisms"] else []
 
 
 def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[str]:
@@ -116,6 +115,5 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]
     command = " ".join([COMMAND, *map(str, folders), *new, "--together --out DIR"])
-    return [line for line in [*lines, experiment.purpose(run, words), experiment.together(run, words)] if line] + [
-        f"  {command}"
-    ]
+    why = (experiment.care(run), experiment.purpose(run, words), experiment.together(run, words), f"  {command}")
+    return [*lines, *(line for line in why if line)]

@@ -46,7 +46,7 @@ class Vocabulary:
     @property
     def verbs(self) -> tuple[str, str]:
         """What a technician does with the motor, up and down."""
-        return ("wind", "unwind") if self.twisted else ("go up", "go down")
+        return ("wind", "unwind") if self.twisted else ("go", "go back")
 
     @property
     def fields(self) -> dict[str, str]:
@@ -84,7 +84,7 @@ FOLLOWED = {
     "worked strokes": "the strokes worked so far",
     "torque (load x twist)": "the torque, which is load times twist",
     "reading at its end": "the end of the reading's range",
-    "nothing: a constant": "nothing, for it is constant",
+    "nothing: a constant": "a constant",
     "sudden events on the length": "sudden events in the length",
     "sudden events on the twist": "sudden losses of twist",
     "absolute time": "the time, whatever the rig does",
