@@ -16,6 +16,7 @@ from pipeline.diagnosis.panels import AFTER, BEFORE
 from pipeline.files import whole
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
+TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
 WIDE, TIES = 105, 4  # characters of a line of the title; ties that it names
 
 
@@ -24,8 +25,8 @@ def title(content: dict[str, Any]) -> str:
     run = content["run"] if isinstance(content["run"], str) else " + ".join(content["run"])
     lines = [f"{run}: {content['verdict']}"]
     if content["mechanisms"]:
-        lines.append(" + ".join(entry["id"] for entry in content["mechanisms"]))
-    others = [" + ".join(ids) for ids in content["alternatives"]]
+        lines.append(TOGETHER.join(entry["id"] for entry in content["mechanisms"]))
+    others = [TOGETHER.join(ids) for ids in content["alternatives"]]
     if others:
         more = [f"one of {len(others) - TIES} others"] if len(others) > TIES else []
         lines.append("or " + ", or ".join(others[:TIES] + more))

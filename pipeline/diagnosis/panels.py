@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
@@ -26,7 +27,14 @@ STANDINGS = {
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
 BENT_FORMULA = "left if its formulas may be a little wrong"
-MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "": "motion"}  # by its unit
+MOTION = {
+    "turns": "twist",
+    "deg": "angle",
+    "rad": "angle",
+    "m": "position",
+    "mm": "position",
+    "": "motion",
+}  # by its unit
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 
 
@@ -84,16 +92,22 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
         axes.text(1.06 * rms, place, rivals.briefly(one, content, ending), va="center", fontsize=6, color="0.3")
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
-    standings = dict.fromkeys(one["standing"] for one in reversed(shown))
+    there = {one["standing"] for one in shown}
+    standings = [name for name in STANDINGS if name in there]
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=STANDINGS[name][1]) for name in standings]
     handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label="noise floor"))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(xscale="log", xlim=(0.5, 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    plain(axes.xaxis)
     axes.set_title("explanations: what each leaves")
+
+
+def plain(axis: Axis) -> None:
+    """A logarithmic axis with plain numbers: 0.5, 1, 2, 5, 10."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str) -> None:
@@ -109,6 +123,7 @@ def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str,
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {size(floor, unit)}")
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
     axes.tick_params(axis="x", labelsize=8)
+    plain(axes.yaxis)
     axes.legend(fontsize=7, frameon=False)
 
 

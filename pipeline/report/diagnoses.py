@@ -4,19 +4,25 @@ import html
 import json
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
-HEAD = ("Run", "Verdict", "Left out", "Mismatch", "Nominal", "Calibrated", "Explained", "Noise")
+from pipeline.schemas import unit_of
+
+TIES = 2  # of the explanations that fit alike: a cell names so many
+HEAD = ("Run", "Verdict", "Left out", "Mismatch", "Nominal", "Calibrated", "Explained", "Noise", "Next run")
 
 
 def row(folder: Path) -> list[str]:
     """A run's cells: its verdict, what it names, the mismatch, and the error on strokes that no fit has seen."""
     path = folder / "diagnosis.json"
     if not path.is_file():
-        return [folder.name, "not decided", *[""] * 6]
+        return [folder.name, "not decided", *[""] * (len(HEAD) - 2)]
     content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     unit = next(key for key in content["fit"] if key.startswith("noise_floor_")).removeprefix("noise_floor_")
+    said = unit_of(f"_{unit}")
     named = " + ".join(entry["id"] for entry in content["mechanisms"])
-    others = "".join(" or " + " + ".join(other) for other in content["alternatives"])
+    ties = [" + ".join(other) for other in content["alternatives"]]
+    others = "".join(f" or {tie}" for tie in ties[:TIES]) + (f" or {len(ties) - TIES} more" if ties[TIES:] else "")
     held = content["fit"]["heldout"] or {}
     sizes = [(content["mismatch"] or {}).get(f"rms_{unit}")]
     sizes += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
@@ -25,7 +31,8 @@ def row(folder: Path) -> list[str]:
         folder.name,
         content["verdict"],
         named + others,
-        *("" if size is None else f"{size:.3g} {unit}" for size in sizes),
+        *("" if size is None else f"{float(f'{size:.2g}'):g} {said}" for size in sizes),
+        (content.get("next_experiment") or "").partition(":")[0],
     ]
 
 
@@ -38,15 +45,15 @@ def section(reports: Path, runs: list[str]) -> str:
     for run in runs:
         name, *cells = (html.escape(cell) for cell in row(reports / "diagnosis" / run))
         data = "".join(f"<td>{cell}</td>" for cell in cells)
-        text.append(f"<tr><td><a href=#diagnosis-{name}>{name}</a></td>{data}</tr>")
+        text.append(f'<tr><td><a href="#diagnosis-{name}">{name}</a></td>{data}</tr>')
     text.append("</table>")
     for run in runs:
-        folder = reports / "diagnosis" / run
-        text.append(f"<h3 id=diagnosis-{run}>{run}</h3>")
+        folder, name = reports / "diagnosis" / run, html.escape(run)
+        text.append(f'<h3 id="diagnosis-{name}">{name}</h3>')
         text.append(f"<pre>{html.escape((folder / 'verdict.txt').read_text(encoding='utf-8'))}</pre>")
         if (folder / "diagnosis.png").is_file():
-            link = f"diagnosis/{run}/diagnosis.png"
-            text.append(f'<a href={link}><img src={link} alt="Diagnosis of {run}"></a>')
+            link = f"diagnosis/{html.escape(quote(run))}/diagnosis"
+            text.append(f'<a href="{link}.pdf"><img src="{link}.png" alt="Diagnosis of {name}"></a>')
     return "\n".join(text)
 
 

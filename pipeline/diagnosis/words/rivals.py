@@ -75,6 +75,11 @@ def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> st
     return f"{said}, but only {times(bent / floor)} times the noise if its formula is a little wrong"
 
 
+def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What the named explanation leaves of the recording."""
+    return [f"With it {_bent(one, content, words)} are left." for one in entries(content, "named")]
+
+
 def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why each explanation that was beaten was: how much worse it is, where, and following what."""
     first = next(iter(entries(content, "named", "not enough")), None)

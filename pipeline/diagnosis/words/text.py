@@ -30,7 +30,10 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -
     sections = [
         (headline(content, words), unseen.cautions(content, words)),
         ("What is missing", missing(content, words)),
-        ("What explains it" if content["verdict"] == "explained" else "The best explanation", named(content)),
+        (
+            "What explains it" if content["verdict"] == "explained" else "The best explanation",
+            [*named(content), *rivals.what_is_left(content, words)],
+        ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
         ("Dimensions", remeasured(content)),

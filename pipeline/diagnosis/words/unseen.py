@@ -6,6 +6,7 @@ from pipeline.diagnosis.words.quantity import size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
+AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
 WORSE, NO_BETTER = 1.02, 0.95  # times the other error
 
 
@@ -28,9 +29,10 @@ def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
     named = content["verdict"] in ("explained", "ambiguous")
     if calibrated > WORSE * nominal:
         sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
+        without = " without what is named" if named and explained < nominal else ""
         said.append(
             f"On unseen strokes the calibrated simulator is worse than the nominal one: {sizes}."
-            " What calibration learnt does not hold later; do not adopt its dimensions."
+            f" What calibration alone learnt does not hold later: do not adopt its dimensions{without}."
         )
     if named and explained > max(WORSE * calibrated, calibrated + 0.1 * noise):
         said.append("On unseen strokes the explanation makes the calibrated simulator worse: do not adopt it.")
@@ -57,4 +59,8 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         for name, error in zip(names, found, strict=True)
     ]
     split = content["fit"]["heldout"]["split"]
-    return [f"{'; '.join(said)}.", f"The noise is {size(noise, words.unit)} rms. Held out: the {split}."]
+    floor = content["evidence"][f"floor_{words.ending}"]
+    other = f" (in averages, which the rest is compared in, {size(floor, words.unit)})"
+    averaged = abs(floor - noise) > AVERAGED * noise
+    known = f"The noise is {size(noise, words.unit)} rms{other if averaged else ''}."
+    return [f"{'; '.join(said)}.", f"{known} Held out: the {split}."]
