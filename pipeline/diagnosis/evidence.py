@@ -16,6 +16,7 @@ from pipeline.kinematics import Array
 
 LISTED = 11  # explanations
 SINGLES, OTHERS = 8, 4  # of one mechanism, and of each larger number
+LEAST_VALUE = 1e-8  # of the largest singular value: smaller directions are rounding
 FOLLOWS = 0.5  # of a signal's energy: what a driver must carry for the signal to follow it
 
 
@@ -39,7 +40,7 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
     decided = found.verdict in ("explained", "ambiguous")
     first = found.sets[0] if found.sets else None
     tied = {one.ids for one in found.sets}
-    entries = []
+    drivers, entries = bases(found.problem), []
     for one in listed(found):
         standing = "beaten"
         if one.ids in tied:
@@ -59,7 +60,7 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
             gap = fitted(search, first) - fitted(search, one)
             entry[f"gap_{ending}"] = float(np.sqrt(np.mean(np.square(gap))))
             entry["location"] = locate.box(gap, found.problem)
-            entry["driver"] = follows(found.problem, gap)
+            entry["driver"] = follows(drivers, gap)
             if standing == "beaten" and entry["worse"] <= 0.0:  # it fits no worse: only that disqualifies it
                 entry["balanced"] = cancels(found.problem, engine.at_work(search, one))
         entries.append(entry)
@@ -72,22 +73,24 @@ def fitted(search: Search, one: Explanation) -> Array:
     return np.asarray(search.linear.table[fit.columns].T @ fit.coefficients)
 
 
-def follows(problem: Problem, signal: Array) -> str | None:
-    """The one driver of the generic dictionary that carries most of a signal; None where none carries half of it."""
-    energy = float(np.sum(np.square(signal - signal.mean())))
-    if energy <= 0.0:
-        return None
-    carried = {name: carries(group, signal) for name, group in generic.groups(problem.drivers).items() if len(group)}
+def bases(problem: Problem) -> dict[str, Array]:
+    """Orthonormal columns of each driver of the generic dictionary, their means aside, shape (samples, columns)."""
+    found = {}
+    for name, group in generic.groups(problem.drivers).items():
+        columns = group[:, : problem.rows] - group[:, : problem.rows].mean(axis=1, keepdims=True)
+        if len(group):
+            basis, values, _ = np.linalg.svd(columns.T, full_matrices=False)
+            found[name] = basis[:, values > LEAST_VALUE * max(float(values[0]), 1e-300)]
+    return found
+
+
+def follows(drivers: dict[str, Array], signal: Array) -> str | None:
+    """The one driver whose columns carry most of a signal; None where none carries half of it."""
+    signal = signal - signal.mean()
+    carried = {name: float(np.sum(np.square(basis.T @ signal))) for name, basis in drivers.items()}
     name = max(carried, key=lambda key: carried[key])
-    return name if carried[name] >= FOLLOWS * energy else None
-
-
-def carries(group: Array, signal: Array) -> float:
-    """Energy of a signal that some columns can take, its mean aside."""
-    columns = group[:, : len(signal)] - group[:, : len(signal)].mean(axis=1, keepdims=True)
-    basis, values, _ = np.linalg.svd(columns.T, full_matrices=False)
-    basis = basis[:, values > 1e-8 * max(float(values[0]), 1e-300)]
-    return float(np.sum(np.square(basis.T @ (signal - signal.mean()))))
+    energy = float(np.sum(np.square(signal)))
+    return name if energy > 0.0 and carried[name] >= FOLLOWS * energy else None
 
 
 def spans(found: Study) -> dict[str, float]:
