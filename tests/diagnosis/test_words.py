@@ -164,7 +164,7 @@ def test_what_is_repeated_is_counted_and_reversals_in_a_row_are_one_step():
 
 def test_what_all_ties_share_and_why_each_rival_was_beaten():
     text = told()
-    assert "With it 0.030 mm rms (1.0 times the noise) are left." in text
+    assert "Together they leave 0.030 mm rms (1.0 times the noise)." in text
     assert "Both explanations have friction_hysteresis; they differ in what is beside it: creep or thermal." in text
     assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise), but only 1.0 times" in text
     beaten = text[text.index("Why no other explanation") :]
@@ -244,6 +244,14 @@ def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
 def test_a_mechanism_that_came_out_as_nothing_says_so():
     made = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
     assert "comes out as nothing" in spoken(made, SYSTEMS["mm"])["mechanisms"][0]["sentence"]
+
+
+def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimensions():
+    made = content()
+    made["mechanisms"][1]["rms_mm"]["value"] = 3.52
+    text = told(made)
+    assert "creep is 8.0 times the mismatch: without it other dimensions make up for most of it." in text
+    assert "friction_hysteresis is" not in text
 
 
 def test_events_are_told_one_by_one():

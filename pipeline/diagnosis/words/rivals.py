@@ -9,6 +9,7 @@ from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
+LARGER = 3.0  # times the mismatch: an effect that calibration hides for the most part
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
 BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
 VISIBLE = 0.4  # noise floors: smaller gains need no further word
@@ -77,7 +78,20 @@ def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> st
 
 def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What the named explanation leaves of the recording."""
-    return [f"With it {_bent(one, content, words)} are left." for one in entries(content, "named")]
+    who = "Together they leave" if len(content["mechanisms"]) > 1 else "It leaves"
+    return [f"{who} {_bent(one, content, words)}." for one in entries(content, "named")]
+
+
+def made_up_for(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Effects far larger than the mismatch, which the dimensions must make up for."""
+    whole, lines = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0, []
+    for entry in content["mechanisms"]:
+        ratio = entry[f"rms_{words.ending}"]["value"] / whole if whole else 0.0
+        if ratio > LARGER:
+            lines.append(
+                f"{entry['id']} is {times(ratio)} times the mismatch: without it other dimensions make up for most of it."
+            )
+    return lines
 
 
 def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:

@@ -32,7 +32,7 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
-            [*named(content), *rivals.what_is_left(content, words)],
+            [*named(content), *rivals.what_is_left(content, words), *rivals.made_up_for(content, words)],
         ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
