@@ -152,6 +152,13 @@ def test_a_load_cell_that_reads_a_little_more_changes_no_load():
     assert "hange the load" not in text
 
 
+def test_a_rest_alone_would_be_refused_and_so_ends_with_a_stroke():
+    run = {"title": "a rest with the motor off", "legs": [leg(2.0, 0.0, 20.0), leg(120.0, 0.0, 20.0)]}
+    text = told(content(next_run=run))
+    assert "1. Hold 2 min at 0 turns under 20 N." in text and "2. Then make one stroke as before" in text
+    assert "Then make one stroke" not in told()
+
+
 def test_what_is_repeated_is_counted_and_reversals_in_a_row_are_one_step():
     stroke = [leg(0.5, 0.0, 20.0), leg(5.0, 6.0, 20.0), leg(0.2, 6.0, 20.0), leg(5.0, 0.0, 20.0)]
     text = told(content(next_run={"title": "four strokes", "legs": [leg(2.0, 0.0, 20.0), *stroke * 4]}))

@@ -88,9 +88,8 @@ def made_up_for(content: dict[str, Any], words: Vocabulary) -> list[str]:
     for entry in content["mechanisms"]:
         ratio = entry[f"rms_{words.ending}"]["value"] / whole if whole else 0.0
         if ratio > LARGER:
-            lines.append(
-                f"{entry['id']} is {times(ratio)} times the mismatch: without it other dimensions make up for most of it."
-            )
+            hidden = "without it other dimensions make up for most of it"
+            lines.append(f"{entry['id']} is {times(ratio)} times the mismatch: {hidden}.")
     return lines
 
 

@@ -9,6 +9,7 @@ from pipeline.diagnosis.words.vocabulary import Vocabulary
 LEAST_TOLD_S = 1.0  # shorter pauses go without words
 SAME_LOAD, SAME_SPEED = 0.08, 0.05  # shares: smaller changes are none
 ROW = 4  # moves at one speed without pause, from which they are one step
+A_STROKE = "Then make one stroke as before: a recording without any is refused."
 LONGEST_BLOCK = 6  # steps of what is repeated
 
 
@@ -37,7 +38,12 @@ def parts(run: dict[str, Any], words: Vocabulary, whole: float) -> list[Part]:
     `whole` is the range of the motion: a place is said to a two-hundredth of it.
     """
     cut = [(load, place, steps) for load, place, steps in by_load(run, words, whole) if steps]
-    return [Part(load, repeated(begun(in_rows(steps, words), place, load))) for load, place, steps in cut]
+    found = [Part(load, repeated(begun(in_rows(steps, words), place, load))) for load, place, steps in cut]
+    moved = [any(step.kind == "move" for step in steps) for _, _, steps in cut]
+    return [
+        part if moves else replace(part, steps=[*part.steps, A_STROKE])
+        for part, moves in zip(found, moved, strict=True)
+    ]
 
 
 def begun(lines: list[str], place: str, load: str) -> list[str]:
