@@ -11,7 +11,8 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.diagnosis import engine, figures, heldout, library, outcome, sentences, verdict
+from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
+from pipeline.diagnosis.words.text import verdict_text
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
@@ -59,8 +60,8 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
-    words = sentences.sentences(content, problem.system, sentences.left_tolerance(found))
+    optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
+    words = verdict_text(content, problem.system, folders)
     write_text(out / "verdict.txt", words + "\n")
     return words
 

@@ -9,10 +9,12 @@ from markupsafe import Markup
 from pipeline.report.web.glossary import word
 from pipeline.report.web.page import Text, anchor, folded, link, paragraph, picture, together
 from pipeline.report.web.table import table
+from pipeline.schemas import unit_of
 
 HEAD = ("Run", "Mismatch", "Nominal", "Calibrated", "Explained", "Noise")
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
 UNDECIDED = "not decided"
+TIES = 2  # of the explanations that fit alike: a line names so many
 
 
 def content_of(folder: Path) -> dict[str, Any] | None:
@@ -60,7 +62,7 @@ def sizes(folder: Path) -> list[str]:
     found = [(content["mismatch"] or {}).get(f"rms_{unit}")]
     found += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
     found.append(content["fit"][f"noise_floor_{unit}"])
-    return ["" if size is None else f"{size:.3g} {unit}" for size in found]
+    return ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in found]
 
 
 def words_of(folder: Path) -> str:
@@ -99,6 +101,8 @@ def verdicts(folders: list[Path]) -> str:
     lines = []
     for folder in folders:
         if (folder / "verdict.txt").is_file():
-            named = " or ".join(" + ".join(ids) for ids in explanations(folder))
+            sets = [" + ".join(ids) for ids in explanations(folder)]
+            more = [f"{len(sets) - 1 - TIES} more"] if len(sets) > 1 + TIES else []
+            named = " or ".join([*sets[: 1 + TIES], *more])
             lines.append(f"{words_of(folder).splitlines()[0]} {named}".rstrip())
     return "\n".join(lines)
