@@ -1,48 +1,101 @@
 """What there is to make: which runs lie in `raw/`, of which material each is, and which fits that asks for."""
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from pipeline.errors import BadInput
-from pipeline.run_yaml import MATERIAL_NAME, STRING_ACTUATORS
-from pipeline.runs import RECORDINGS, capture_info, find_runs, unfinished
+from pipeline.left_out import LeftOut
+from pipeline.names import SYNTHETIC, SYNTHETIC_DEVICE, run_name
+from pipeline.run_yaml import STRING_ACTUATORS
+from pipeline.runs import CAPTURED, RECORDINGS, capture_info, read_run, unfinished
+from pipeline.strict_yaml import read_yaml
 
-SYNTHETIC_MATERIAL = "synthetic"
-SYNTHETIC_DEVICE = "twistbench synthetic rig"  # what the rig's hello calls itself
 SYNTHETIC_FILES = ("run.yaml", "recording.frames", "capture.json")
 
 
 @dataclass
 class Plan:
-    """Runs by material, and the runs that no table is made of."""
+    """Runs by material, the runs that no table is made of, and the folders that nothing is made of."""
 
     materials: dict[str, list[str]] = field(default_factory=dict)
-    others: list[str] = field(default_factory=list)  # no string, or a run.yaml that reading will complain about
-    unfinished: list[str] = field(default_factory=list)  # a capture under way, or cut off
+    others: list[str] = field(default_factory=list)  # no string
+    unfinished: list[LeftOut] = field(default_factory=list)  # a capture under way, or cut off
+    misnamed: list[LeftOut] = field(default_factory=list)  # a folder whose name no run can have
+    refused: list[LeftOut] = field(default_factory=list)  # a run.yaml that cannot be used
 
     def add(self, material: str, run: str) -> None:
         """Put a run under its material."""
         self.materials.setdefault(material, []).append(run)
 
+    @property
+    def runs(self) -> list[str]:
+        """Runs that something is made of."""
+        return [run for runs in self.materials.values() for run in runs] + self.others
 
-def _material(folder: Path) -> str | None:
-    """Material of a run, or None when it has no string or its `run.yaml` is bad; ingest says what is wrong."""
+    @property
+    def left_out(self) -> list[LeftOut]:
+        """Folders that nothing is made of."""
+        return self.refused + self.unfinished + self.misnamed
+
+
+def _folders(raw: Path) -> list[Path]:
+    """Folders under `raw/` that hold a `run.yaml` or a recording, or that may not be looked into; no hidden ones."""
     try:
-        content = yaml.safe_load((folder / "run.yaml").read_text(encoding="utf-8"))
-        if content.get("actuator", "separator") in STRING_ACTUATORS:
-            material = content["string"]["material"]
-            return material if MATERIAL_NAME.fullmatch(material) else None
-    except (OSError, ValueError, yaml.YAMLError, AttributeError, KeyError, TypeError):
-        pass
-    return None
+        names = sorted(name for name in os.listdir(raw) if not name.startswith(".") and os.path.isdir(raw / name))
+    except FileNotFoundError:
+        return []
+    wanted = {"run.yaml", *CAPTURED, *RECORDINGS}
+
+    def holds(folder: Path) -> bool:
+        try:
+            return not wanted.isdisjoint(os.listdir(folder))
+        except OSError:
+            return True  # reading its run.yaml says what is wrong
+
+    return [raw / name for name in names if holds(raw / name)]
+
+
+def _perhaps(folder: Path) -> str:
+    """The material that a bad `run.yaml` names, if it does."""
+    try:
+        material = read_yaml(folder / "run.yaml")["string"]["material"]
+        return material if isinstance(material, str) else ""
+    except (BadInput, KeyError, TypeError, IndexError):
+        return ""
+
+
+def _place(plan: Plan, folder: Path) -> None:
+    """Put a folder where it belongs."""
+    run = folder.name
+    try:
+        run_name(run)
+    except ValueError as error:
+        problem = str(error).rpartition("; ")[0]
+        mend = "rename the folder, and `run` in its run.yaml with it: lower-case letters, digits and -"
+        plan.misnamed.append(LeftOut.of(run, BadInput(folder, "its name", problem, mend)))
+        return
+    try:
+        if unfinished(folder):
+            mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
+            plan.unfinished.append(LeftOut.of(run, BadInput(folder, "recording", "is unfinished", mend)))
+            return
+        read = read_run(folder)
+    except (BadInput, OSError) as error:
+        if not isinstance(error, BadInput):
+            error = BadInput(folder, "folder", f"cannot be read ({error.strerror})", "check who may read it")
+        plan.refused.append(LeftOut.of(run, error, _perhaps(folder)))
+        return
+    if read.actuator in STRING_ACTUATORS and read.string:
+        plan.add(read.string.material, run)
+    else:
+        plan.others.append(run)
 
 
 def make_plan(raw: Path, synthetic: list[str]) -> Plan:
-    """Plan for the runs in a folder and the ones that the pipeline records itself.
+    """Plan for the runs in a folder and the ones that the pipeline records itself; one bad folder costs itself alone.
 
     Raises BadInput when a name of the latter belongs to a real recording, which must never be made again.
     """
@@ -52,17 +105,10 @@ def make_plan(raw: Path, synthetic: list[str]) -> Plan:
         if (raw / run).exists() and info and (info.get("hello") or {}).get("device") != SYNTHETIC_DEVICE:
             mend = "rename the run, or the one under `synthetic` in the configuration"
             raise BadInput(raw / run, "run", "is a real recording under a name of the synthetic rig", mend)
-        plan.add(SYNTHETIC_MATERIAL, run)
-    for folder in find_runs(raw):
-        if folder.name in synthetic:
-            continue
-        material = _material(folder)
-        if unfinished(folder):
-            plan.unfinished.append(folder.name)
-        elif material is None:
-            plan.others.append(folder.name)
-        else:
-            plan.add(material, folder.name)
+        plan.add(SYNTHETIC, run)
+    for folder in _folders(raw):
+        if folder.name not in synthetic:
+            _place(plan, folder)
     return plan
 
 
@@ -72,6 +118,17 @@ def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
         return [str(raw / run / name) for name in SYNTHETIC_FILES]
     names = ("run.yaml", *RECORDINGS, "capture.json")
     return [str(raw / run / name) for name in names if (raw / run / name).is_file()]
+
+
+def stored(models: dict[str, Any], plan: Plan) -> Iterator[str]:
+    """Tables and models that the workflow keeps between its jobs, by which a damaged one is looked for."""
+    for run in plan.runs:
+        yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
+    for material in plan.materials:
+        yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))
+        for predictions in fits(models, material):
+            yield predictions
+            yield predictions.replace(".predictions.parquet", ".model")
 
 
 def fits(models: dict[str, Any], material: str, only: str | None = None) -> Iterator[str]:

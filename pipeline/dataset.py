@@ -7,7 +7,6 @@
 import argparse
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,7 +14,10 @@ from numpy.typing import NDArray
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
+from pipeline.files import write_text
 from pipeline.kinematics import TOLERANCE
+from pipeline.left_out import LeftOut, to_json
+from pipeline.lossy import MOVING, all_lossy, moving_strokes, touched
 from pipeline.recorded import Recorded, in_order, read_recorded, tare_mm
 from pipeline.runs import capture_info
 
@@ -26,8 +28,6 @@ BLOCK_LEAST_SAMPLES = 10
 HOLD_OUT = 4  # one block in so many
 WHICH_OF_FOUR = np.array([0, 2, 1, 3])  # in the first group of four blocks, the second, …
 LATER_LEAST_STROKES = 4
-LOSSES_LISTED = 1000  # capture.json lists no more: what comes after the last one may be touched too
-MOVING = ("winding", "unwinding")
 
 Numbers = NDArray[np.int64]
 Mask = NDArray[np.bool_]
@@ -50,19 +50,6 @@ def held_out(block: Numbers, stroke: Numbers) -> Mask:
     return np.asarray(block % HOLD_OUT == (first + stroke - 1) % HOLD_OUT)
 
 
-def touched(strokes: pd.DataFrame, info: dict[str, Any]) -> frozenset[int]:
-    """Strokes of a run, by their numbers in it, in whose movement samples are missing by its capture.json."""
-    gaps = [*info.get("gaps", []), *info.get("holes", [])]
-    after = np.array([gap["after_samples"] for gap in gaps], np.int64)
-    moving = strokes[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0)]
-    lossy = [
-        int(stroke)
-        for stroke, first, last in zip(moving["stroke"], moving["first_sample"], moving["last_sample"], strict=True)
-        if ((first <= after) & (after <= last + 1)).any() or (len(gaps) >= LOSSES_LISTED and last >= after.max())
-    ]
-    return frozenset(lossy)
-
-
 def points_of(
     recorded: Recorded, strokes_before: int, offset_mm: float, left_out: frozenset[int] = frozenset()
 ) -> pd.DataFrame:
@@ -76,8 +63,7 @@ def points_of(
     stretches = recorded.strokes[recorded.strokes["phase"].isin(MOVING) & (recorded.strokes["stroke"] > 0)]
     stretches = stretches[~stretches["stroke"].isin(left_out)]
     if stretches.empty:
-        mend = "record it again, or keep them: python -m pipeline.dataset --keep-lossy"
-        raise BadInput(run.run, "strokes", "samples are missing in every one", mend)
+        raise all_lossy(run.run)
     for (stroke, phase), group in stretches.groupby(["stroke", "phase"], sort=True):
         rows = np.concatenate(
             [np.arange(a, b + 1) for a, b in zip(group["first_sample"], group["last_sample"], strict=True)]
@@ -94,7 +80,7 @@ def points_of(
     points["run"], points["string"], points["actuator"] = run.run, run.string_id, run.actuator
     points["radius_mm"] = run.string.radius_mm
     points["length_mm"] = run.string.length_mm
-    points["stiffness_n_per_mm"] = run.string.stiffness_n_per_mm
+    points["stiffness_n_per_mm"] = run.string.nominal_stiffness_n_per_mm
     points["torsion_zone_mm"] = run.rig.get("torsion_zone_mm", np.nan)
     points["separator_mm"] = run.rig.get("separator_mm", np.nan)
     tolerance = {**TOLERANCE, **run.tolerance}
@@ -120,10 +106,15 @@ def _split(test: Mask, eligible: Mask) -> NDArray[np.str_]:
     return np.where(_thinned(test, HELD_OUT_POINTS), "test", np.where(train, "train", ""))
 
 
-def make_dataset(recorded: list[Recorded], left_out: Mapping[str, frozenset[int]] | None = None) -> pd.DataFrame:
+def make_dataset(
+    recorded: list[Recorded],
+    left_out: Mapping[str, frozenset[int]] | None = None,
+    without: frozenset[str] = frozenset(),
+) -> pd.DataFrame:
     """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
 
-    Runs of the same string continue each other's stroke numbers and share its tare.
+    Runs of the same string continue each other's stroke numbers and share its tare; of the runs `without` the strokes
+    count and no point is taken.
     """
     strings: dict[str, list[Recorded]] = {}
     for one in sorted(recorded, key=lambda one: one.run.run):
@@ -134,7 +125,8 @@ def make_dataset(recorded: list[Recorded], left_out: Mapping[str, frozenset[int]
         for one in runs:
             assert one.run.string is not None
             done = max(done, one.run.string.strokes_before)
-            parts.append(points_of(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset())))
+            if one.run.run not in without:
+                parts.append(points_of(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset())))
             done += int(one.strokes["stroke"].max())
     points = pd.concat(parts, ignore_index=True)
 
@@ -148,6 +140,21 @@ def make_dataset(recorded: list[Recorded], left_out: Mapping[str, frozenset[int]
     return points[schemas.DATASET.names]
 
 
+def _usable(folders: list[Path], processed: Path) -> tuple[list[Recorded], list[LeftOut]]:
+    """Runs as the earlier stages left them, and those that they refused; raises BadInput when all are refused."""
+    recorded, refused = [], []
+    for folder in folders:
+        try:
+            recorded.append(read_recorded(folder, processed))
+        except schemas.Refused as error:
+            print(f"left out: {error}")
+            refused.append(LeftOut.of(folder.name, error))
+            last = error
+    if not recorded:
+        raise BadInput(last.file, last.field, last.problem, last.mend)
+    return recorded, refused
+
+
 @program
 def main() -> None:
     """Write `dataset.parquet` of one material."""
@@ -155,21 +162,30 @@ def main() -> None:
     parser.add_argument("run_dirs", type=Path, nargs="+")
     parser.add_argument("--processed", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out-left-out", type=Path, help="where to write, as JSON, which runs were left out and why")
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
+    parser.add_argument("--note-refusals", action="store_true", help="leave out a run in which every stroke is lossy")
     arguments = parser.parse_args()
-    recorded = [read_recorded(folder, arguments.processed) for folder in arguments.run_dirs]
-    left_out: dict[str, frozenset[int]] = {}
-    for folder, one in zip(arguments.run_dirs, recorded, strict=True):
-        lossy = touched(one.strokes, capture_info(folder))
+    recorded, refused = _usable(arguments.run_dirs, arguments.processed)
+    strokes_left: dict[str, frozenset[int]] = {}
+    for one in recorded:
+        lossy = touched(one.strokes, capture_info(one.folder))
         if lossy:
             print(f"{one.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": ")
             print("kept all the same" if arguments.keep_lossy else "left out")
-            left_out[one.run.run] = frozenset() if arguments.keep_lossy else lossy
-    dataset = make_dataset(recorded, left_out)
+            strokes_left[one.run.run] = frozenset() if arguments.keep_lossy else lossy
+            if arguments.note_refusals and strokes_left[one.run.run] >= moving_strokes(one.strokes):
+                refused.append(LeftOut.of(one.run.run, all_lossy(one.run.run)))
+    without = frozenset(one.run for one in refused)
+    if without >= {one.run.run for one in recorded}:
+        raise all_lossy(", ".join(sorted(without)))
+    dataset = make_dataset(recorded, strokes_left, without)
     if not {"train", "test"} <= set(dataset["within"]):
         mend = "record more strokes, or more samples a stroke"
         raise BadInput(arguments.out, "within", "there are too few points to hold some out and learn from others", mend)
     schemas.write(dataset, schemas.DATASET, arguments.out)
+    if arguments.out_left_out:
+        write_text(arguments.out_left_out, to_json(refused) + "\n")
     for split in ("within", "later"):
         counts = dataset[split].value_counts()
         print(f"{split}: {counts.get('train', 0)} points to train on, {counts.get('test', 0)} held out")

@@ -9,6 +9,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
+from pipeline.left_out import noted
 from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
 from pipeline.runs import read_run, recording_path
@@ -29,7 +30,7 @@ def geometry(run: Run) -> Geometry:
         run.actuator,
         run.string.radius_mm,
         run.string.length_mm,
-        run.string.stiffness_n_per_mm,
+        run.string.nominal_stiffness_n_per_mm,
         run.rig.get("torsion_zone_mm", np.nan),
         run.rig.get("separator_mm", np.nan),
     )
@@ -132,10 +133,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
-    run, samples = read_samples(arguments.run_dir)
-    schemas.write(samples, schemas.samples(list(samples.columns)), arguments.out)
-    print(f"{run.run}: {len(samples)} samples over {samples['time_s'].iloc[-1] - samples['time_s'].iloc[0]:.1f} s")
+    with noted(arguments.run_dir, arguments.out, arguments.note_refusals):
+        run, samples = read_samples(arguments.run_dir)
+        schemas.write(samples, schemas.samples(list(samples.columns)), arguments.out)
+        print(f"{run.run}: {len(samples)} samples over {samples['time_s'].iloc[-1] - samples['time_s'].iloc[0]:.1f} s")
 
 
 if __name__ == "__main__":

@@ -16,8 +16,17 @@ Values = Any  # a float or an array that broadcasts with the others
 
 # One sigma of how well each dimension was measured, unless run.yaml says otherwise; the radius relative.
 TOLERANCE = {"radius": 0.03, "separator_mm": 0.5, "torsion_zone_mm": 1.0, "length_mm": 2.0}
+# A string whose stiffness nobody measured: K = E·πr²/l0 with a modulus between nylon's 3 GPa and UHMWPE's 12 GPa. One
+# sigma of 0.3 lets calibration, which moves by at most three, reach both.
+USUAL_MODULUS_MPA = 7000.0
+UNKNOWN_STIFFNESS = 0.3
 RAD_PER_TURN = 2.0 * np.pi
 DIMENSIONS = ("radius_mm", "length_mm", "stiffness_n_per_mm", "torsion_zone_mm", "separator_mm")
+
+
+def usual_stiffness(radius_mm: Values, length_mm: Values) -> Any:
+    """Stiffness that a string of this radius and length usually has, in N/mm; for one that nobody measured."""
+    return USUAL_MODULUS_MPA * np.pi * radius_mm**2 / length_mm
 
 
 def loaded_radius(radius_mm: Values, length_mm: Values, stiffness_n_per_mm: Values, load_n: Values) -> Array:

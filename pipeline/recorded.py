@@ -16,12 +16,13 @@ from pipeline.runs import capture_info, read_run
 
 @dataclass(frozen=True)
 class Recorded:
-    """One run as it reaches this stage: what it is, when it began, its samples and its strokes."""
+    """One run as it reaches this stage: what it is, when it began, its samples, its strokes, and where it lies."""
 
     run: Run
     started_utc: str
     samples: pd.DataFrame
     strokes: pd.DataFrame
+    folder: Path = Path()
 
 
 def _strokes_before(recorded: Recorded) -> int | None:
@@ -69,8 +70,8 @@ def tare_mm(first: Recorded) -> float:
 
 
 def read_recorded(run_dir: Path, processed: Path) -> Recorded:
-    """One run from its folder and from what the earlier stages made of it."""
+    """One run from its folder and from what the earlier stages made of it; raises BadInput or Refused."""
     run = read_run(run_dir)
     samples = schemas.read(processed / run.run / "samples.parquet")
     strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
-    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes)
+    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes, run_dir)

@@ -1,17 +1,28 @@
 """What `run.yaml` may say: the string, the rig, the file and its channels, checked key by key."""
 
-import difflib
-import re
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Required
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    model_validator,
+)
+from typing_extensions import TypedDict
 
+from pipeline import names
+from pipeline.complaint import bad_section, key_name, meant, short
 from pipeline.errors import BadInput
+from pipeline.kinematics import usual_stiffness
+from pipeline.names import MATERIAL_NAME, RUN_NAME
 from pipeline.systems import System, systems
+from pipeline.text_file import TextFile
 
-RUN_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
-MATERIAL_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+__all__ = ["MATERIAL_NAME", "RUN_NAME", "STRING_ACTUATORS", "Channel", "Run", "String", "TextFile", "parse_run"]
 STRING_ACTUATORS = ("separator", "twisted_pair")
 
 
@@ -21,8 +32,14 @@ def _no_bool(value: Any) -> Any:
     return value
 
 
-Number = Annotated[float, BeforeValidator(_no_bool), Field(allow_inf_nan=False)]
-Positive = Annotated[Number, Field(gt=0)]
+def _column(value: Any) -> Any:
+    return names.column(value) if isinstance(value, str) else value
+
+
+# What can be measured in the units here; outside, a product of two such numbers would leave what a computer holds.
+Number = Annotated[float, BeforeValidator(_no_bool), Field(allow_inf_nan=False, ge=-1e18, le=1e18)]
+Positive = Annotated[Number, Field(ge=1e-9, le=1e9)]
+Times = Annotated[int, BeforeValidator(_no_bool), Field(ge=0, le=10**9)]
 
 
 class _Section(BaseModel):
@@ -32,34 +49,39 @@ class _Section(BaseModel):
 class String(_Section):
     """The string of a run: what it is made of and what was measured on it."""
 
-    material: str = Field(description="name of the material, letters, digits, _ and -", examples=["UHMWPE"])
+    material: Annotated[str, AfterValidator(names.material)] = Field(
+        description="name of the material, letters, digits, _ and -", examples=["UHMWPE"]
+    )
     radius_mm: Positive = Field(description="radius of one string in mm", examples=[0.55])
     length_mm: Positive = Field(description="length l0 of the unloaded string in mm", examples=[320])
-    stiffness_n_per_mm: Positive = Field(description="stiffness K of the string in N/mm", examples=[35])
-    id: str | None = Field(None, description="name of this very string; runs that share it continue each other")
-    strokes_before: int = Field(0, ge=0, description="strokes that the string had done before this run")
+    stiffness_n_per_mm: Positive | None = Field(
+        None, description="stiffness K of the string in N/mm; left out or null where nobody measured it", examples=[35]
+    )
+    id: Annotated[str, AfterValidator(names.string_id)] | None = Field(
+        None, description="name of this very string; runs that share it continue each other"
+    )
+    strokes_before: Times = Field(0, description="strokes that the string had done before this run")
 
-    @field_validator("material")
-    @classmethod
-    def _name(cls, value: str) -> str:
-        if not MATERIAL_NAME.fullmatch(value):
-            raise ValueError("must be letters, digits, _ and -, and begin with a letter or a digit")
-        return value
+    @property
+    def nominal_stiffness_n_per_mm(self) -> float:
+        """The measured stiffness, or the usual one of a string of this size, in N/mm."""
+        return self.stiffness_n_per_mm or usual_stiffness(self.radius_mm, self.length_mm)
 
 
-class TextFile(_Section):
-    """How a text recording is written."""
+class Included(TypedDict, total=False):
+    """A mechanism that the simulator already includes, as a diagnosis gives it."""
 
-    delimiter: str = Field(",", min_length=1, max_length=1, description="one character; a space is any white space")
-    header: bool = True
-    comment: str | None = Field(None, min_length=1, max_length=1)
-    encoding: str = "utf-8"
+    __pydantic_config__ = ConfigDict(extra="forbid")  # type: ignore[misc]
+    id: Required[str]
+    parameters: dict[str, Number]
 
 
 class Channel(_Section):
     """Where a channel stands in the recording: value = scale · raw + offset, then the unit."""
 
-    column: str | int | None = Field(None, description="the column's name or its index from 0")
+    column: Annotated[str | int | None, BeforeValidator(_no_bool), AfterValidator(_column)] = Field(
+        None, description="the column's name or its index from 0"
+    )
     unit: str | None = Field(None, description="the unit of scale · raw + offset")
     scale: Number = 1.0
     offset: Number = 0.0
@@ -71,28 +93,28 @@ class Run(_Section):
 
     run: str
     actuator: str = Field("separator", description="the kind of rig")
-    string: String | None = Field(None, description="the string: material, radius_mm, length_mm, stiffness_n_per_mm")
+    string: String | None = Field(None, description="the string: material, radius_mm, length_mm")
     rig: dict[str, Number] = Field(default_factory=dict, description="the rig's dimensions")
     tolerance: dict[str, Positive] = Field(default_factory=dict)
-    simulation: list[dict[str, Any]] = Field(default_factory=list)
+    simulation: list[Included] = Field(default_factory=list)
     file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
     channels: dict[str, Channel] = Field(default_factory=dict)
-    mended: dict[str, Annotated[int, Field(ge=0)]] = Field(default_factory=dict)
+    mended: dict[str, Times] = Field(default_factory=dict)
 
     @model_validator(mode="after")
     def _actuator_has_its_parts(self) -> "Run":
         known = systems()
         if self.actuator not in known:
             raise ValueError(
-                f"actuator: is {self.actuator!r}, of which nothing is known; use one of {', '.join(known)}"
+                f"actuator: is {short(self.actuator)}, of which nothing is known; use one of {', '.join(known)}"
             )
         system = known[self.actuator]
         if system.needs_string and self.string is None:
-            raise ValueError("string: is missing; add the string's material, radius_mm, length_mm, stiffness_n_per_mm")
+            raise ValueError("string: is missing; add the string's material, radius_mm, length_mm")
         keys = {**system.rig, **system.optional_rig}
         for key, value in self.rig.items():
             if key not in keys:
-                raise ValueError(f"rig.{key}: is not a known key; {_meant(key, keys)}")
+                raise ValueError(f"rig.{key_name(key)}: is not a known key; {meant(key, keys)}")
             if (value < 0 and key not in system.may_be_negative) or (value == 0 and key in system.never_zero):
                 raise ValueError(f"rig.{key}: is {value:g}; give {keys[key]} that was measured")
         for key, meaning in system.rig.items():
@@ -100,7 +122,7 @@ class Run(_Section):
                 raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig")
         for key in self.tolerance:
             if key not in system.tolerance:
-                raise ValueError(f"tolerance.{key}: is not a known key; {_meant(key, system.tolerance)}")
+                raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {meant(key, system.tolerance)}")
         return self
 
     @property
@@ -114,36 +136,7 @@ class Run(_Section):
         return (self.string.id if self.string else None) or self.run
 
 
-def _meant(key: str, known: Any) -> str:
-    close = difflib.get_close_matches(key, list(known), n=1)
-    return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(known)}"
-
-
-def _known_keys(where: tuple[Any, ...]) -> list[str]:
-    sections: dict[str, type[BaseModel]] = {"string": String, "file": TextFile, "channels": Channel}
-    return list(sections.get(str(where[0]) if len(where) > 1 else "", Run).model_fields)
-
-
-def _bad(path: Path, error: ValidationError) -> BadInput:
-    """First complaint of pydantic as file, field and mend."""
-    complaints = error.errors(include_url=False)
-    # A misspelt key is one mistake but two complaints: the unknown key says more than the missing one.
-    complaint = next((one for one in complaints if one["type"] == "extra_forbidden"), complaints[0])
-    where, kind = complaint["loc"], complaint["type"]
-    if not where:  # a check over several keys, whose message names its field
-        field, _, rest = complaint["msg"].removeprefix("Value error, ").partition(": ")
-        problem, _, mend = rest.partition("; ")
-        return BadInput(path, field, problem, mend)
-    field = ".".join(str(part) for part in where)
-    if kind == "extra_forbidden":
-        return BadInput(path, field, "is not a known key", _meant(str(where[-1]), _known_keys(where)))
-    section: type[BaseModel] = String if where[0] == "string" and len(where) > 1 else Run
-    info = section.model_fields.get(str(where[-1]))
-    hint = f" ({info.description})" if info is not None and info.description else ""
-    if kind == "missing":
-        return BadInput(path, field, "is missing", f"add it{hint}")
-    problem = complaint["msg"].removeprefix("Value error, ")
-    return BadInput(path, field, f"is {complaint['input']!r}: {problem}", f"correct it{hint}")
+SECTIONS: dict[str, type[BaseModel]] = {"string": String, "file": TextFile, "channels": Channel}
 
 
 def parse_run(content: Any, path: Path) -> Run:
@@ -156,9 +149,8 @@ def parse_run(content: Any, path: Path) -> Run:
     try:
         run = Run.model_validate(content)
     except ValidationError as error:
-        raise _bad(path, error) from None
-    if not RUN_NAME.fullmatch(run.run):
-        raise BadInput(path, "run", f"is {run.run!r}", "use lower-case letters, digits and -, as in uhmwpe-20261121-01")
+        raise bad_section(path, error, Run, SECTIONS) from None
+    names.checked(names.run_name, run.run, path, "run")
     if run.run != path.parent.name:
-        raise BadInput(path, "run", f"is {run.run!r} in a folder named {path.parent.name!r}", "make both the same")
+        raise BadInput(path, "run", f"is {run.run!r} in a folder named {short(path.parent.name)}", "make both the same")
     return run

@@ -1,55 +1,40 @@
 """What a run folder is: `raw/<run>/` with `run.yaml` and one recording; find it, read it, check it."""
 
 import json
-from collections.abc import Hashable, Iterator
+import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from pipeline.errors import BadInput
+from pipeline.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
+from pipeline.regular_file import read_regular
 from pipeline.run_yaml import Run, parse_run
+from pipeline.strict_yaml import read_yaml
 
 CAPTURED = ("recording.frames", "recording.lines")  # what the capture program writes while it runs
+LARGEST_INFO = 10_000_000  # bytes of a capture.json
 RECORDINGS = ("recording.frames", "recording.parquet", "recording.csv", "recording.csv.gz")
-
-
-class KeyTwice(yaml.MarkedYAMLError):
-    """A key that stands twice in one mapping, of which YAML would silently take the last."""
-
-
-class OnceLoader(yaml.SafeLoader):
-    """YAML's safe loader, which refuses a key that stands twice."""
-
-    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
-        """Mapping of a node; raises KeyTwice."""
-        seen = set()
-        for key, _ in node.value:
-            if isinstance(key, yaml.ScalarNode) and key.value in seen:
-                raise KeyTwice(problem=key.value, problem_mark=key.start_mark)
-            seen.add(key.value if isinstance(key, yaml.ScalarNode) else id(key))
-        return super().construct_mapping(node, deep)
 
 
 def read_run(folder: Path | str) -> Run:
     """Read and check `run.yaml` of a run folder; raises BadInput."""
     path = Path(folder) / "run.yaml"
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (FileNotFoundError, NotADirectoryError):
-        raise BadInput(path, "run.yaml", "is missing", "write it: python -m pipeline.new_run shows how") from None
-    except UnicodeDecodeError:
-        raise BadInput(path, "run.yaml", "is not UTF-8 text", "save it as UTF-8") from None
-    try:
-        content = yaml.load(text, OnceLoader)
-    except KeyTwice as error:
-        place = f"line {error.problem_mark.line + 1}" if error.problem_mark else "the file"
-        raise BadInput(path, place, f"says {error.problem!r} a second time", "keep one of the two") from None
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        place = f"line {mark.line + 1}" if mark else "the file"
-        raise BadInput(path, place, "is not YAML", "check its indentation, colons and quotes") from None
-    return parse_run(content, path)
+    if not os.path.lexists(path):
+        raise BadInput(path, "run.yaml", "is missing", "write it: python -m pipeline.new_run shows how")
+    run = parse_run(read_yaml(path), path)
+    if run.string and run.string.material == SYNTHETIC and _of_another_rig(path.parent):
+        checked(own_material, run.string.material, path, "string.material")
+    return run
+
+
+def _of_another_rig(folder: Path) -> bool:
+    """Whether a run folder holds a recording that is not the synthetic rig's own."""
+    info = capture_info(folder)
+    if not info:
+        return any((folder / name).is_file() for name in RECORDINGS[1:])
+    hello = info.get("hello")
+    return not isinstance(hello, dict) or hello.get("device") != SYNTHETIC_DEVICE
 
 
 def recording_path(folder: Path | str) -> Path:
@@ -75,11 +60,11 @@ def unfinished(folder: Path) -> bool:
 def capture_info(folder: Path | str) -> dict[str, Any]:
     """Content of `capture.json`, or nothing for a run that the capture program did not record; raises BadInput."""
     path = Path(folder) / "capture.json"
-    if not path.is_file():
+    if not os.path.lexists(path):
         return {}
     try:
-        info = json.loads(path.read_text(encoding="utf-8"))
-    except ValueError:
+        info = json.loads(read_regular(path, LARGEST_INFO, "capture.json"))
+    except (ValueError, RecursionError):
         info = None
     if not isinstance(info, dict):
         raise BadInput(path, "capture.json", "is not what the capture program writes", "restore it, or use --recover")

@@ -1,19 +1,33 @@
-"""Every table that passes a door: its columns, their types and their units, checked on both sides."""
+"""Every table that passes a door: its columns, types, units and check sum, checked on both sides."""
 
+import json
 from pathlib import Path
 
 import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from pipeline import seal
 from pipeline.errors import BadInput
 from pipeline.files import whole
+
+MEND = "delete it and run snakemake: it is made again"
+REFUSED = b"refused"  # the key under which a file tells why there is no table in it
+
+
+class Refused(BadInput):
+    """What an earlier stage refused, and why."""
+
 
 UNIT = {  # by the ending of a column's name
     "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
     "_deg": "deg", "_rad": "rad", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm", "_v": "V", "_kg": "kg",
     "_cm": "cm", "_ms": "ms", "_pa": "Pa", "_bar": "bar", "_hz": "Hz", "_w": "W", "_k": "K",
 }  # fmt: skip
+
+
+class Damaged(BadInput):
+    """A file that is not what was written, which making it again mends."""
 
 
 def unit_of(column: str) -> str:
@@ -57,20 +71,36 @@ METRICS = _schema(
 
 
 def write(table: pd.DataFrame, schema: pa.Schema, path: Path | str) -> None:
-    """Write a table as Parquet under its schema, units included, whole or not at all."""
+    """Write a table as Parquet under its schema, with its units and a check sum of it all, whole or not at all."""
     columns = [pa.array(table[field.name].to_numpy(), field.type, from_pandas=False) for field in schema]
     with whole(path) as temporary:
         pq.write_table(pa.Table.from_arrays(columns, schema=schema), temporary)
+        seal.seal_parquet(temporary)
+
+
+def write_refusal(error: BadInput, path: Path | str) -> None:
+    """Write, in place of a table, why there is none."""
+    told = json.dumps([error.file, error.field, error.problem, error.mend])
+    with whole(path) as temporary:
+        pq.write_table(pa.schema([], metadata={REFUSED: told.encode()}).empty_table(), temporary)
+        seal.seal_parquet(temporary)
 
 
 def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
     """Read a Parquet table and refuse it unless its columns, types and units are the schema's.
 
     Without a schema the columns' names, types and units must agree with each other (samples).
-    Raises BadInput when they do not.
+    Raises BadInput when they do not, and for a file whose content is not what was written; Refused for a refusal.
     """
-    arrow = pq.read_table(path)
+    content = seal.content_of(path)
+    try:
+        seal.check_parquet(content)
+    except seal.Damaged as error:
+        raise Damaged(path, "content", f"is damaged, or not this version's: {error}", MEND) from None
+    arrow = pq.read_table(pa.BufferReader(content))
+    if REFUSED in (arrow.schema.metadata or {}):
+        raise Refused(*json.loads(arrow.schema.metadata[REFUSED]))
     expected = schema if schema is not None else samples(arrow.schema.names)
     if not arrow.schema.equals(expected, check_metadata=True):
-        raise BadInput(path, "schema", "columns, types or units are not this version's", "delete it and run again")
+        raise BadInput(path, "schema", "columns, types or units are not this version's", MEND)
     return arrow.to_pandas()

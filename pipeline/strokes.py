@@ -16,6 +16,7 @@ from scipy.ndimage import median_filter
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Array
+from pipeline.left_out import noted
 
 STROKE_REVERSAL = 0.25  # of the range: what parts a winding from an unwinding
 PHASE_REVERSAL = 0.02  # of the range: what counts as moving the other way within a stroke
@@ -177,11 +178,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("samples", type=Path)
     parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
-    samples = schemas.read(arguments.samples)
-    strokes = segment(samples, samples.columns[1], arguments.samples)
-    schemas.write(strokes, schemas.STROKES, arguments.out)
-    print(f"{arguments.samples.parent.name}: {strokes['stroke'].max()} strokes in {len(strokes)} stretches")
+    with noted(arguments.samples, arguments.out, arguments.note_refusals):
+        samples = schemas.read(arguments.samples)
+        strokes = segment(samples, samples.columns[1], arguments.samples)
+        schemas.write(strokes, schemas.STROKES, arguments.out)
+        print(f"{arguments.samples.parent.name}: {strokes['stroke'].max()} strokes in {len(strokes)} stretches")
 
 
 if __name__ == "__main__":

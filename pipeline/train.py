@@ -12,8 +12,8 @@ import pandas as pd
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
-from pipeline.files import write_text
 from pipeline.models.interface import Model, make_model
+from pipeline.models.saved import write_bytes
 
 SPLITS = ("within", "later")
 
@@ -82,7 +82,7 @@ def main() -> None:
     train, test = divided(schemas.read(asked.dataset, schemas.DATASET), asked.split, asked.dataset)
     if test.empty:
         print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")
-        write_text(asked.out_model, "")
+        write_bytes(asked.out_model, b"")
         schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, asked.out_predictions)
         return
     model.fit(train, asked.seed)

@@ -1,4 +1,6 @@
 import json
+import os
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -18,15 +20,74 @@ def test_plan_sorts_runs_by_material(make_run, tmp_path):
     make_run("a-01")
     make_run("a-02")
     make_run("n-01", string=nylon)
-    (make_run("bad-01") / "run.yaml").write_text("a: [")
-    make_run("mass-01", actuator="moving_mass", string=None)
-    (make_run("nameless-01") / "run.yaml").unlink()
+    make_run("mass-01", actuator="moving_mass", string=None, rig={"mass_kg": 90.0})
     cut_off = make_run("cut-01")
     (cut_off / "recording.parquet").rename(cut_off / "recording.frames")
     (make_run("cut-02") / "recording.parquet").rename(tmp_path / "raw" / "cut-02" / "recording.lines")
     plan = make_plan(tmp_path / "raw", ["synthetic-01"])
     assert plan.materials == {"synthetic": ["synthetic-01"], "UHMWPE": ["a-01", "a-02"], "nylon": ["n-01"]}
-    assert plan.others == ["bad-01", "mass-01", "nameless-01"] and plan.unfinished == ["cut-01", "cut-02"]
+    assert plan.others == ["mass-01"] and plan.refused == plan.misnamed == []
+    assert [one.run for one in plan.unfinished] == ["cut-01", "cut-02"] and "--recover" in plan.unfinished[0].why
+
+
+HOSTILE = ["$(touch PWNED)", "nylon-1 (copy)", "it's", "a{b}c", "two\nlines", "-rf", "ä", "x" * 200, "campaign", "A-1"]
+
+
+def test_a_folder_that_can_be_no_run_is_left_out_with_the_mend(make_run, tmp_path):
+    make_run("a-01")
+    for name in HOSTILE:
+        make_run(name)
+    (tmp_path / "raw" / "-empty").mkdir()
+    (tmp_path / "raw" / ".hidden").mkdir()
+    (tmp_path / "raw" / "loop").symlink_to("loop")
+    plan = make_plan(tmp_path / "raw", [])
+    assert plan.runs == ["a-01"] and sorted(one.run for one in plan.misnamed) == sorted(HOSTILE)
+    for one in plan.misnamed:
+        assert "rename the folder" in one.why and one.why.isprintable() and one.field == "its name"
+
+
+BAD = {
+    "deep": "a: " + "[" * 3000 + "]" * 3000,
+    "unknown": "run: bad-01\nstring: {material: nylon, raduis_mm: 1}\n",
+    "twice": "run: bad-01\nrun: bad-01\n",
+    "tag": "run: !!python/object:os.system bad-01\n",
+    "binary": "\udcff\udcfe",
+    "empty": "",
+    **{taken: f"run: bad-01\nstring: {{material: {taken}, radius_mm: 0.4, length_mm: 400, stiffness_n_per_mm: 15}}\n"
+       "rig: {torsion_zone_mm: 150, separator_mm: 8}\n"
+       for taken in ("diagnosis", "real", "proof", "campaign", "blind", "logs", "synthetic")},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_a_bad_run_yaml_costs_its_own_run(make_run, tmp_path, kind):
+    make_run("good-01")
+    (make_run("bad-01") / "run.yaml").write_bytes(BAD[kind].encode("utf-8", "surrogateescape"))
+    plan = make_plan(tmp_path / "raw", [])
+    assert plan.materials == {"UHMWPE": ["good-01"]} and not plan.others
+    (one,) = plan.refused
+    assert one.run == "bad-01" and "bad-01/run.yaml" in one.file and one.mend
+    assert one.material == ("nylon" if kind == "unknown" else kind if "radius_mm" in BAD[kind] else "")
+
+
+def test_a_run_yaml_that_is_none_costs_its_own_run(make_run, tmp_path):
+    make_run("good-01")
+    (make_run("nameless-01") / "run.yaml").unlink()
+    for name, make in (("folder-01", Path.mkdir), ("pipe-01", os.mkfifo)):
+        file = make_run(name) / "run.yaml"
+        file.unlink()
+        make(file)
+    plan = make_plan(tmp_path / "raw", [])
+    assert plan.runs == ["good-01"]
+    assert [one.run for one in plan.refused] == ["folder-01", "nameless-01", "pipe-01"]
+
+
+def test_every_name_that_a_rule_hands_to_a_shell_is_quoted():
+    rules = sorted((ROOT / "pipeline" / "rules").glob("*.smk"))
+    shells = [text for path in rules for text in re.findall(r"    shell:\n((?: {8}.*\n)+)", path.read_text())]
+    placeholders = [name for text in shells for name in re.findall(r"(?<!{)\{([^{}]+)\}", text)]
+    assert len(shells) > 30 and len(placeholders) > 100
+    assert [name for name in placeholders if not name.endswith(":q")] == []
 
 
 def test_a_real_recording_is_never_made_again(make_run, tmp_path):

@@ -45,7 +45,39 @@ def test_a_good_run_is_taken_as_written():
         (changed("string", radius_mm="thick"), "string.radius_mm", "radius of one string in mm"),
         (changed("string", radius_mm=0), "string.radius_mm", "correct it"),
         (changed("string", length_mm=float("nan")), "string.length_mm", "correct it"),
-        (changed("string", material="../etc"), "string.material", "correct it"),
+        (changed("string", material="../etc"), "string.material", "use letters, digits, _ and -"),
+        (changed("string", material="diagnosis"), "string.material", "give another name"),
+        (changed("string", material=304), "string.material", "put it in quotes"),
+        (changed("string", id="../../x"), "string.id", "write it with letters, digits, spaces"),
+        (changed("string", id="/etc/x"), "string.id", "write it with letters, digits, spaces"),
+        (changed("string", id="x" * 300), "string.id", "at most 100"),
+        (changed("string", strokes_before=10**30), "string.strokes_before", "strokes that the string had done"),
+        (changed("string", radius_mm=1e-300), "string.radius_mm", "radius of one string in mm"),
+        (changed("string", stiffness_n_per_mm=0), "string.stiffness_n_per_mm", "left out or null"),
+        (changed("string", radius_mm="2026-11-22"), "string.radius_mm", "radius of one string in mm"),
+        (changed("string", radius_mm="5:00"), "string.radius_mm", "radius of one string in mm"),
+        (changed("file", delimiter="\n"), "file.delimiter", "one character"),
+        (changed("file", delimiter="\r"), "file.delimiter", "one character"),
+        (changed("file", delimiter="§"), "file.delimiter", "one character"),
+        (changed("file", delimiter="1"), "file.delimiter", "one character"),
+        (changed("file", comment="-"), "file.comment", "such as %"),
+        (changed("file", encoding="a\0b"), "file.encoding", "utf-8, or utf-16"),
+        (changed("file", encoding="undefined"), "file.encoding", "utf-8, or utf-16"),
+        (changed("file", encoding="punycode"), "file.encoding", "utf-8, or utf-16"),
+        (changed("file", encoding="base64"), "file.encoding", "utf-8, or utf-16"),
+        (content("a-01", simulation=[{"id": [1]}]), "simulation.0.id", "correct it"),
+        (content("a-01", simulation=[{"parameters": {}}]), "simulation.0.id", "add it"),
+        (
+            content("a-01", simulation=[{"id": "x", "parameters": {"a": float("nan")}}]),
+            "simulation.0.parameters.a",
+            "c",
+        ),
+        (changed("channels", motor_turns={"column": "a\nb"}), "channels.motor_turns.column", "letters, digits"),
+        (changed("channels", motor_turns={"column": True}), "channels.motor_turns.column", "correct it"),
+        (changed("channels", motor_turns={"column": [1]}), "channels.motor_turns.column", "correct it"),
+        ({**content("a-01"), "x" * 10**6: 1}, "'" + "x" * 27 + "..." + "x" * 28 + "'", "known are"),
+        ({**content("a-01"), "a\nerror: b": 1}, r"'a\nerror: b'", "known are"),
+        ({**content("a-01"), "rig": {"a: b; c": 1}}, "rig.a", ""),
         (changed("channels", motor_turns={"colum": 1}), "channels.motor_turns.colum", "did you mean 'column'"),
         (content("a-01", string=None), "string", "add the string's material"),
         (content("a-01", actuator="winch"), "actuator", "use one of cable_drive"),
@@ -61,6 +93,44 @@ def test_a_bad_run_names_file_field_and_mend(bad, field, mend):
     assert error.value.field == field
     assert str(error.value).startswith(f"raw/a-01/run.yaml: {field}: ")
     assert mend in str(error.value)
+
+
+def test_a_stiffness_that_nobody_measured_is_the_usual_one():
+    for run in (without("string", "stiffness_n_per_mm"), changed("string", stiffness_n_per_mm=None)):
+        string = parse_run(run, PLACE).string
+        assert string.stiffness_n_per_mm is None
+        assert string.nominal_stiffness_n_per_mm == pytest.approx(7000 * 3.14159 * 0.4**2 / 400, rel=1e-3)
+    assert parse_run(content("a-01"), PLACE).string.nominal_stiffness_n_per_mm == 15
+
+
+def test_aliases_in_known_keys_are_no_hang():
+    nested = ["x"]
+    for _ in range(60):
+        nested = [nested] * 9
+    with pytest.raises(BadInput) as error:
+        parse_run(changed("string", radius_mm=nested), PLACE)
+    assert error.value.field == "string.radius_mm" and len(str(error.value)) < 500
+
+
+def test_a_key_of_a_run_stands_once(make_run):
+    folder = make_run("a-01")
+    with open(folder / "run.yaml", "a") as file:
+        file.write("rig: {}\n")
+    with pytest.raises(BadInput, match="says 'rig' a second time"):
+        read_run(folder)
+
+
+def test_the_synthetic_rigs_material_is_refused_for_other_recordings(make_run):
+    folder = make_run("a-01", string={"material": "synthetic", "radius_mm": 0.4, "length_mm": 400})
+    with pytest.raises(BadInput, match=r"string.material: .* kept for the synthetic rig's own runs"):
+        read_run(folder)
+    (folder / "recording.parquet").unlink()
+    assert read_run(folder).string.material == "synthetic"  # the rig describes the run first, then records
+    (folder / "capture.json").write_text('{"hello": {"device": "twistbench synthetic rig"}}')
+    assert read_run(folder).string.material == "synthetic"
+    (folder / "capture.json").write_text('{"hello": {"device": "mine"}}')
+    with pytest.raises(BadInput, match="synthetic"):
+        read_run(folder)
 
 
 def test_a_twisted_pair_needs_no_separator():

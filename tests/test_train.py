@@ -1,6 +1,5 @@
 """The training program: what it reads, predicts and refuses."""
 
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +11,7 @@ import pytest
 from pipeline import schemas
 from pipeline.errors import BadInput
 from pipeline.kinematics import Geometry
+from pipeline.models.saved import read_bytes, read_json
 from pipeline.train import configured, divided, main, predictions
 
 
@@ -58,7 +58,7 @@ def test_the_program_writes_the_model_and_predictions_of_the_held_out_points(
     truth = points.loc[predicted["point"]]
     np.testing.assert_allclose(predicted["displacement_mm"], truth["displacement_mm"], atol=0.01)
     np.testing.assert_allclose(predicted["motor_turns"], truth["motor_turns"], atol=0.05)
-    assert json.loads((dataset.parent / "m/model").read_text())["made-01"]["radius_mm"] == pytest.approx(0.01, abs=5e-3)
+    assert read_json(dataset.parent / "m/model")["made-01"]["radius_mm"] == pytest.approx(0.01, abs=5e-3)
 
 
 def test_a_split_that_the_dataset_leaves_out_is_skipped_and_says_so(tmp_path: Path) -> None:
@@ -66,7 +66,7 @@ def test_a_split_that_the_dataset_leaves_out_is_skipped_and_says_so(tmp_path: Pa
     done = program(words(tmp_path / "dataset.parquet", "traditional", split="later"))
     assert (done.returncode, done.stderr) == (0, "") and done.stdout.startswith("skipped")
     assert schemas.read(tmp_path / "m/p.parquet", schemas.PREDICTIONS).empty
-    assert (tmp_path / "m/model").read_bytes() == b""
+    assert read_bytes(tmp_path / "m/model") == b""
 
 
 def test_the_mlp_trains_from_the_command_line_and_says_so(dataset: Path) -> None:

@@ -13,6 +13,7 @@ from pipeline.export.inputs import Inputs
 from pipeline.models.box import Box
 from pipeline.models.conditions import MEASURED
 from pipeline.models.interface import make_model
+from pipeline.models.saved import read_bytes
 from pipeline.tables import opened as opened_table
 from pipeline.train import SPLITS, divided
 
@@ -60,7 +61,7 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
         raise BadInput(file, "model", f'"{name}" cannot be exported', f"choose one of {known}, or say --model NAME")
     if not file.is_file():
         raise BadInput(file, "model", "is not a file", "train it first, or mend the path")
-    if not file.stat().st_size:
+    if not read_bytes(file):
         raise BadInput(file, "model", "is empty: its split had too few strokes", "take another split's model")
     try:
         source = _loaded(file, name, beside)

@@ -4,15 +4,14 @@ First-order physics only: eqs 4 and 5 with better numbers, no direction and no s
 baseline of a learned model, where the nominal one is the paper's.
 """
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
-from pipeline import files
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
+from pipeline.models.saved import read_json, write_json
 
 LARGEST_MOVE = 3.0  # sigmas by which the contract lets a dimension move
 ROUNDS = 5  # of fit and re-estimate of the error's size; it settles in two or three
@@ -52,11 +51,11 @@ class Calibrated:
 
     def save(self, path: Path) -> None:
         """Write the moves as JSON."""
-        files.write_text(path, json.dumps(self.moves, indent=1))
+        write_json(path, self.moves)
 
     def load(self, path: Path) -> None:
         """Take over the moves of a JSON file."""
-        self.moves = json.loads(Path(path).read_text(encoding="utf-8"))
+        self.moves = read_json(path)
 
     def _fitted(self, rows: pd.DataFrame) -> dict[str, float]:
         """Most probable moves of one string: Gaussian errors of the contraction, Gaussian priors of each move.

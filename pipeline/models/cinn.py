@@ -9,6 +9,7 @@ error alone trains both ways. θ follows by the blocks backwards and eq. 5. Back
 they came out, which is a little off: a few steps of the secant make good for it, and both ways undo each other.
 """
 
+import io
 import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -18,12 +19,12 @@ import pandas as pd
 import torch
 from torch.nn.functional import mse_loss
 
-from pipeline.files import whole
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
 from pipeline.models.box import Box
 from pipeline.models.conditions import Conditions
 from pipeline.models.coupling import InvertibleNet
 from pipeline.models.features import conditions
+from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
 from pipeline.models.training import minimise, repeatable, tensor
 
@@ -115,12 +116,13 @@ class Cinn:
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
         }
-        with whole(path) as temporary:
-            torch.save(saved, temporary)
+        temporary = io.BytesIO()
+        torch.save(saved, temporary)
+        write_bytes(path, temporary.getvalue())
 
     def load(self, path: Path) -> None:
         """Take over what a file holds."""
-        saved = torch.load(path, weights_only=True)
+        saved = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
         self.settings = Settings(**saved["settings"])
         self.box, self.conditions = Box.from_saved(saved["box"]), Conditions.from_saved(saved["conditions"])
         self.shift_mm = saved["shift_mm"]

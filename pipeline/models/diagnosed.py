@@ -5,14 +5,12 @@ depends on what was done before: the simulator goes through the motion of the tr
 A run of which no training points were seen is simulated by the nominal equations.
 """
 
-import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from pipeline import files
 from pipeline.diagnosis import calibrate, engine, library, order, outcome
 from pipeline.diagnosis.problem import State
 from pipeline.diagnosis.search import LARGEST, TRIED
@@ -20,6 +18,7 @@ from pipeline.errors import BadInput
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
 from pipeline.models.diagnosed_problem import SAMPLES, holed, plain
 from pipeline.models.diagnosed_run import Simulator
+from pipeline.models.saved import read_json, write_json
 from pipeline.run_yaml import Run
 
 LEAST_POINTS = 20  # in which a stroke can be seen at all; a run with fewer stays nominal
@@ -56,11 +55,11 @@ class Diagnosed:
     def save(self, path: Path) -> None:
         """Write all simulators as JSON: what each names, its numbers, and the motion that it was seen in."""
         found = [{"string": string, **simulator.saved()} for (_, string), simulator in self.simulators.items()]
-        files.write_text(path, json.dumps({"without": sorted(self.without), "simulators": found}))
+        write_json(path, {"without": sorted(self.without), "simulators": found})
 
     def load(self, path: Path) -> None:
         """Take over the simulators of a JSON file."""
-        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        content = read_json(path)
         self.without = frozenset(content["without"])
         strings = [one.pop("string") for one in content["simulators"]]
         found = map(Simulator.from_saved, content["simulators"])

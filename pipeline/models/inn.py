@@ -17,6 +17,7 @@ The direction of motion is not among the five inputs, faithful to the paper: thi
 unwinding, and half the hysteresis loop is its floor.
 """
 
+import io
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -24,10 +25,10 @@ import pandas as pd
 import torch
 from torch.nn.functional import mse_loss
 
-from pipeline.files import whole
 from pipeline.kinematics import Array
 from pipeline.models.coupling import InvertibleNet
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
+from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
 from pipeline.models.training import minimise, repeatable, tensor
 
@@ -99,12 +100,13 @@ class Inn:
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
         }
-        with whole(path) as temporary:
-            torch.save(saved, temporary)
+        temporary = io.BytesIO()
+        torch.save(saved, temporary)
+        write_bytes(path, temporary.getvalue())
 
     def load(self, path: Path) -> None:
         """Take over the settings, scalings and weights of a file."""
-        saved = torch.load(path, weights_only=True)
+        saved = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
         self.settings = Settings(**saved["settings"])
         scalings = [values.numpy() for values in saved["scalings"]]
         self.inputs, self.outputs = Scaling(*scalings[:2]), Scaling(*scalings[2:])

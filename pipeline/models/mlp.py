@@ -4,6 +4,7 @@ Each is the plain regression of its own output, so the two are not exact inverse
 stiffness and material are inputs where they vary.
 """
 
+import io
 import math
 from dataclasses import asdict, dataclass
 from itertools import pairwise
@@ -15,10 +16,10 @@ import torch
 from torch import nn
 from torch.nn.functional import mse_loss
 
-from pipeline.files import whole
 from pipeline.kinematics import Array
 from pipeline.models.conditions import Conditions
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
+from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
 from pipeline.models.training import minimise, repeatable, tensor
 
@@ -81,12 +82,13 @@ class Mlp:
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.networks.state_dict(),
         }
-        with whole(path) as temporary:
-            torch.save(saved, temporary)
+        temporary = io.BytesIO()
+        torch.save(saved, temporary)
+        write_bytes(path, temporary.getvalue())
 
     def load(self, path: Path) -> None:
         """Take over the settings, scalings and weights of a file."""
-        saved = torch.load(path, weights_only=True)
+        saved = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
         self.settings = Settings(**saved["settings"])
         self.conditions = Conditions.from_saved(saved["conditions"])
         scalings = [values.numpy() for values in saved["scalings"]]

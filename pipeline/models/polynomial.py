@@ -5,7 +5,6 @@ varies (dimensions, load, material) multiplies the powers to the third. Inputs b
 its edge, where a polynomial would run away.
 """
 
-import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -13,10 +12,10 @@ import numpy as np
 import pandas as pd
 from numpy.polynomial.legendre import legvander
 
-from pipeline import files
 from pipeline.kinematics import Array
 from pipeline.models.box import Box
 from pipeline.models.conditions import Conditions
+from pipeline.models.saved import read_json, write_json
 
 GIVEN = ("motor_turns", "displacement_mm")  # of the forward and of the inverse map; each gives the other
 
@@ -60,11 +59,11 @@ class Polynomial:
             "settings": asdict(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
             "weights": {given: weights.tolist() for given, weights in self.weights.items()},
         }  # fmt: skip
-        files.write_text(path, json.dumps(content))
+        write_json(path, content)
 
     def load(self, path: Path) -> None:
         """Take over what a JSON file holds."""
-        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        content = read_json(path)
         self.settings = Settings(**content["settings"])
         self.box, self.conditions = Box.from_saved(content["box"]), Conditions.from_saved(content["conditions"])
         self.weights = {given: np.array(weights) for given, weights in content["weights"].items()}

@@ -9,20 +9,19 @@ Fitted by Levenberg and Marquardt on the forward error; the law of n is the one 
 and follows all of them.
 """
 
-import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from pipeline import files
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
 from pipeline.models import rational
 from pipeline.models.box import Box
 from pipeline.models.conditions import Conditions
 from pipeline.models.growth import Law, chosen
 from pipeline.models.marquardt import least_squares
+from pipeline.models.saved import read_json, write_json
 
 SHORTEST = 1e-9  # of what the knots span: one twist only is still a spline
 CHOICE_POINTS, CHOICE_STEPS = 2000, 2  # with which the law of n is chosen
@@ -81,11 +80,11 @@ class Spline:
             "settings": asdict(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
             "law": asdict(self.law), "knots": self.knots_at.tolist(), "weights": self.weights.tolist(),
         }  # fmt: skip
-        files.write_text(path, json.dumps(content))
+        write_json(path, content)
 
     def load(self, path: Path) -> None:
         """Take over what a JSON file holds."""
-        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        content = read_json(path)
         self.settings, self.law = Settings(**content["settings"]), Law(**content["law"])
         self.box, self.conditions = Box.from_saved(content["box"]), Conditions.from_saved(content["conditions"])
         self.knots_at, self.weights = np.array(content["knots"]), np.array(content["weights"])

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline import files
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
+from pipeline.models.saved import read_json, write_json
 
 
 class Traditional:
@@ -24,11 +24,11 @@ class Traditional:
 
     def save(self, path: Path) -> None:
         """Write an empty JSON object: there is nothing to keep."""
-        files.write_text(path, "{}\n")
+        write_json(path, {})
 
     def load(self, path: Path) -> None:
         """Take over nothing; the file must be there all the same."""
-        Path(path).read_text(encoding="utf-8")
+        read_json(path)
 
 
 MODEL = Traditional

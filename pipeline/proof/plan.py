@@ -7,6 +7,8 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from pipeline.errors import BadInput
+
 EFFECTS = Path(__file__).parent.parent / "rig" / "effects"  # by their files' names: the DAG's plan imports no rig
 
 
@@ -37,7 +39,11 @@ def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
         sized = bare if kappa is None else replace(bare, kappas=(float(kappa),))
         yield from [sized] * mix.get("count", 0)
         if "each" in mix:
-            for name in mix.get("effects") or effect_names(mix["stratum"] == "open"):
+            known = effect_names(mix["stratum"] == "open")
+            for name in mix.get("effects") or known:
+                if name not in known:
+                    mend = f"use some of {', '.join(known)}"
+                    raise BadInput("configuration", "proof.mixes.effects", f"{name!r} is no effect of the rig", mend)
                 without = name if mix.get("without") else ""
                 yield from [replace(sized, effects=(name,), without=without)] * mix["each"]
 

@@ -1,5 +1,6 @@
 """A folder of downloaded files → the runs to make of them: which rig each shows, and which belong together."""
 
+import hashlib
 import re
 from collections import Counter
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from pipeline.errors import BadInput
 from pipeline.real.rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2
+LONGEST_SLUG = 60
 ALL_OTHERS = "all others"  # where a method learnt from every other run of the group
 NONE_GIVEN = "give the folder with the downloaded files: --config recordings=DIR; docs/real.md says where to get them"
 
@@ -60,8 +62,11 @@ class RealPlan:
 
 
 def slug(text: str) -> str:
-    """A text in the letters that a run's name may have."""
-    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+    """A text in the letters that a run's name may have, never empty, and cut where a file's name would be too long."""
+    plain = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "unnamed"
+    if len(plain) <= LONGEST_SLUG:
+        return plain
+    return f"{plain[: LONGEST_SLUG - 9].strip('-')}-{hashlib.sha256(text.encode('utf-8', 'replace')).hexdigest()[:8]}"
 
 
 def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:

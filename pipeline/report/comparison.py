@@ -10,7 +10,7 @@ from pipeline.errors import program
 from pipeline.report import paper
 from pipeline.report.marks import add_mark, mark_from, write_page
 from pipeline.report.plain import plain
-from pipeline.report.strokes_there import left_out, tabled, there_of
+from pipeline.report.strokes_there import missing_of, tabled, there_of
 from pipeline.report.titles import titles_of
 
 NOTES = """\
@@ -57,7 +57,7 @@ def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> 
     """Text of comparison.md of one material."""
     whole = metrics[metrics["angle_band"] == "all"]
     there = there_of(whole.loc[whole["split"] == "within", "stroke"])
-    strokes, missing = [str(stroke) for stroke in tabled(there, paper.STROKES)], left_out(there, paper.STROKES)
+    strokes, missing = [str(stroke) for stroke in tabled(there, paper.STROKES)], missing_of(there, paper.STROKES)
     text = [f"# {plain(material)}: our errors beside the paper's", "", NOTES, *([missing, ""] if missing else [])]
     for number, direction in paper.MAPS.items():
         text += [f"## Table {'I' * number}, {direction}, within strokes, winding", ""]

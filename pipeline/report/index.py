@@ -7,8 +7,9 @@ from markupsafe import Markup
 
 from pipeline.errors import program
 from pipeline.files import write_text
+from pipeline.left_out import LeftOut
 from pipeline.made_by import MadeBy
-from pipeline.report import diagnoses, materials
+from pipeline.report import diagnoses, left_out, materials
 from pipeline.report.glance import glance
 from pipeline.report.marks import add_mark, mark_from
 from pipeline.report.web.glossary import glossary
@@ -31,7 +32,7 @@ def others(reports: Path) -> Markup:
     return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(there))) if there else Markup("")
 
 
-def page(reports: Path, named: list[str], runs: list[str], mark: MadeBy) -> str:
+def page(reports: Path, named: list[str], runs: list[str], gone: list[LeftOut], mark: MadeBy) -> str:
     """The page's HTML; links are relative to the reports' folder, so that it can be moved as a whole."""
     numbers = Markup(
         'All numbers: <a href="metrics.csv">metrics.csv</a>, its columns explained in <a href="{}">{}</a>.'
@@ -39,6 +40,9 @@ def page(reports: Path, named: list[str], runs: list[str], mark: MadeBy) -> str:
     described = "metrics.csv-metadata.json"
     body: list[Text] = [glance(reports, named, runs)]
     places: list[tuple[str, Text]] = [("glance", "At a glance")]
+    if gone:
+        places.append(("left-out", "Left out"))
+        body.append(left_out.section(gone))
     if named:
         body.append(paragraph(numbers.format(described, described)))
     body.append(others(reports))
@@ -62,9 +66,10 @@ def main() -> None:
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
     add_mark(parser)
+    left_out.arguments(parser)
     arguments = parser.parse_args()
-    mark = mark_from(arguments.made_by)
-    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs, mark))
+    mark, gone = mark_from(arguments.made_by), left_out.told(arguments)
+    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs, gone, mark))
 
 
 if __name__ == "__main__":

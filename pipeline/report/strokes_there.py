@@ -37,7 +37,7 @@ def ranges(there: Sequence[int]) -> str:
     return ", ".join(said[:-1]) + (" and " if len(said) > 1 else "") + said[-1] if said else "none"
 
 
-def left_out(there: Sequence[int], wanted: Sequence[int]) -> str:
+def missing_of(there: Sequence[int], wanted: Sequence[int]) -> str:
     """A sentence on the wanted strokes that the material does not have; empty where it has all of them."""
     missing = ", ".join(f"n={stroke}" for stroke in wanted if stroke not in there)
     known = f"stroke{'s' * (len(there) > 1)} {ranges(there)}"

@@ -77,7 +77,7 @@ def dimensions(run: Run) -> Geometry:
         run.actuator,
         string.radius_mm,
         string.length_mm,
-        string.stiffness_n_per_mm,
+        string.nominal_stiffness_n_per_mm,
         run.rig["torsion_zone_mm"],
         run.rig["separator_mm"],
     )

@@ -30,7 +30,7 @@ rule record_campaign:
     message:
         "record {params.strings} strings on the synthetic rig"
     shell:
-        "exec python -m pipeline.rig.campaign --strings {params.strings} --seed {params.seed} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.rig.campaign --strings {params.strings:q} --seed {params.seed:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule campaign_points:
@@ -45,7 +45,7 @@ rule campaign_points:
     message:
         "gather the points of the campaign's strings"
     shell:
-        "exec python -m pipeline.campaign.points {input} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.campaign.points {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule campaign_floor:
@@ -60,7 +60,7 @@ rule campaign_floor:
     message:
         "ask what no model of the campaign's strings can beat"
     shell:
-        "exec python -m pipeline.campaign.floor {input} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.campaign.floor {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule few_shot:
@@ -79,8 +79,8 @@ rule few_shot:
     message:
         "ask {wildcards.learner} about new strings, from few of their strokes"
     shell:
-        "exec python -m pipeline.campaign.fewshot {input} --model {wildcards.learner}"
-        " --settings {params.settings:q} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.campaign.fewshot {input:q} --model {wildcards.learner:q}"
+        " --settings {params.settings:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule coverage:
@@ -101,8 +101,8 @@ rule coverage:
     message:
         "hold the intervals of {params.model} against what came, on {params.strings} strings"
     shell:
-        "exec python -m pipeline.campaign.coverage {input} --model {params.model} --settings {params.settings:q}"
-        " --strings {params.strings} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.campaign.coverage {input:q} --model {params.model:q} --settings {params.settings:q}"
+        " --strings {params.strings:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule campaign:
@@ -127,6 +127,6 @@ rule campaign:
     message:
         "write the page of the campaign"
     shell:
-        "exec python -m pipeline.report.campaign {input.points} --few-shot {input.few_shot} --floor {input.floor}"
-        " --coverage {input.coverage} --titles {params.titles:q} --intervals-of {params.model:q}"
-        " --made-by {params.made_by:q} --out-dir reports/campaign > {log} 2>&1"
+        "exec python -m pipeline.report.campaign {input.points:q} --few-shot {input.few_shot:q} --floor {input.floor:q}"
+        " --coverage {input.coverage:q} --titles {params.titles:q} --intervals-of {params.model:q}"
+        " --made-by {params.made_by:q} --out-dir reports/campaign > {log:q} 2>&1"

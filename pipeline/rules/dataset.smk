@@ -4,14 +4,17 @@ def folders_of_runs(wildcards):
 
 def stages_of_runs(wildcards):
     runs, stages = PLAN.materials[wildcards.material], ["samples", "strokes"]
-    return expand("raw/{run}/run.yaml", run=runs) + expand("processed/{run}/{stage}.parquet", run=runs, stage=stages)
+    return ancient(expand("raw/{run}/run.yaml", run=runs)) + expand(
+        "processed/{run}/{stage}.parquet", run=runs, stage=stages
+    )
 
 
 rule dataset:
     input:
         stages_of_runs,
     output:
-        "processed/{material}/dataset.parquet",
+        dataset="processed/{material}/dataset.parquet",
+        left_out="processed/{material}/left_out.json",
     log:
         "processed/logs/dataset-{material}.log",
     params:
@@ -21,4 +24,5 @@ rule dataset:
     message:
         "make the dataset of {wildcards.material}"
     shell:
-        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output} {params.lossy} > {log} 2>&1"
+        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output.dataset:q}"
+        " --out-left-out {output.left_out:q} {params.lossy:q} $NOTE_REFUSALS > {log:q} 2>&1"

@@ -7,6 +7,7 @@ rule diagnose:
         "processed/logs/diagnose-{run}.log",
     threads: 1
     params:
+        content=content,
         code=fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.run}"

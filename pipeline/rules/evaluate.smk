@@ -16,5 +16,5 @@ rule evaluate:
     message:
         "evaluate the models of {wildcards.material}"
     shell:
-        "exec python -m pipeline.evaluate {input.dataset} {input.predictions} {input.floors}"
-        " --out {output} > {log} 2>&1"
+        "exec python -m pipeline.evaluate {input.dataset:q} {input.predictions:q} {input.floors:q}"
+        " --out {output:q} > {log:q} 2>&1"

@@ -13,4 +13,4 @@ rule floor:
     message:
         "ask what no model of {wildcards.material} can beat"
     shell:
-        "exec python -m pipeline.floor {input} --out-dir processed/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.floor {input:q} --out-dir processed/{wildcards.material:q} > {log:q} 2>&1"

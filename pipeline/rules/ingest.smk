@@ -1,5 +1,19 @@
+from pipeline.known_files import KnownFiles
+
+KNOWN = KnownFiles(Path(".snakemake/known_files.json"))
+CONTENT = {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in DIAGNOSED}
+
+
+# A recording goes stale by its content, not by its time; one that a rule makes, when that rule runs. Everything stands
+# on recordings, so whoever plans comes by here and learns which files are to be made again whatever their times say.
 def recording(wildcards):
-    return recorded_files(RAW, wildcards.run, SYNTHETIC)
+    workflow.dag.forcefiles.update(AGAIN)
+    files = recorded_files(RAW, wildcards.run, SYNTHETIC)
+    return files if wildcards.run in SYNTHETIC else ancient(files)
+
+
+def content(wildcards):
+    return "" if wildcards.run in SYNTHETIC else CONTENT[wildcards.run]
 
 
 rule ingest:
@@ -10,8 +24,9 @@ rule ingest:
     log:
         "processed/logs/ingest-{run}.log",
     params:
+        content=content,
         code=fingerprint("pipeline.ingest"),
     message:
         "ingest {wildcards.run}"
     shell:
-        "exec python -m pipeline.ingest raw/{wildcards.run:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.ingest raw/{wildcards.run:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"

@@ -33,9 +33,9 @@ rule leak_fit:
     message:
         "train the INN on {wildcards.material} as {wildcards.variant}, permutation {wildcards.seed}"
     shell:
-        "exec python -m pipeline.train {input} --model inn --split within --seed {wildcards.seed}"
-        " --settings {params.settings:q} --out-model {output.model} --out-predictions {output.predictions}"
-        " > {log} 2>&1"
+        "exec python -m pipeline.train {input:q} --model inn --split within --seed {wildcards.seed:q}"
+        " --settings {params.settings:q} --out-model {output.model:q} --out-predictions {output.predictions:q}"
+        " > {log:q} 2>&1"
 
 
 rule leak:
@@ -54,7 +54,7 @@ rule leak:
     message:
         "take the INN's inverse errors on {wildcards.material} apart"
     shell:
-        "exec python -m pipeline.leak {input.dataset} {input.variants} {input.tabled} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.leak {input.dataset:q} {input.variants:q} {input.tabled:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule leak_figure:
@@ -71,5 +71,5 @@ rule leak_figure:
     message:
         "draw what forward-only training does to the INN's inverse on {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.leak {input.leak} {input.metrics} --made-by {params.made_by:q}"
-        " --out-dir reports/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.report.leak {input.leak:q} {input.metrics:q} --made-by {params.made_by:q}"
+        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"

@@ -40,7 +40,7 @@ rule conceal:
         "conceal {wildcards.batch}"
     shell:
         "exec python -m pipeline.proof.conceal_batch --cases {params.cases:q}"
-        " --runs {output.runs} --answers {output.answers} > {log} 2>&1"
+        " --runs {output.runs:q} --answers {output.answers:q} > {log:q} 2>&1"
 
 
 rule verdict:
@@ -56,7 +56,7 @@ rule verdict:
     message:
         "diagnose {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.ask {input} --out {output} --without={params.without} > {log} 2>&1"
+        "exec python -m pipeline.proof.ask {input:q} --out {output:q} --without={params.without:q} > {log:q} 2>&1"
 
 
 rule carry_on:
@@ -72,7 +72,7 @@ rule carry_on:
     message:
         "carry out what the ties of {wildcards.batch} ask for"
     shell:
-        "exec python -m pipeline.proof.addon --cases {params.cases:q} --verdicts {input} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.proof.addon --cases {params.cases:q} --verdicts {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule settle:
@@ -89,8 +89,8 @@ rule settle:
     message:
         "diagnose the ties of {wildcards.batch} again"
     shell:
-        "exec python -m pipeline.proof.settle --runs {input.runs} --more {input.more} --out {output}"
-        " --without={params.without} > {log} 2>&1"
+        "exec python -m pipeline.proof.settle --runs {input.runs:q} --more {input.more:q} --out {output:q}"
+        " --without={params.without:q} > {log:q} 2>&1"
 
 
 rule lookalikes:
@@ -106,8 +106,8 @@ rule lookalikes:
     message:
         "ask the rig what can look like what in {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.lookalikes --cases {params.cases:q} --verdicts {input} --out {output}"
-        " > {log} 2>&1"
+        "exec python -m pipeline.proof.lookalikes --cases {params.cases:q} --verdicts {input:q} --out {output:q}"
+        " > {log:q} 2>&1"
 
 
 rule baselines:
@@ -123,7 +123,7 @@ rule baselines:
     message:
         "ask the baselines about {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.compare {params.runs} --runs {input} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.proof.compare {params.runs:q} --runs {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule twins:
@@ -137,7 +137,7 @@ rule twins:
     message:
         "measure what the library's twins leave of the rig's effects"
     shell:
-        "exec python -m pipeline.proof.twins {params.effects} --out {output} > {log} 2>&1"
+        "exec python -m pipeline.proof.twins {params.effects:q} --out {output:q} > {log:q} 2>&1"
 
 
 # The only rule that opens the answers, and it runs when the last verdict is written.
@@ -161,8 +161,8 @@ rule score:
     message:
         "open the answers and score the verdicts"
     shell:
-        "exec python -m pipeline.proof.score {params.batches} --place processed/proof --twins {input.twins}"
-        " --note={params.note:q} --out reports/proof > {log} 2>&1"
+        "exec python -m pipeline.proof.score {params.batches:q} --place processed/proof --twins {input.twins:q}"
+        " --note={params.note:q} --out reports/proof > {log:q} 2>&1"
 
 
 rule proof_page:
@@ -179,4 +179,4 @@ rule proof_page:
     message:
         "write the page of the proof"
     shell:
-        "exec python -m pipeline.report.proof reports/proof --made-by {params.made_by:q} > {log} 2>&1"
+        "exec python -m pipeline.report.proof reports/proof --made-by {params.made_by:q} > {log:q} 2>&1"

@@ -13,4 +13,4 @@ rule record:
     message:
         "record {wildcards.run} on the synthetic rig"
     shell:
-        "exec python -m pipeline.rig.record {params.setup} raw/{wildcards.run} --seed {params.seed} > {log} 2>&1"
+        "exec python -m pipeline.rig.record {params.setup:q} raw/{wildcards.run:q} --seed {params.seed:q} > {log:q} 2>&1"

@@ -1,10 +1,18 @@
+from pipeline.left_out import to_json
+
+
+def refused_of_material(wildcards):
+    return to_json([one for one in PLAN.refused if one.material == wildcards.material])
+
+
 def fits_within(wildcards):
     return [fit for model in MODELS for fit in fits(config["models"], wildcards.material, only=model)]
 
 
 rule table:
     input:
-        "processed/{material}/metrics.parquet",
+        metrics="processed/{material}/metrics.parquet",
+        left_out="processed/{material}/left_out.json",
     output:
         expand("reports/{{material}}/{file}", file=TABLES),
     log:
@@ -12,12 +20,14 @@ rule table:
     params:
         titles=TITLES,
         made_by=mark_of_material,
+        planned=refused_of_material,
         code=fingerprint("pipeline.report.tables"),
     message:
         "write Tables I and II of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.tables {input} --titles {params.titles:q}"
-        " --made-by {params.made_by:q} --out-dir reports/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.report.tables {input.metrics:q} --titles {params.titles:q}"
+        " --left-out {input.left_out:q} --planned {params.planned:q}"
+        " --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 rule comparison:
@@ -35,8 +45,8 @@ rule comparison:
     message:
         "compare {wildcards.material} with the paper"
     shell:
-        "exec python -m pipeline.report.comparison {input} --titles {params.titles:q}"
-        " --made-by {params.made_by:q} --out {output.page} > {log} 2>&1"
+        "exec python -m pipeline.report.comparison {input:q} --titles {params.titles:q}"
+        " --made-by {params.made_by:q} --out {output.page:q} > {log:q} 2>&1"
 
 
 rule models:
@@ -57,8 +67,8 @@ rule models:
     message:
         "hold the models of {wildcards.material} against its floor"
     shell:
-        "exec python -m pipeline.report.models {input} --titles {params.titles:q} --directed {params.directed}"
-        " --made-by {params.made_by:q} --out {output.page} --table {output.table} > {log} 2>&1"
+        "exec python -m pipeline.report.models {input:q} --titles {params.titles:q} --directed {params.directed:q}"
+        " --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
 
 
 rule figures:
@@ -77,8 +87,8 @@ rule figures:
     message:
         "draw Figures 4 and 5 of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.figures {input.dataset} {input.metrics} --predictions {input.predictions}"
-        " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material} > {log} 2>&1"
+        "exec python -m pipeline.report.figures {input.dataset:q} {input.metrics:q} --predictions {input.predictions:q}"
+        " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 rule metrics:
@@ -95,7 +105,13 @@ rule metrics:
     message:
         "gather the metrics of all materials"
     shell:
-        "exec python -m pipeline.report.metrics {input} --made-by {params.made_by:q} --out {output.table} > {log} 2>&1"
+        "exec python -m pipeline.report.metrics {input:q} --made-by {params.made_by:q} --out {output.table:q} > {log:q} 2>&1"
+
+
+# What the stages left out: of materials by their datasets, of other runs in place of their strokes.
+LEFT_OUT = expand("processed/{material}/left_out.json", material=MATERIALS) + expand(
+    "processed/{run}/strokes.parquet", run=PLAN.others
+)
 
 
 rule index:
@@ -104,6 +120,7 @@ rule index:
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
+        left_out=LEFT_OUT,
     output:
         "reports/index.html",
     log:
@@ -111,10 +128,31 @@ rule index:
     params:
         materials=MATERIALS,
         runs=DIAGNOSED,
+        planned=to_json(PLAN.left_out),
         made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
     message:
         "write the page that leads to every report"
     shell:
         "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
-        " --made-by {params.made_by:q} --reports reports --out {output} > {log} 2>&1"
+        " --left-out {input.left_out:q} --planned {params.planned:q}"
+        " --made-by {params.made_by:q} --reports reports --out {output:q} > {log:q} 2>&1"
+
+
+# It fails where a run was refused, after everything else is made, so that this is not overlooked.
+rule all_taken:
+    input:
+        left_out=LEFT_OUT,
+        last=["reports/index.html", "reports/metrics.csv"],
+    output:
+        "processed/left_out.json",
+    log:
+        "processed/logs/all_taken.log",
+    params:
+        planned=to_json(PLAN.refused),
+        code=fingerprint("pipeline.report.left_out"),
+    message:
+        "ask whether every run was taken"
+    shell:
+        "exec python -m pipeline.report.left_out --left-out {input.left_out:q} --planned {params.planned:q}"
+        " --out {output:q} > {log:q} 2>&1"

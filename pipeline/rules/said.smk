@@ -1,18 +1,40 @@
-# What the workflow says when it starts, fails and ends: of what it was asked for, what is whole, and nothing else.
+from pipeline.report.ended import remove_stale, rewrite, unmade
+
+
+# What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
 def made():
     jobs = [job for job in workflow.dag.jobs if workflow.dag.noneedrun_finished(job)]
     return [str(file) for job in jobs for file in job.output]
 
 
+def end():
+    KNOWN.notes |= {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in SYNTHETIC}
+    KNOWN.save()
+
+
 onstart:
-    for run in PLAN.unfinished:
-        print(f"raw/{run}: left out, its recording is unfinished (python -m pipeline.capture --recover raw/{run})")
+    if workflow.execution_settings.keep_going:
+        shell.prefix(f"{PREFIX} NOTE_REFUSALS=--note-refusals; ")
+    gone = remove_stale(KNOWN.notes.get("reports", []), REPORTS)
+    for name in gone:
+        print(f"{name}: removed, its run is gone")
+    KNOWN.notes["reports"] = sorted({*KNOWN.notes.get("reports", []), *REPORTS} - set(gone))
+    KNOWN.save()
 
 
 onerror:
+    jobs = list(workflow.dag.needrun_jobs())
+    left = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
+    last = [job.shellcmd for name in ("metrics", "index") for job in jobs if job.rule.name == name]
+    wrong = rewrite(last, left, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
     print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    for line in wrong + [one.why for one in left]:
+        print(line)
     print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
+    KNOWN.forget_intact()
+    end()
 
 
 onsuccess:
     print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    end()

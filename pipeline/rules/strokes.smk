@@ -10,4 +10,4 @@ rule strokes:
     message:
         "cut {wildcards.run} into strokes"
     shell:
-        "exec python -m pipeline.strokes {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.strokes {input:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"

@@ -27,6 +27,6 @@ rule train:
     message:
         "train {wildcards.model} on {wildcards.material}, split {wildcards.split}, seed {wildcards.seed}"
     shell:
-        "exec python -m pipeline.train {input} --model {wildcards.model} --split {wildcards.split}"
-        " --seed {wildcards.seed} --settings {params.settings:q}"
-        " --out-model {output.model} --out-predictions {output.predictions} > {log} 2>&1"
+        "exec python -m pipeline.train {input:q} --model {wildcards.model:q} --split {wildcards.split:q}"
+        " --seed {wildcards.seed:q} --settings {params.settings:q}"
+        " --out-model {output.model:q} --out-predictions {output.predictions:q} > {log:q} 2>&1"

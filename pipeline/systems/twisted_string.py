@@ -1,10 +1,11 @@
 """The twisted string, with a separator (eqs 1–4) and as a pair without: twist, load and acts → displacement in mm."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Array, loaded_radius
+from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, UNKNOWN_STIFFNESS, Array, loaded_radius, usual_stiffness
 from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
 
 LOAD_UNIT_N = 10.0
@@ -34,6 +35,12 @@ class TwistedString(System):
         wound = np.clip(wound, -FLATTEST * length, FLATTEST * length)
         return length - np.sqrt(length * length - wound * wound), wound / length
 
+    def _stiffness(self, run: Described) -> Parameter:
+        """Stiffness of the string, measured or as strings usually have it; a pair does not use it."""
+        string = run.string
+        usual = float(usual_stiffness(string.radius_mm, string.length_mm))
+        return Parameter("stiffness_n_per_mm", string.stiffness_n_per_mm or usual, 0.0)
+
     def parameters(self, run: Described) -> list[Parameter]:
         """Radius, then the dimensions of the zone or of the pair, then sensor scale and the zero of the angle."""
         string = run.string
@@ -43,7 +50,7 @@ class TwistedString(System):
             Parameter("length_mm", string.length_mm, sigma_of(self, run, "length_mm")),
             Parameter("scale", 1.0, sigma_of(self, run, "scale")),
             Parameter("angle_turns", 0.0, sigma_of(self, run, "angle_turns")),
-            Parameter("stiffness_n_per_mm", string.stiffness_n_per_mm, 0.0),
+            self._stiffness(run),
         ]
 
     def lever(self, values: Array, inputs: Inputs) -> tuple[Array, Array]:
@@ -85,6 +92,12 @@ class Separated(TwistedString):
             Parameter("separator_mm", run.rig["separator_mm"], separator, lowest=0.0),
             Parameter("torsion_zone_mm", run.rig["torsion_zone_mm"], zone),
         ]
+
+    def _stiffness(self, run: Described) -> Parameter:
+        """Stiffness of the string; calibration moves it where nobody measured it."""
+        measured = super()._stiffness(run)
+        unknown = run.string.stiffness_n_per_mm is None
+        return replace(measured, sigma=UNKNOWN_STIFFNESS * measured.nominal if unknown else 0.0)
 
     def _geometry(self, values: Array, turns: Array, load_n: Array, radius_change: Array) -> tuple[Array, Array]:
         """Contraction in mm and the sine of the helix angle."""

@@ -1,6 +1,5 @@
 """The command: what it writes, and how it refuses."""
 
-import json
 import re
 import subprocess
 import sys
@@ -22,6 +21,7 @@ from pipeline.errors import program
 from pipeline.export.__main__ import main
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
+from pipeline.models.saved import read_json, write_bytes, write_json
 
 
 @dataclass
@@ -49,7 +49,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         saved(name, "one", made)
     for name, text in (("cinn", "{}"), ("polynomial", ""), ("spline", "[1]")):
         (made / name).mkdir(exist_ok=True)
-        (made / name / "later-0.model").write_text(text)
+        write_bytes(made / name / "later-0.model", text.encode())
+    (made / "spline" / "later-1.model").write_bytes((made / "spline" / "within-0.model").read_bytes()[:-1])
     return made
 
 
@@ -88,6 +89,7 @@ def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> N
         (["polynomial/later-0.model"], "is empty: its split had too few strokes"),
         (["cinn/later-0.model"], "is not a saved cinn"),
         (["spline/later-0.model"], "is not a saved spline"),
+        (["spline/later-1.model"], "model: is not a saved model, or is damaged: its check sum is missing or wrong"),
         (["spline/within-0.model", "--model", "calibrated"], "is not a saved calibrated|string"),
         (["spline/within-0.model", "--name", "3d"], "cannot begin a C name"),
         (["calibrated/within-0.model", "--string", "nobody"], '"nobody" is not among them.*made-01'),
@@ -129,8 +131,7 @@ def test_the_ranges_need_the_dataset_and_one_string(source: Any, folder: Path, t
 def test_a_file_that_loads_but_does_not_answer_is_refused(folder: Path, tmp_path: Path, wrong: dict[str, Any]) -> None:
     there, out = tmp_path / "spline" / "within-0.model", tmp_path / "tsa.h"
     there.parent.mkdir()
-    content = json.loads((folder / "spline" / "within-0.model").read_text())
-    there.write_text(json.dumps(content | wrong))
+    write_json(there, read_json(folder / "spline" / "within-0.model") | wrong)
     done = export(there, "--format", "c", "--out", out)
     assert done.returncode == 2 and "is not a saved spline" in done.stderr and not out.exists()
 

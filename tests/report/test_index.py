@@ -16,6 +16,7 @@ from test_models_page import TITLES, made_metrics
 from test_tables import made_metrics as made_table_metrics
 
 from pipeline import schemas
+from pipeline.left_out import LeftOut, to_json
 from pipeline.made_by import MadeBy
 from pipeline.report.glance import best, shortened
 from pipeline.report.summary import summary
@@ -141,6 +142,19 @@ def test_the_next_run_is_said_in_a_few_words():
     assert shortened("one stroke under twice the load: hold 0 turns for 2 s; more") == "one stroke under twice the load"
     assert shortened("Rest at 0.5 turns. Then go on.") == "Rest at 0.5 turns"
     assert shortened("word " * 60).endswith("word …") and len(shortened("word " * 60)) < 95
+
+
+def test_what_was_left_out_stands_on_the_page_and_beneath_the_tables(tmp_path, reports):
+    planned = to_json([LeftOut(HOSTILE, "nylon", "raw/x/run.yaml", HOSTILE, "is wrong", "mend it")])
+    run("index", "--planned", planned, "--reports", str(tmp_path), "--out", str(tmp_path / "index.html"))
+    text = (tmp_path / "index.html").read_text()
+    assert text.index("At a glance") < text.index('<h2 id="left-out">Left out</h2>') < text.index("<details")
+    assert html.escape(HOSTILE) in text and HOSTILE not in text
+    metrics = str(reports.parent / "tables.parquet")
+    run("tables", metrics, "--titles", "inn=INN", "--planned", planned, "--out-dir", str(tmp_path))
+    assert "\nLeft out: run \\<img src=x" in (tmp_path / "table_1.md").read_text()
+    assert r"Left out: \textless{}img" in (tmp_path / "table_1.tex").read_text()
+    assert "Left out" not in (tmp_path / "table_1.csv").read_text()
 
 
 def test_an_index_of_nothing_says_so(tmp_path):

@@ -1,6 +1,6 @@
 import pytest
 
-from pipeline.report.strokes_there import drawn, left_out, ranges, tabled, there_of
+from pipeline.report.strokes_there import drawn, missing_of, ranges, tabled, there_of
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ def test_tables_drop_a_stroke_that_is_not_there():
 
 
 def test_what_is_not_shown_is_said():
-    assert left_out(range(1, 10), (1, 5, 9)) == ""
-    assert left_out(range(1, 9), (1, 5, 9)) == "Not shown: n=9. The material has strokes 1 to 8."
-    assert left_out([2], (1, 5)) == "Not shown: n=1, n=5. The material has stroke 2."
+    assert missing_of(range(1, 10), (1, 5, 9)) == ""
+    assert missing_of(range(1, 9), (1, 5, 9)) == "Not shown: n=9. The material has strokes 1 to 8."
+    assert missing_of([2], (1, 5)) == "Not shown: n=1, n=5. The material has stroke 2."
     assert ranges([1, 2, 3, 7, 9, 10]) == "1 to 3, 7 and 9 to 10" and there_of(["all", "10", "9"]) == [9, 10]

@@ -1,0 +1,66 @@
+"""A run that was left out, and why: noted by the stage that refuses it, and told by the pages that go on without it."""
+
+import json
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from pipeline import schemas
+from pipeline.errors import BadInput
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """One run, and what is wrong with which field of which file, and the mend."""
+
+    run: str
+    material: str  # empty where nobody can tell
+    file: str
+    field: str
+    problem: str
+    mend: str
+
+    @classmethod
+    def of(cls, run: str, error: BadInput, material: str = "") -> "LeftOut":
+        """A run that an error is about."""
+        return cls(run, material, error.file, error.field, error.problem, error.mend)
+
+    @property
+    def why(self) -> str:
+        """File, field, problem and mend, as every program says them, with nothing in it that cannot be shown."""
+        said = str(BadInput(self.file, self.field, self.problem, self.mend))
+        return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in said)
+
+
+def to_json(runs: list[LeftOut]) -> str:
+    """Runs as JSON, for a file or a command line."""
+    return json.dumps([asdict(one) for one in runs])
+
+
+def from_json(text: str) -> list[LeftOut]:
+    """Runs from such JSON."""
+    return [LeftOut(**one) for one in json.loads(text)]
+
+
+@contextmanager
+def noted(run_dir: Path, out: Path, note: bool) -> Iterator[None]:
+    """Where a stage refuses its run, write the refusal in place of its table if `note` says so; else let it pass.
+
+    A refusal by an earlier stage is always handed on. A fault of ours in one run costs that run, and is shown in full.
+    """
+    try:
+        yield
+    except schemas.Refused as error:
+        schemas.write_refusal(error, out)
+        print(f"left out: {error}")
+    except Exception as error:
+        if not note or isinstance(error, schemas.Damaged):
+            raise
+        if not isinstance(error, BadInput):
+            traceback.print_exc()
+            problem = f"could not be read: {type(error).__name__}: {error}"
+            error = BadInput(run_dir, "recording", problem, "please report it, with its log")
+        schemas.write_refusal(error, out)
+        print(f"left out: {error}")

@@ -1,0 +1,72 @@
+"""Runs that were left out → a line beneath a table, a part of the page, and the end of the main job, which fails."""
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+from markupsafe import Markup
+
+from pipeline import schemas
+from pipeline.errors import BadInput, program
+from pipeline.files import write_text
+from pipeline.left_out import LeftOut, from_json, to_json
+from pipeline.report.plain import plain
+from pipeline.report.web.page import paragraph, together
+from pipeline.report.web.table import table
+
+HEAD = ("Run", "Material", "Why, and how to mend it")
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Add to a command line where the runs stand that were left out."""
+    more = "what the stages left out: JSON, or a run's table"
+    parser.add_argument("--left-out", type=Path, nargs="*", default=[], metavar="FILE", help=more)
+    parser.add_argument("--planned", default="[]", metavar="JSON", help="what the plan left out, as JSON")
+
+
+def told(asked: argparse.Namespace) -> list[LeftOut]:
+    """Runs that such a command line names, in order of name."""
+    runs = from_json(asked.planned)
+    for path in asked.left_out:
+        if path.suffix == ".json":
+            runs += from_json(path.read_text(encoding="utf-8"))
+            continue
+        try:
+            schemas.read(path, schemas.STROKES)
+        except schemas.Refused as error:
+            runs.append(LeftOut.of(path.parent.name, error))
+    return sorted(dict.fromkeys(runs), key=lambda one: one.run)
+
+
+def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
+    """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`) where runs were left out; csv stays as it is."""
+    if suffix == "md":
+        return [plain(f"Left out: run {one.run}: {one.why}") for one in runs]
+    return [f"Left out: {', '.join(one.run for one in runs)}."] if runs else []
+
+
+def section(runs: list[LeftOut]) -> Markup:
+    """A part of the page; it is not folded, so that nobody overlooks it."""
+    rows = [(one.run if one.run.isprintable() else ascii(one.run), one.material, one.why) for one in runs]
+    words = paragraph("These tables, figures and verdicts were made without them.")
+    return together([Markup('<h2 id="left-out">Left out</h2>'), words, table(HEAD, rows, texts=(0, 1, 2))])
+
+
+@program
+def main() -> None:
+    """Say which runs were left out: exit 0 and write that there are none, or exit 2."""
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    arguments(parser)
+    parser.add_argument("--out", type=Path, required=True)
+    asked = parser.parse_args()
+    runs = told(asked)
+    if runs:
+        for one in runs[:-1]:
+            print(f"left out: {one.why}", flush=True)
+        last = runs[-1]
+        raise BadInput(last.file, last.field, last.problem, last.mend)
+    write_text(asked.out, to_json(runs) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+# What a start finds before it plans: folders that cannot be runs, stored files that are damaged, recordings that changed.
+LEAKED = sorted({figure.split("/")[1] for figure in LEAK_FIGURES})
+STORED = [
+    *stored(config["models"], PLAN),
+    *expand(rules.floor.output, material=MATERIALS),
+    *expand(rules.leak_fit.output, material=LEAKED, variant=LEAKING, seed=LEAK_SEEDS),
+    *expand(rules.leak.output, material=LEAKED),
+]
+DAMAGED = KNOWN.damaged(STORED)
+REPLACED = [run for run in SYNTHETIC if KNOWN.notes.get(run, CONTENT[run]) != CONTENT[run]]
+AGAIN = {*DAMAGED, *(f"raw/{run}/run.yaml" for run in REPLACED)}
+KNOWN.save()
+
+# Every report that a run or a material asks for, be it bad for now.
+ASKED = [*MATERIALS, *(one.material for one in PLAN.refused if one.material)]
+REPORTED = [*DIAGNOSED, *(one.run for one in PLAN.left_out)]
+REPORTS = [
+    *expand("reports/{material}/{file}", material=ASKED, file=[*TABLES, *FIGURES, *PAGES]),
+    *LEAK_FIGURES,
+    *(f"reports/diagnosis/{run}" for run in REPORTED),
+]
+
+for one in PLAN.left_out:
+    print(f"left out: {one.why}", file=sys.stderr)
+for name, wrong in DAMAGED.items():
+    print(f"{name}: is damaged, or of an earlier version ({wrong}): it is made again", file=sys.stderr)
+for run in REPLACED:
+    print(f"raw/{run}: is not what the synthetic rig recorded: it is recorded again", file=sys.stderr)

@@ -1,0 +1,88 @@
+"""A check sum in every stored file: reading sees by it that a bit has changed, or that the end is missing."""
+
+import hashlib
+import mmap
+import os
+import struct
+from pathlib import Path
+
+MARK = b"twistbench sha-256 "
+SEAL_BYTES = len(MARK) + hashlib.sha256().digest_size
+PARQUET_TAIL = struct.Struct("<I4s")  # the footer's length, then Parquet's own mark
+CHUNK_BYTES = 1 << 22
+
+
+class Damaged(Exception):
+    """A file without the check sum that it was written with, or with another content."""
+
+
+def content_of(path: Path | str) -> memoryview:
+    """The bytes of a file, mapped and not copied; raises OSError."""
+    with open(path, "rb") as file:
+        if not os.fstat(file.fileno()).st_size:
+            return memoryview(b"")
+        return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
+
+
+def _seal(*parts: bytes | memoryview) -> bytes:
+    digest = hashlib.sha256()
+    for part in parts:
+        digest.update(part)
+    return MARK + digest.digest()
+
+
+def _footer_bytes(end: bytes | memoryview, whole: int) -> int:
+    """Length of a Parquet file's footer with its tail, from the file's last bytes; raises Damaged."""
+    if len(end) == PARQUET_TAIL.size:
+        length, mark = PARQUET_TAIL.unpack(end)
+        if mark == b"PAR1" and length + PARQUET_TAIL.size + SEAL_BYTES <= whole:
+            return int(length) + PARQUET_TAIL.size
+    raise Damaged("its end is missing")
+
+
+def seal_parquet(temporary: Path) -> None:
+    """Put the seal of a whole Parquet file between its data and its footer, where no reader of Parquet looks."""
+    with open(temporary, "rb+") as file:
+        size = file.seek(0, os.SEEK_END)
+        file.seek(size - PARQUET_TAIL.size)
+        start = size - _footer_bytes(file.read(), size + SEAL_BYTES)
+        file.seek(0)
+        digest, left = hashlib.sha256(), start
+        while left:
+            part = file.read(min(CHUNK_BYTES, left))
+            digest.update(part)
+            left -= len(part)
+        footer = file.read()
+        digest.update(footer)
+        file.seek(start)
+        file.write(MARK + digest.digest() + footer)
+
+
+def check_parquet(content: memoryview) -> None:
+    """Raise Damaged unless a Parquet file's content is what was sealed."""
+    start = len(content) - _footer_bytes(content[-PARQUET_TAIL.size :], len(content))
+    if content[start - SEAL_BYTES : start] != _seal(content[: start - SEAL_BYTES], content[start:]):
+        raise Damaged("its check sum is missing or wrong")
+
+
+def sealed(content: bytes) -> bytes:
+    """A content with its seal at its end, for files of any other kind."""
+    return content + _seal(content)
+
+
+def opened(content: bytes | memoryview) -> memoryview:
+    """What was sealed; raises Damaged."""
+    content = memoryview(content)
+    inside = content[:-SEAL_BYTES]
+    if len(content) < SEAL_BYTES or content[-SEAL_BYTES:] != _seal(inside):
+        raise Damaged("its check sum is missing or wrong")
+    return inside
+
+
+def check(path: Path) -> None:
+    """Raise Damaged unless a stored table (`.parquet`) or model is what was written; raises OSError."""
+    content = content_of(path)
+    if path.suffix == ".parquet":
+        check_parquet(content)
+    else:
+        opened(content)

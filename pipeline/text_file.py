@@ -1,0 +1,48 @@
+"""How a text recording is written: `file:` of `run.yaml`, checked so that no reading fails or hangs on it."""
+
+import codecs
+import re
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, field_validator
+
+IN_NUMBERS = re.compile(r"[A-Za-z0-9.+\-\"'\r\n\0]")  # what a number is written with, or what ends a line
+NO_TEXT = {"undefined", "punycode", "idna", "unicode_escape", "raw_unicode_escape", "utf-7", "mbcs", "oem"}
+
+
+class TextFile(BaseModel):
+    """How a text recording is written."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    delimiter: str = Field(",", min_length=1, max_length=1, description="one character; a space is any white space")
+    header: bool = True
+    comment: Annotated[str, Field(min_length=1, max_length=10)] | None = Field(
+        None, description="what a line begins with that is none of numbers, such as %"
+    )
+    encoding: str = Field("utf-8", max_length=40, description="utf-8, or utf-16, latin1, cp1252 ...")
+
+    @field_validator("delimiter")
+    @classmethod
+    def _between_numbers(cls, value: str) -> str:
+        if IN_NUMBERS.fullmatch(value) or not value.isascii() or not (value.isprintable() or value == "\t"):
+            raise ValueError("must be a sign between numbers, such as a comma, a semicolon or a tab")
+        return value
+
+    @field_validator("comment")
+    @classmethod
+    def _no_number(cls, value: str | None) -> str | None:
+        if value is not None and (re.match(r"[0-9+\-.\s]", value) or not value.isprintable()):
+            raise ValueError("must be a sign that no line of numbers begins with, such as % or #")
+        return value
+
+    @field_validator("encoding")
+    @classmethod
+    def _known(cls, value: str) -> str:
+        try:
+            found = codecs.lookup(value) if re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ._-]*", value) else None
+        except (LookupError, ValueError):
+            found = None
+        if found is None or not getattr(found, "_is_text_encoding", True) or found.name in NO_TEXT:
+            raise ValueError("must be an encoding of text, such as utf-8, utf-16, latin1 or cp1252")
+        return value
