@@ -10,7 +10,7 @@ from snakemake.utils import min_version, validate
 min_version("9.27")
 sys.path.insert(0, workflow.basedir)
 
-from pipeline.dag import SYNTHETIC_FILES, SYNTHETIC_MATERIAL, fits, make_plan, recorded_files, stored
+from pipeline.dag import SYNTHETIC_FILES, fits, make_plan, recorded_files, stored
 from pipeline.fingerprint import fingerprint
 from pipeline.report.summary import summary
 

@@ -1,6 +1,7 @@
 import yaml
 
 from pipeline.made_by import NOT_HASHED, called, made_by, unpacked
+from pipeline.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from pipeline.report.plain import note
 
 # Which configuration made what: a mark that every page, table and figure carries.
