@@ -26,10 +26,10 @@ DIAGNOSED = PLAN.runs
 # The tables' order is a contract, and a configuration on top of the default one comes before it.
 MODELS = ["inn", *(model for model in config["models"] if model not in ("inn", "traditional")), "traditional"]
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
-TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "md", "tex")]
+TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
-PAGES = ["comparison.md", "models.md", "models.csv"]
-STAGES = "record ingest strokes dataset train floor evaluate leak report diagnose proof real campaign known said"
+PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
+STAGES = "marks record ingest strokes dataset train floor evaluate leak report diagnose proof real campaign known said"
 
 # One thread a job: two small trainings side by side are ten times slower with two threads each.
 PREFIX = (
@@ -77,3 +77,4 @@ rule diagnosis:
 rule proof:
     input:
         expand("reports/proof/{file}", file=PROOF_FILES),
+        rules.proof_page.output,

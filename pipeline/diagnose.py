@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import os
 import sys
 import time
 import traceback
@@ -10,7 +11,8 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.diagnosis import engine, figures, heldout, library, outcome, sentences, verdict
+from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
+from pipeline.diagnosis.words.text import verdict_text
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.ingest import read_samples
@@ -64,9 +66,8 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis.png"))
-    words = sentences.sentences(content, problem.system, sentences.left_tolerance(found))
-    words = "\n".join([words, *(jump.advice for jump in jumps)])
+    optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
+    words = "\n".join([verdict_text(content, problem.system, folders), *(jump.advice for jump in jumps)])
     write_text(out / "verdict.txt", words + "\n")
     return words
 
@@ -94,13 +95,12 @@ def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[
 
     `note` writes a refusal where the words would be.
     """
+    folder_out = out / Path(os.path.realpath(folder)).name
     try:
-        return diagnose([folder], out / Path(os.path.realpath(folder)).name, without=without), True
+        return diagnose([folder], folder_out, without=without), True
     except BadInput as error:
         if note:
-            write_text(
-                out / Path(os.path.realpath(folder)).name / "verdict.txt", f"{folder.name}: not decided: {error}\n"
-            )
+            write_text(folder_out / "verdict.txt", f"{folder.name}: not decided: {error}\n")
         return f"error: {error}", note
     except Exception:  # a fault of ours in one run must not cost the others
         return f"error: {folder}: the diagnosis failed, please report it:\n{traceback.format_exc()}", None

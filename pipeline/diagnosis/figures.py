@@ -1,5 +1,6 @@
 """One page of figures: recording over simulation, mismatch maps, explanations, held-out error, residual by driver."""
 
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -14,20 +15,26 @@ from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.panels import AFTER, BEFORE
 from pipeline.files import whole
 
-SIZE_INCHES, DOTS = (9.6, 13.2), 110
+SIZE_INCHES, DOTS = (9.6, 14.0), 220
+TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
+WIDE, TIES = 105, 4  # characters of a line of the title; ties that it names
 
 
 def title(content: dict[str, Any]) -> str:
-    """The verdict in a line or two."""
+    """The verdict in a few lines, none longer than the page is wide; many ties are counted."""
     run = content["run"] if isinstance(content["run"], str) else " + ".join(content["run"])
-    named = " + ".join(entry["id"] for entry in content["mechanisms"])
-    others = " or ".join(" + ".join(ids) for ids in content["alternatives"])
-    said = f"{run}: {content['verdict']}" + (f": {named}" if named else "") + (f", or {others}" if others else "")
-    return said if len(said) < 110 else said[:107] + "…"
+    lines = [f"{run}: {content['verdict']}"]
+    if content["mechanisms"]:
+        lines.append(TOGETHER.join(entry["id"] for entry in content["mechanisms"]))
+    others = [TOGETHER.join(ids) for ids in content["alternatives"]]
+    if others:
+        more = [f"one of {len(others) - TIES} others"] if len(others) > TIES else []
+        lines.append("or " + ", or ".join(others[:TIES] + more))
+    return "\n".join(textwrap.fill(line, WIDE, break_on_hyphens=False) for line in lines)
 
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
-    """Draw the page and write it, whole or not at all."""
+    """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
     problem, drivers, floor = found.problem, found.problem.drivers, found.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     simulated = {
@@ -37,8 +44,8 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     residuals = {"calibrated": problem.measured - simulated["calibrated"]}
     residuals["as diagnosed"] = problem.measured - simulated["as diagnosed"]
     figure = plt.figure(figsize=SIZE_INCHES, layout="constrained")
-    figure.suptitle(title(content), fontsize=12)
-    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.0, 3.0]))
+    figure.suptitle(title(content), fontsize=11)
+    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
     styles = ({"color": "0.7", "lw": 0.8}, {"color": "#2166ac", "lw": 0.8, "ls": ":"}, {"color": AFTER, "lw": 0.8})
@@ -58,7 +65,7 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     panels.mismatch_map(both[1], drivers, residuals["as diagnosed"], "mismatch, as diagnosed", limit)
     maps.colorbar(image, ax=both, label=unit, pad=0.01)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
-    panels.ranking(ranked, found)
+    panels.ranking(ranked, content, ending)
     panels.held_out(held, content["fit"]["heldout"], content["fit"][f"noise_floor_{ending}"], ending, unit)
     followed = list(panels.listeners(drivers).items())[:6]
     grid = bottom.subplots(2, 3, sharey=True).ravel()
@@ -69,6 +76,7 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
         axes.axis("off")
     grid[0].legend(fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit}); band: noise floor", fontsize=9)
-    with whole(path) as temporary:
-        figure.savefig(temporary, dpi=DOTS, metadata={"Software": None})
+    for ending_, metadata in ((".png", {"Software": None}), (".pdf", {"CreationDate": None})):
+        with whole(path.with_name(path.name + ending_)) as temporary:
+            figure.savefig(temporary, dpi=DOTS, metadata=metadata)
     plt.close(figure)

@@ -40,6 +40,10 @@ class Mechanism:
     act several times (sudden events), each with a shape of its own. `suggest` adds the shapes that a residual of
     calibration makes plausible. `random` gives a shape where a residual shows an effect whose every move is chance.
     An id that begins with `x_` is no physics of the library: alone it names nothing.
+
+    `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
+    value of the effect), {times} (its time constants), and the rig's words: {string} {motion} {rate} {reading} {up}
+    {down}. `details` follow it: of these the first all of whose parameters were found, each said as its value.
     """
 
     id: str
@@ -48,10 +52,11 @@ class Mechanism:
     source: str
     confused_with: str
     told_apart_by: str
-    sentence: str  # with {size}
+    sentence: str
     shapes: Callable[[Drivers], list[Shape]]
     terms: Callable[[Drivers, Shape], list[Term]]
     steps: int = 1
+    details: tuple[str, ...] = ()
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty
     suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []

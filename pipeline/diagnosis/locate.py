@@ -38,7 +38,10 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
 
 
 def box(mismatch: Array, problem: Problem) -> dict[str, Any]:
-    """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold."""
+    """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
+
+    Where there is no mismatch, the whole recording with a share of 0.
+    """
     drivers = problem.drivers
     low, high = float(drivers.motion.min()), float(drivers.motion.max())
     width = max(high - low, 1e-9) / TURN_BINS
@@ -47,7 +50,10 @@ def box(mismatch: Array, problem: Problem) -> dict[str, Any]:
     per_bin = -(-len(strokes) // STROKE_BINS)
     row = np.searchsorted(strokes, drivers.stroke) // per_bin
     squared = np.square(mismatch)
-    whole = float(squared.sum()) or 1.0
+    whole = float(squared.sum())
+    if not 0.0 < whole < np.inf:  # nothing is anywhere: a mechanism that refining took back
+        ends = [int(max(strokes[0], 1)), int(max(strokes[-1], 1))]
+        return {problem.system.driver: [low, high], "strokes": ends, "phase": "all", "share": 0.0}
     shape = (int(row.max()) + 1, TURN_BINS)
     best: tuple[float, dict[str, Any]] | None = None
     for phase in ("all", *PHASES):

@@ -1,4 +1,4 @@
-"""What is named: each mechanism at work with its size, parameters, place and sentence, as `diagnosis.json` lists it."""
+"""What is named: each mechanism at work with its size, parameters and place, as `diagnosis.json` lists it."""
 
 from typing import Any
 
@@ -64,8 +64,6 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
             own_rate = rms(effect_of(fine, found.best, act)) / (rms(effect) or 1.0)
             size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
-        said = problem.drivers.units
-        sentence = said.words(mechanisms()[act.id].sentence, problem.drivers.loaded)
         entries_.append(
             {
                 "id": act.id,
@@ -73,7 +71,6 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
                 f"rms_{unit}": as_entry(size),
                 "parameters": parameters_of(problem, act, relative, shapes),
                 "location": locate.box(effect, problem),
-                "sentence": sentence.format(size=f"{size.value:.3g} {said.reading} rms"),
             }
         )
     return entries_

@@ -6,13 +6,6 @@ from dataclasses import dataclass
 from pipeline.schemas import unit_of
 from pipeline.systems import System
 
-OTHERWISE = (
-    ("unwind to", "go to"), ("wind to", "go to"), ("full twist", "the top"), ("the motor stands", "the motion stands"),
-    ("Winding and unwinding", "The two directions"), ("load or twist", "load"), ("The string", "The drive"),
-    ("the string", "the drive"), ("contraction", "output"), ("displacement", "output"), ("twisting rate", "rate"),
-    ("twist", "motion"), ("Twist", "Motion"),
-)  # fmt: skip
-
 
 @dataclass(frozen=True)
 class Units:
@@ -54,14 +47,6 @@ class Units:
         """A unit of the library in these units, as `mm/10N`."""
         words = {"mm": self.reading, "turns": self.motion, "turn": self.motion.rstrip("s"), "10N": self._load}
         return re.sub(r"10N|mm|turns?", lambda found: words[found.group()], unit) if self._strange else unit
-
-    def words(self, sentence: str, loaded: bool) -> str:
-        """A sentence of the library in words that fit what is no string, and of the load only where it varies."""
-        if self._strange and not loaded:
-            sentence = sentence.replace(", which grows with load or twist", "").replace(" x load", "")
-        for own, other in OTHERWISE if self._strange else ():
-            sentence = sentence.replace(own, other)
-        return sentence
 
     @property
     def _strange(self) -> bool:

@@ -1,6 +1,7 @@
 """Which run to add: candidates appended to the recording, scored by how far they part what ties."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -8,14 +9,39 @@ from pipeline.diagnosis.drivers import drivers_of
 from pipeline.diagnosis.linear import Fit, Key, Linear
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.protocol import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, in_words
+from pipeline.diagnosis.protocol import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
 from pipeline.diagnosis.record import PHASES, Record
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
 MOST_STEPS = 6000
-Proposal = tuple[str, list[Leg]]
+Gap = tuple[float, tuple[str, ...], tuple[str, ...]]  # misfit, and the two explanations that it parts
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A run to add: what it is called, its legs from where the recording ended, and what it is expected to tell.
+
+    `now` and `then` are the smallest gap between two explanations that tie, without the run and with it; `follows` is
+    the driver that it tries, where there are no explanations to part.
+    """
+
+    title: str
+    legs: list[Leg]
+    rig: Rig
+    now: Gap | None = None
+    then: Gap | None = None
+    follows: str | None = None
+
+    def entry(self, run: Run, fixed_load: bool) -> dict[str, Any]:
+        """It as `diagnosis.json` holds it; `fixed_load`: whether the load stood still in what was recorded."""
+        found: dict[str, Any] = {"title": self.title, "legs": as_legs(self.legs, run), "from": self.rig.at}
+        found |= {"load": self.rig.under, "fixed_load": fixed_load}
+        if self.now and self.then:
+            found["parts"] = [list(ids) for ids in self.then[1:]]
+            found |= {"gap_now": self.now[0], "gap_then": self.then[0]}
+        return found | ({"follows": self.follows} if self.follows else {})
 
 
 def appended(record: Record, legs: list[Leg]) -> Record:
@@ -50,8 +76,8 @@ def appended(record: Record, legs: list[Leg]) -> Record:
 
 def separation(
     problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation], record: Record
-) -> float:
-    """Smallest expected gap between two explanations that tie, if the recording went on like `record`."""
+) -> Gap:
+    """Smallest expected gap between two explanations that tie, if the recording went on like `record`; which two."""
     drivers = drivers_of(problem.system, record, run)
     longer = replace(problem, record=record, drivers=drivers, measured=record.measured, rows=len(record), _terms={})
     catalogue: dict[str, list] = {}
@@ -70,24 +96,24 @@ def separation(
     for i, one in enumerate(sets):
         columns = linear.columns_of(chosen[i])
         truth = Fit(columns, one.fit.coefficients, 0.0, 0.0, 0)
-        rivals = [keys for keys, other in zip(chosen, sets, strict=True) if not set(one.ids) <= set(other.ids)]
-        gaps += [linear.gap(truth, linear.columns_of(keys)) for keys in rivals]  # a larger one can always copy it
-    return min(gaps)
+        for rival, other in zip(chosen, sets, strict=True):
+            if not set(one.ids) <= set(other.ids):  # a larger one can always copy it
+                gaps.append((linear.gap(truth, linear.columns_of(rival)), one.ids, other.ids))
+    return min(gaps, key=lambda gap: gap[0])
 
 
 def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:
-    """The candidate that parts the closest pair of the explanations most, in words and as legs."""
+    """The candidate that parts the closest pair of the explanations most."""
     rig = Rig(problem.record)
     possible = {name: legs for name, legs in CANDIDATES.items() if problem.record.load.any() or "load" not in name}
     options = {name: [rig.home(), *legs(rig)] for name, legs in possible.items()}
-    scores = {
+    gaps = {
         name: separation(problem, run, noise, search, sets[:4], appended(problem.record, legs))
         for name, legs in options.items()
     }
-    name = max(scores, key=lambda key: scores[key])
+    name = max(gaps, key=lambda key: gaps[key][0])
     now = separation(problem, run, noise, search, sets[:4], problem.record)
-    why = f"it raises the expected gap between what ties from {now:.3g} to {scores[name]:.3g}"
-    return f"{name}: {in_words(options[name], rig.at, run)}; {why}", options[name]
+    return Proposal(name, options[name], rig, now, gaps[name])
 
 
 def after_unknown(problem: Problem, run: Run, driver: str) -> Proposal:
@@ -96,5 +122,4 @@ def after_unknown(problem: Problem, run: Run, driver: str) -> Proposal:
     name, legs = AFTER_UNKNOWN.get(driver, AFTER_UNKNOWN["twist"])
     if "load" in name and not problem.record.load.any():
         name, legs = AFTER_UNKNOWN["speed"]
-    going = [rig.home(), *legs(rig)]
-    return f"{name}: {in_words(going, rig.at, run)}; it shows whether the mismatch follows {driver}", going
+    return Proposal(name, [rig.home(), *legs(rig)], rig, follows=driver)

@@ -12,6 +12,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, Explanation, Search
+from pipeline.diagnosis.words.quantity import size
 from pipeline.errors import BadInput
 
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
@@ -140,7 +141,8 @@ def refuse_faint(found: Study, folder: Path) -> None:
     problem, floor = found.problem, found.floor
     moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
     if moved < LEAST_MOTION * floor:
-        gap = f"should move by {moved:.3g} and has a noise of {floor:.3g}: nothing can be told from it"
+        unit = problem.drivers.units.reading
+        gap = f"should move by {size(moved, unit)} and has a noise of {size(floor, unit)}: nothing can be told from it"
         mend = "record strokes over more turns, or with a finer sensor"
         if problem.system.differentiates:
             mend += "; or set a lower working_hz in its system"

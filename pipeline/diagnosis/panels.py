@@ -4,18 +4,37 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
+from matplotlib.axis import Axis
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 from numpy.typing import NDArray
 
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.record import PHASES
-from pipeline.diagnosis.search import Explanation
+from pipeline.diagnosis.words import rivals
+from pipeline.diagnosis.words.quantity import size, times
 from pipeline.kinematics import Array
 
 BEFORE, AFTER, TIED, OTHER = "0.45", "#b2182b", "#ef8a62", "0.78"
-BINS, LISTED = 24, 11
-MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "": "motion"}  # by its unit
+BINS = 24
+STANDINGS = {
+    "named": (AFTER, "named: the best"),
+    "tied": (TIED, "cannot be ruled out"),
+    "beaten": (OTHER, "beaten: verdict.txt says why"),
+    "not needed": ("0.9", "adds too little to count"),
+    "not enough": (TIED, "the best there is, and not enough"),
+    "nothing": (BEFORE, "no mechanism, only calibration"),
+}  # of an explanation: its colour, and what that means
+BENT_FORMULA = "left if its formulas may be a little wrong"
+MOTION = {
+    "turns": "twist",
+    "deg": "angle",
+    "rad": "angle",
+    "m": "position",
+    "mm": "position",
+    "": "motion",
+}  # by its unit
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 
 
@@ -60,29 +79,35 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     return image
 
 
-def listed(found: Study) -> list[Explanation]:
-    """What the ranking shows: nothing at all, what ties, and the best of every size, from what they leave."""
-    shown = {one.ids: one for one in (found.search.nothing, *found.sets)}
-    for size in range(max((len(one.ids) for one in found.sets), default=1), 0, -1):
-        for one in found.search.all_of(size)[: 8 if size == 1 else 4]:
-            if len(shown) < LISTED:
-                shown.setdefault(one.ids, one)
-    return sorted(shown.values(), key=lambda one: one.energy, reverse=True)
-
-
-def ranking(axes: Axes, found: Study) -> None:
-    """What explanations leave of the recording, in noise floors."""
-    rows, floor = listed(found), found.floor
-    named = found.sets[0].ids if found.sets and found.verdict in ("explained", "ambiguous") else None
-    tied = {one.ids for one in found.sets} if named else set()
-    colours = [AFTER if one.ids == named else TIED if one.ids in tied else OTHER for one in rows]
-    left = [max(np.sqrt(one.energy) / floor, 1e-3) for one in rows]
-    axes.barh(range(len(rows)), left, color=colours, left=0.0, height=0.7)
-    names = [" + ".join(one.ids) if one.ids else "calibration alone" for one in rows]
-    axes.set_yticks(range(len(rows)), names, fontsize=7)
-    axes.axvline(1.0, color="k", ls="--", lw=0.8)
-    axes.set(xscale="log", xlim=(0.5, 1.3 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
+def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
+    """What explanations leave of the recording, in noise floors, coloured by how each fared, with a legend."""
+    shown = content["evidence"]["explanations"]
+    floor = content["evidence"][f"floor_{ending}"]
+    left = [max(one[f"left_{ending}"] / floor, 1e-3) for one in shown]
+    colours = [STANDINGS[one["standing"]][0] for one in shown]
+    axes.barh(range(len(shown)), left, color=colours, height=0.7)
+    bent = [one[f"bent_{ending}"] / floor for one in shown]
+    axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7)
+    axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
+    for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
+        axes.text(1.06 * rms, place, rivals.briefly(one, content, ending), va="center", fontsize=6, color="0.3")
+    line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
+    there = {one["standing"] for one in shown}
+    standings = [name for name in STANDINGS if name in there]
+    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=STANDINGS[name][1]) for name in standings]
+    handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
+    handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label="noise floor"))
+    axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
+    axes.set(xscale="log", xlim=(0.5, 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
+    plain(axes.xaxis)
     axes.set_title("explanations: what each leaves")
+
+
+def plain(axis: Axis) -> None:
+    """A logarithmic axis with plain numbers: 0.5, 1, 2, 5, 10."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str) -> None:
@@ -92,12 +117,13 @@ def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str,
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])
         return
-    names = ("nominal", "calibrated", "explained")
-    values = [held[f"{name}_{ending}"] for name in names]
-    bars = axes.bar(names, values, color=[OTHER, BEFORE, AFTER], width=0.65)
-    axes.bar_label(bars, [f"{value:.3g}" for value in values], fontsize=8)
-    axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {floor:.3g}")
-    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 2.0 * max(*values, floor)))
+    values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
+    bars = axes.bar(("nominal", "calibrated", "as diagnosed"), values, color=[OTHER, BEFORE, AFTER], width=0.65)
+    axes.bar_label(bars, [f"{size(value, unit)}\n{times(value / floor)} × noise" for value in values], fontsize=7.5)
+    axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {size(floor, unit)}")
+    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
+    axes.tick_params(axis="x", labelsize=8)
+    plain(axes.yaxis)
     axes.legend(fontsize=7, frameon=False)
 
 

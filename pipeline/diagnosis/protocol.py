@@ -1,16 +1,14 @@
-"""Runs that could be recorded next: legs of straight motion under a load, and the words a technician follows."""
+"""Runs that could be recorded next: legs of straight motion under a load."""
 
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from pipeline import schemas
 from pipeline.diagnosis.record import Record
 from pipeline.run_yaml import Run
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
-LEAST_TOLD_S, LEAST_TOLD = 1.0, 0.02  # shorter pauses, and smaller changes of a load, go without words
 LAST = 50  # samples that tell the load at the end
 
 
@@ -101,30 +99,11 @@ AFTER_UNKNOWN: dict[str, tuple[str, Callable[[Rig], list[Leg]]]] = {
 }  # by the driver that a mismatch follows; fmt: skip
 
 
-def in_words(legs: list[Leg], start: float, run: Run) -> str:
-    """Legs as steps with numbers: where to, how fast, how long, under what; pauses of under a second go without."""
-    driver, load_name = run.system.driver, run.system.load if any(force for _, _, force in legs) else None
-    unit = schemas.unit_of(driver)
-    said, at, load = [], start, None
-    for seconds, to, force in legs:
-        under = ""
-        if load_name and (load is None or abs(force - load) > LEAST_TOLD * abs(force)):
-            under = f" under {force:.3g} {schemas.unit_of(load_name)}"
-        if abs(to - at) > 1e-6 * max(abs(to), abs(at)):
-            said.append(f"{'wind' if to > at else 'unwind'} to {to:.3g} {unit} in {seconds:.3g} s{under}")
-        elif seconds >= LEAST_TOLD_S:
-            said.append(f"hold {to:.3g} {unit} for {seconds:.3g} s{under}")
-        elif under:
-            said.append(f"change the load to {force:.3g} {schemas.unit_of(str(load_name))}")
-        at, load = to, force
-    return ", ".join(said)
-
-
-def as_legs(legs: list[Leg], run: Run) -> dict[str, Any]:
+def as_legs(legs: list[Leg], run: Run) -> list[dict[str, Any]]:
     """Legs for a machine to follow: how long each takes, and the driver and the load at its end, by their channels."""
     driver, load_name = run.system.driver, run.system.load if any(force for _, _, force in legs) else None
     found = []
     for seconds, to, force in legs:
         leg = {"seconds": seconds, driver: to}
         found.append(leg | {load_name: force} if load_name else leg)
-    return {"legs": found}
+    return found

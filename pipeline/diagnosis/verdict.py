@@ -4,10 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import band, chance, generic, locate, nextrun, protocol
+from pipeline.diagnosis import band, chance, generic, locate, nextrun
 from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
+from pipeline.diagnosis.evidence import evidence
 from pipeline.diagnosis.intervals import intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
@@ -15,6 +16,7 @@ from pipeline.diagnosis.named import as_entry, listed
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import Study, physics, rms
 from pipeline.diagnosis.problem import Problem
+from pipeline.diagnosis.words.spoken import spoken
 from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
@@ -33,16 +35,16 @@ def tidy(value: Any) -> Any:
     return int(value) if isinstance(value, np.integer) else value
 
 
-def mismatch_signal(found: Study) -> tuple[Array, str]:
-    """The mismatch without its noise, and the driver it follows: by the best explanation, or by the dictionary."""
+def mismatch_signal(found: Study) -> tuple[Array, list[str]]:
+    """The mismatch without its noise, and the drivers it follows: by the best explanation, or by the dictionary."""
     problem = found.problem
     before = problem.simulate(found.base)
     if found.verdict in ("explained", "ambiguous") or (found.sets and not physics(found.sets[0].ids)):
-        driver = " and ".join(mechanisms()[id_].driver for id_ in found.sets[0].ids)
+        driven = [mechanisms()[id_].driver for id_ in found.sets[0].ids]
         signal = problem.simulate(found.best) - before
         if found.random:
             signal = np.hypot(signal, chance.trace(problem, found.best, found.floor))
-        return signal, driver
+        return signal, driven
     columns = generic.groups(problem.drivers)
     linear = Linear(problem, found.base, white(found.floor), {}, np.vstack(list(columns.values())))
     table, target = linear.table[:-1], (problem.measured - before)[: problem.rows]
@@ -56,7 +58,7 @@ def mismatch_signal(found: Study) -> tuple[Array, str]:
         solution = np.linalg.lstsq(part.T, target, rcond=1e-8)[0]
         left[name] = float(np.mean(np.square(target - part.T @ solution)))
     solution = np.linalg.lstsq(table[whole].T, target, rcond=1e-8)[0]
-    return np.asarray(table[whole].T @ solution), min(left, key=lambda name: left[name])
+    return np.asarray(table[whole].T @ solution), [min(left, key=lambda name: left[name])]
 
 
 def relative(found: Study) -> dict[str, Any]:
@@ -80,9 +82,9 @@ def own_alone(found: Study) -> bool:
 
 
 def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
-    """What to record next, in words and as legs."""
+    """What to record next."""
     if found.verdict == "unknown":
-        return nextrun.after_unknown(found.problem, run, mismatch_signal(found)[1])
+        return nextrun.after_unknown(found.problem, run, " and ".join(mismatch_signal(found)[1]))
     if found.verdict != "ambiguous":
         return None
     return nextrun.best(found.problem, run, found.noise, found.search, found.sets)
@@ -106,8 +108,8 @@ def diagnosis(
         signal, driver = mismatch_signal(found)
         if found.verdict == "parameters":
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
-            driver = "the dimensions themselves"
-        place, driver = locate.box(signal, problem), problem.drivers.units.words(driver, problem.drivers.loaded)
+            driver = ["the dimensions themselves"]
+        place = locate.box(signal, problem)
         mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
     fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, found)}
@@ -130,15 +132,14 @@ def diagnosis(
             for number, zero in enumerate(found.state.zeros)
         }
     )
-    words = problem.drivers.units.words
     content: dict[str, Any] = {
         "run": runs[0].run,
         "verdict": found.verdict,
         "mismatch": mismatch,
         "mechanisms": listed(found, fine, sizes, shapes, unit) if named else [],
         "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
-        "next_experiment": words(experiment[0], problem.drivers.loaded) if experiment else None,
-        "next_run": protocol.as_legs(experiment[1], runs[0]) if experiment else None,
+        "next_experiment": None,
+        "next_run": experiment.entry(runs[0], float(np.ptp(problem.record.load)) == 0.0) if experiment else None,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **as_entry(interval)} for name, interval in parameters.items()
         }
@@ -147,6 +148,7 @@ def diagnosis(
         "simulation": entries(found.state.acts, problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
+    content["evidence"] = evidence(found)
     if without:
         content["without"] = sorted(without)
     if found.verdict == "unknown" and own_alone(found):
@@ -157,4 +159,4 @@ def diagnosis(
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
-    return tidied
+    return spoken(tidied, problem.system)

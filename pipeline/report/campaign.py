@@ -3,11 +3,8 @@
 import argparse
 from pathlib import Path
 
-import matplotlib
-import pandas as pd
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import pandas as pd
 
 from pipeline import schemas
 from pipeline.campaign.points import SCHEMA
@@ -18,9 +15,31 @@ from pipeline.report import campaign_figures
 from pipeline.report.campaign_intervals import intervals
 from pipeline.report.campaign_results import MAPS
 from pipeline.report.campaign_words import by_material, leaders, nearest, shots_table, untold, without_others
-from pipeline.report.figures import STYLE, save
+from pipeline.report.drawing import STYLE, save
+from pipeline.report.marks import add_mark, mark_from, write_page
+from pipeline.report.plain import plain
+from pipeline.report.sidecar import Column, describe
 from pipeline.report.titles import titles_of
 
+STRING: list[Column] = [("string", "string", "the string asked about"), ("material", "string", "its material")]
+FEW_SHOT_COLUMNS: list[Column] = [
+    ("model", "string", "file of the model, or floor"),
+    ("how", "string", "transfer: learnt from other strings; alone: from this string only; oracle: sees the answers"),
+    *STRING,
+    ("shots", "integer", "strokes of the string that were shown"),
+    ("forward_mm", "number", "RMSE of the displacement on later strokes"),
+    ("inverse_turns", "number", "RMSE of the twist on later strokes"),
+]
+COVERAGE_COLUMNS: list[Column] = [
+    *STRING,
+    ("map", "string", "forward or inverse"),
+    ("ahead", "integer", "strokes after the last that was learnt"),
+    ("level", "number", "share that the intervals should hold"),
+    ("held", "number", "share that they held"),
+    ("width", "number", "their median width, in mm forward and in turns inverse"),
+    ("points", "number", "points asked about"),
+    ("outside", "number", "points outside of what was learnt, without an interval"),
+]
 NOTES = """\
 Strings, rigs, loads and materials vary from string to string. Models learn on some strings; how a string may differ
 from what they say is learnt on others (a string's own correction: an offset, a slope, a bend, a loop and a growth, as
@@ -80,7 +99,7 @@ def few_shot_csv(few_shot: pd.DataFrame, floor: pd.DataFrame) -> str:
 
 @program
 def main() -> None:
-    """Write `few_shot` and `coverage` as csv, png and pdf, and `campaign.md`."""
+    """Write `few_shot` and `coverage` as csv, png and pdf, `campaign.md` and `campaign.html`."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.campaign", description=__doc__)
     parser.add_argument("points", type=Path)
     parser.add_argument("--few-shot", type=Path, nargs="+", required=True, help="one file a model")
@@ -89,23 +108,28 @@ def main() -> None:
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--intervals-of", required=True, metavar="TITLE", help="the model that `--coverage` is of")
     parser.add_argument("--out-dir", type=Path, required=True)
+    add_mark(parser)
     parser.add_argument("--svg-dir", type=Path, help="write the figures as svg there, too")
     asked = parser.parse_args()
-    titles = titles_of(asked.titles)
+    titles, mark = titles_of(asked.titles), mark_from(asked.made_by)
     few_shot = pd.concat([schemas.read(path, FEW_SHOT) for path in asked.few_shot], ignore_index=True)
     floor, coverage = schemas.read(asked.floor, FLOOR), schemas.read(asked.coverage, COVERAGE)
     points = schemas.read(asked.points, SCHEMA)
-    with plt.rc_context({**STYLE, "figure.constrained_layout.use": True}):
+    with plt.rc_context(STYLE):
         for name, figure in (
             ("few_shot", campaign_figures.few_shot(few_shot, floor, titles)),
             ("coverage", campaign_figures.coverage(coverage)),
         ):
             if asked.svg_dir:
                 campaign_figures.save_svg(figure, asked.svg_dir / f"{name}.svg")
-            save(figure, asked.out_dir / name)
+            save(figure, asked.out_dir / name, mark)
     write_text(asked.out_dir / "few_shot.csv", few_shot_csv(few_shot, floor))
     write_text(asked.out_dir / "coverage.csv", coverage.to_csv(index=False, float_format="%.6g", lineterminator="\n"))
-    write_text(asked.out_dir / "campaign.md", page(points, few_shot, floor, coverage, titles, asked.intervals_of))
+    describe(asked.out_dir / "few_shot.csv", "Errors on new strings, string by string", FEW_SHOT_COLUMNS, mark)
+    describe(asked.out_dir / "coverage.csv", "What prediction intervals held, string by string", COVERAGE_COLUMNS, mark)
+    names = {model: plain(title) for model, title in titles.items()}
+    text = page(points, few_shot, floor, coverage, names, plain(asked.intervals_of))
+    write_page(asked.out_dir / "campaign.md", text, mark)
 
 
 if __name__ == "__main__":

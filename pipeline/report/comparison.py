@@ -1,4 +1,4 @@
-"""Metrics → comparison.md: our numbers beside the paper's, their spread over the seeds, and the split `later`."""
+"""Metrics → comparison.md, .html: our numbers beside the paper's, their spread over the seeds, the split `later`."""
 
 import argparse
 from pathlib import Path
@@ -7,8 +7,10 @@ import pandas as pd
 
 from pipeline import schemas
 from pipeline.errors import program
-from pipeline.files import write_text
 from pipeline.report import paper
+from pipeline.report.marks import add_mark, mark_from, write_page
+from pipeline.report.plain import plain
+from pipeline.report.strokes_there import missing_of, tabled, there_of
 from pipeline.report.titles import titles_of
 
 NOTES = """\
@@ -47,43 +49,45 @@ def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[s
                 cells.append(shown(mine.loc[mine["metric"] == metric, "value"]))
                 if beside:
                     cells.append(f"{theirs:.3f}" if isinstance(theirs, float) else "")
-            lines.append(line([title, f"n={stroke}", *cells]))
+            lines.append(line([plain(title), f"n={stroke}", *cells]))
     return [*lines, ""]
 
 
 def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> str:
     """Text of comparison.md of one material."""
     whole = metrics[metrics["angle_band"] == "all"]
-    text = [f"# {material}: our errors beside the paper's", "", NOTES]
-    tabled = [str(stroke) for stroke in paper.STROKES]
+    there = there_of(whole.loc[whole["split"] == "within", "stroke"])
+    strokes, missing = [str(stroke) for stroke in tabled(there, paper.STROKES)], missing_of(there, paper.STROKES)
+    text = [f"# {plain(material)}: our errors beside the paper's", "", NOTES, *([missing, ""] if missing else [])]
     for number, direction in paper.MAPS.items():
         text += [f"## Table {'I' * number}, {direction}, within strokes, winding", ""]
         chosen = whole[(whole["map"] == direction) & (whole["split"] == "within") & (whole["phase"] == "winding")]
-        text += table(chosen, number, tabled, titles, beside=True)
+        text += table(chosen, number, strokes, titles, beside=True)
     for number, direction in paper.MAPS.items():
         chosen = whole[(whole["map"] == direction) & (whole["split"] == "within") & (whole["phase"] == "unwinding")]
         text += [f"## {direction.capitalize()}, within strokes, unwinding", ""]
-        text += table(chosen, number, tabled, titles, beside=False)
+        text += table(chosen, number, strokes, titles, beside=False)
     for number, direction in paper.MAPS.items():
         chosen = whole[(whole["map"] == direction) & (whole["split"] == "later") & (whole["phase"] == "winding")]
         text += [f"## {direction.capitalize()}, later strokes, winding", ""]
-        strokes = sorted(set(chosen["stroke"]) - {"all"}, key=int)
+        later = [str(stroke) for stroke in there_of(chosen["stroke"])]
         few = ["Skipped: no string of this material has four strokes or more.", ""]
-        text += table(chosen, number, strokes, titles, beside=False) if strokes else few
+        text += table(chosen, number, later, titles, beside=False) if later else few
     return "\n".join(text)
 
 
 @program
 def main() -> None:
-    """Write `comparison.md` of one material."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    """Write `comparison.md` and `.html` of one material."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.comparison", description=__doc__)
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--out", type=Path, required=True)
+    add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     text = comparison(metrics, str(metrics["material"].iloc[0]), titles_of(arguments.titles))
-    write_text(arguments.out, text)
+    write_page(arguments.out, text, mark_from(arguments.made_by))
 
 
 if __name__ == "__main__":

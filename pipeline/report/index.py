@@ -1,76 +1,75 @@
-"""Reports → index.html, one page with every material's tables and figures and every run's diagnosis."""
+"""Reports → index.html, one page: the short answer first, then every material's and every run's part, folded."""
 
 import argparse
-import csv
-import html
 from pathlib import Path
+
+from markupsafe import Markup
 
 from pipeline.errors import program
 from pipeline.files import write_text
-from pipeline.report import left_out, paper
-from pipeline.report.diagnoses import section
+from pipeline.left_out import LeftOut
+from pipeline.made_by import MadeBy
+from pipeline.report import diagnoses, left_out, materials
+from pipeline.report.glance import glance
+from pipeline.report.marks import add_mark, mark_from
+from pipeline.report.web.glossary import glossary
+from pipeline.report.web.page import Text, anchor, document, paragraph, together
 
-STYLE = """
-body { font: 15px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
-table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums }
-caption { text-align: left; font-weight: 600 } th, td { padding: .15rem .8rem; border-bottom: 1px solid #ddd }
-th, td:nth-child(-n+2) { text-align: left } td { text-align: right } img { max-width: 100%; margin: .5rem 0 }
-pre { white-space: pre-wrap; font: 14px/1.5 system-ui, sans-serif } .verdicts td:nth-child(3) { text-align: left }
-"""
-LEAK = """\
-What training on the forward error alone does to the INN's inverse, by chance of its permutations, and two cures: the
-error of both ways, or permutations that undo each other. A constant input comes out of the network with a small error,
-and where θ had to pass through that output, the inverse magnifies it."""
-
-
-def html_table(path: Path, caption: str) -> str:
-    """A csv table as HTML."""
-    with open(path, encoding="utf-8", newline="") as file:
-        head, *rows = csv.reader(file)
-    cells = "".join(f"<th>{html.escape(name)}</th>" for name in head)
-    lines = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
-    return f"<table><caption>{html.escape(caption)}</caption>\n<tr>{cells}</tr>\n{lines}</table>\n"
+OTHERS = {
+    "campaign/campaign.html": "What a new string teaches a model",
+    "proof/proof.html": "The concealed proof",
+    "real/index.html": "Recordings of public rigs",
+}
 
 
-def figure(material: str, stem: str, words: str) -> str:
-    """A figure as HTML, a link to its pdf."""
-    return f'<a href={material}/{stem}.pdf><img src={material}/{stem}.png alt="{words}"></a>'
+def others(reports: Path) -> Markup:
+    """Links to the pages of other targets that are there when the index is written."""
+    there = [
+        Markup('<a href="{}">{}</a>').format(page, words)
+        for page, words in OTHERS.items()
+        if (reports / page).is_file()
+    ]
+    return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(there))) if there else Markup("")
 
 
-def page(reports: Path, materials: list[str], runs: list[str]) -> str:
+def page(reports: Path, named: list[str], runs: list[str], gone: list[LeftOut], mark: MadeBy) -> str:
     """The page's HTML; links are relative to the reports' folder, so that it can be moved as a whole."""
-    text = [f"<!doctype html>\n<html lang=en><meta charset=utf-8><title>twistbench</title><style>{STYLE}</style>"]
-    text.append("<h1>twistbench reports</h1><p>All numbers: <a href=metrics.csv>metrics.csv</a></p>")
-    for material in materials:
-        text.append(f"<h2 id={material}>{material}</h2>")
-        text += [
-            html_table(reports / material / f"table_{number}.csv", f"Table {'I' * number}: {title.lower()}")
-            for number, title in paper.TITLES.items()
-        ]
-        text.append(f"<p><a href={material}/comparison.md>Beside the paper's numbers</a></p>")
-        every = "Every model by stroke, direction and angle, beside the floor of the data"
-        text.append(f"<p><a href={material}/models.md>{every}</a> (<a href={material}/models.csv>csv</a>)</p>")
-        text += [figure(material, f"figure_{number}", f"Figure {number}") for number in (4, 5)]
-        if (reports / material / "figure_leak.png").is_file():
-            text.append(f"<p>{LEAK}</p>")
-            text.append(figure(material, "figure_leak", "The INN's inverse error and its parts"))
+    numbers = Markup(
+        'All numbers: <a href="metrics.csv">metrics.csv</a>, its columns explained in <a href="{}">{}</a>.'
+    )
+    described = "metrics.csv-metadata.json"
+    body: list[Text] = [glance(reports, named, runs)]
+    places: list[tuple[str, Text]] = [("glance", "At a glance")]
+    if gone:
+        places.append(("left-out", "Left out"))
+        body.append(left_out.section(gone))
+    if named:
+        body.append(paragraph(numbers.format(described, described)))
+    body.append(others(reports))
+    for material in named:
+        places.append((anchor("material", material), material))
+        body.append(materials.section(reports, material))
     if runs:
-        text.append(section(reports, runs))
-    return "\n".join(text) + "\n"
+        places.append(("diagnosis", "What the simulator leaves out"))
+        body.append(diagnoses.section(reports, runs))
+    places.append(("glossary", "Glossary"))
+    body.append(glossary())
+    return document("twistbench reports", together(filter(None, body)), mark, places)
 
 
 @program
 def main() -> None:
     """Write `index.html`."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.index", description=__doc__)
     parser.add_argument("materials", nargs="*")
     parser.add_argument("--runs", nargs="*", default=[], help="runs that are diagnosed")
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
+    add_mark(parser)
     left_out.arguments(parser)
     arguments = parser.parse_args()
-    text = page(arguments.reports, arguments.materials, arguments.runs)
-    write_text(arguments.out, text + left_out.section(left_out.told(arguments)))
+    mark, gone = mark_from(arguments.made_by), left_out.told(arguments)
+    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs, gone, mark))
 
 
 if __name__ == "__main__":

@@ -3,19 +3,17 @@
 import argparse
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from pipeline import schemas
 from pipeline.errors import program
-from pipeline.report.figures import COLOURS, STYLE, save
+from pipeline.report.drawing import COLOURS, STYLE, save
+from pipeline.report.marks import add_mark, mark_from
 
 GROUPS = {
     "random_forward": "random,\nforward loss",
@@ -89,10 +87,12 @@ def main() -> None:
     parser.add_argument("leak", type=Path)
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--out-dir", type=Path, required=True)
+    add_mark(parser)
     arguments = parser.parse_args()
     leak, metrics = (schemas.read(path, schemas.METRICS) for path in (arguments.leak, arguments.metrics))
-    with plt.rc_context({**STYLE, "figure.constrained_layout.use": True}):
-        save(figure_leak(leak, metrics, str(leak["material"].iloc[0])), arguments.out_dir / "figure_leak")
+    mark = mark_from(arguments.made_by)
+    with plt.rc_context(STYLE):
+        save(figure_leak(leak, metrics, str(leak["material"].iloc[0])), arguments.out_dir / "figure_leak", mark)
 
 
 if __name__ == "__main__":

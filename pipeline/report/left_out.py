@@ -1,13 +1,18 @@
 """Runs that were left out → a line beneath a table, a part of the page, and the end of the main job, which fails."""
 
 import argparse
-import html
+from collections.abc import Sequence
 from pathlib import Path
+
+from markupsafe import Markup
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.left_out import LeftOut, from_json, to_json
+from pipeline.report.plain import plain
+from pipeline.report.web.page import paragraph, together
+from pipeline.report.web.table import table
 
 HEAD = ("Run", "Material", "Why, and how to mend it")
 
@@ -33,29 +38,18 @@ def told(asked: argparse.Namespace) -> list[LeftOut]:
     return sorted(dict.fromkeys(runs), key=lambda one: one.run)
 
 
-def beneath(suffix: str, asked: argparse.Namespace) -> str:
+def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
     """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`) where runs were left out; csv stays as it is."""
-    runs = told(asked)
     if suffix == "md":
-        return "".join(f"\nLeft out: run {one.run}: {one.why}\n" for one in runs)
-    if suffix == "tex" and runs:
-        return f"\\noindent Left out: {', '.join(one.run for one in runs)}.\n"
-    return ""
+        return [plain(f"Left out: run {one.run}: {one.why}") for one in runs]
+    return [f"Left out: {', '.join(one.run for one in runs)}."] if runs else []
 
 
-def section(runs: list[LeftOut]) -> str:
-    """A part of the page in HTML, or nothing."""
-    if not runs:
-        return ""
-    rows = []
-    for one in runs:
-        name = one.run if one.run.isprintable() else ascii(one.run)
-        cells = "".join(f"<td>{html.escape(cell)}</td>" for cell in (name, one.material, one.why))
-        rows.append(f"<tr>{cells}</tr>")
-    head = "".join(f"<th>{name}</th>" for name in HEAD)
-    words = "<p>These tables, figures and verdicts were made without them.</p>"
-    lines = ["<h2 id=left-out>Left out</h2>", words, f"<table class=left-out>\n<tr>{head}</tr>", *rows, "</table>"]
-    return "\n".join(lines)
+def section(runs: list[LeftOut]) -> Markup:
+    """A part of the page; it is not folded, so that nobody overlooks it."""
+    rows = [(one.run if one.run.isprintable() else ascii(one.run), one.material, one.why) for one in runs]
+    words = paragraph("These tables, figures and verdicts were made without them.")
+    return together([Markup('<h2 id="left-out">Left out</h2>'), words, table(HEAD, rows, texts=(0, 1, 2))])
 
 
 @program

@@ -1,4 +1,4 @@
-"""Metrics → models.md and models.csv: every model's RMSE by stroke, direction and angle, beside the data's floor."""
+"""Metrics → models.md, .html, .csv: every model's RMSE by stroke, direction and angle, beside the data's floor."""
 
 import argparse
 from collections.abc import Iterable
@@ -11,6 +11,9 @@ from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.report import paper
 from pipeline.report.comparison import line
+from pipeline.report.marks import add_mark, mark_from, write_page
+from pipeline.report.plain import plain
+from pipeline.report.sidecar import Column, describe
 from pipeline.report.titles import titles_of
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
@@ -18,6 +21,16 @@ NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that 
 SPLITS = {"within": "within strokes", "later": "later strokes"}
 WHERE = ["stroke", "phase", "angle_band"]
 PAPER = "inn"  # the model whose defeats are told
+COLUMNS: list[Column] = [
+    ("model", "string", "file of the model, or a floor"), ("title", "string", "its title"),
+    ("direction", "boolean", "whether it knows winding from unwinding"),
+    ("split", "string", "what was held out: blocks within strokes, or whole later strokes"),
+    ("map", "string", "forward: displacement from twist; inverse: twist from displacement"),
+    ("unit", "string", "unit of the errors"), ("column", "string", "all, a stroke, a phase or a band of twist"),
+    ("median", "number", "RMSE, median over the seeds"), ("low", "number", "lowest of the seeds"),
+    ("high", "number", "highest of the seeds"), ("floor", "number", "RMSE of the floor for what the model knows"),
+    ("ratio", "number", "median over floor"),
+]  # fmt: skip
 NOTES = """\
 RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
 the lowest and the highest in brackets where they differ. `within` holds out blocks inside strokes (one in four),
@@ -69,8 +82,7 @@ def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[st
                 least = values[floor, *where].median() if (floor, *where) in values else float("nan")
                 told, unit = model in known, chosen["unit"].iloc[0]
                 rows.append([model, title, told, split, way, unit, head, *spread, least, spread[0] / least])
-    heads = ["model", "title", "direction", "split", "map", "unit", "column", "median", "low", "high", "floor", "ratio"]
-    return pd.DataFrame(rows, columns=heads)
+    return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS])
 
 
 def _cell(row: pd.Series, best: float) -> str:
@@ -88,15 +100,16 @@ def table(chosen: pd.DataFrame) -> list[str]:
     for model, mine in chosen.groupby("model", sort=False):
         by_column = mine.set_index("column", drop=False)
         cells = [_cell(by_column.loc[head], best[head]) if head in by_column.index else "" for head in heads]
+        title = mine["title"].iloc[0]
         told = "" if model in FLOORS else "yes" if mine["direction"].iloc[0] else "no"
         ratio = "" if model in FLOORS else f"{by_column.loc['all', 'ratio']:.2f}"
-        lines.append(line([mine["title"].iloc[0], told, ratio, *cells]))
+        lines.append(line([title if model in FLOORS else plain(title), told, ratio, *cells]))
     return lines
 
 
 def _named(rows: pd.DataFrame, words: Iterable[str]) -> str:
     """Titles, each with a few words in brackets."""
-    return "; ".join(f"{title} ({word})" for title, word in zip(rows["title"], words, strict=True))
+    return "; ".join(f"{plain(title)} ({word})" for title, word in zip(rows["title"], words, strict=True))
 
 
 def sentences(chosen: pd.DataFrame) -> list[str]:
@@ -113,7 +126,7 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
             for _, row in better.iterrows()
         ]
         whom = f"to: {_named(better, words)}." if words else "to no model."
-        text.append(f"The {inn['title']} loses {way}, {split}, {whom}")
+        text.append(f"The {plain(inn['title'])} loses {way}, {split}, {whom}")
     near = models[models["direction"] & (models["ratio"] <= NEAR[way])]
     goal = f"Of the models that know the direction, within {NEAR[way]:.2f} × their floor {way}, {split}"
     text.append(f"{goal}: {_named(near, [f'{ratio:.2f}' for ratio in near['ratio']]) or 'none'}.")
@@ -122,7 +135,7 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
 
 def page(table_of: pd.DataFrame, material: str) -> str:
     """Text of models.md of one material, from the table of `numbers`."""
-    text = [f"# {material}: every model beside the floor of the data", "", NOTES]
+    text = [f"# {plain(material)}: every model beside the floor of the data", "", NOTES]
     for split, name in SPLITS.items():
         for way in paper.MAPS.values():
             chosen = table_of[(table_of["split"] == split) & (table_of["map"] == way)]
@@ -136,18 +149,21 @@ def page(table_of: pd.DataFrame, material: str) -> str:
 
 @program
 def main() -> None:
-    """Write `models.md` and `models.csv` of one material."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    """Write `models.md`, `models.html` and `models.csv` of one material."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.models", description=__doc__)
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--directed", nargs="*", default=[], metavar="MODEL", help="models that know the direction")
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--table", type=Path, required=True)
+    add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     found = numbers(metrics, titles_of(arguments.titles), arguments.directed)
-    write_text(arguments.out, page(found, str(metrics["material"].iloc[0])))
+    material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
+    write_page(arguments.out, page(found, material), mark)
     write_text(arguments.table, found.to_csv(index=False, float_format="%.9g"))
+    describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)
 
 
 if __name__ == "__main__":

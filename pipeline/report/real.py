@@ -12,16 +12,16 @@ from pipeline.errors import BadInput, program
 from pipeline.files import whole, write_text
 from pipeline.real.plan import ALL_OTHERS
 from pipeline.real.rigs import Rig, read_rigs
-from pipeline.report.index import STYLE
 from pipeline.report.real_doubts import found_answer
 from pipeline.report.real_figures import figure
 from pipeline.report.real_results import CARRIED, TITLES, Result, apart, expected_words, read_results
+from pipeline.report.web.page import STYLE, link
 from pipeline.schemas import unit_of
 
 WIDE = """
 body { max-width: 76rem } table { font-size: 13px } .scroll { overflow-x: auto } td.left, th.left { text-align: left }
 .best { font-weight: 600 } tr.middle td { border-top: 2px solid #999; font-weight: 600 }
-td:nth-child(2) { text-align: right } td.text { text-align: left !important }
+td:nth-child(2) { text-align: right } td.text, th { text-align: left !important }
 """
 
 
@@ -53,9 +53,9 @@ def where(results: list[Result]) -> str:
     head = ["Recording", "Verdict", "Left out", "Ties", "Mismatch", "Noise", "Where", "Strokes", "Phase", "It follows"]
     rows = []
     for one in results:
-        link = f'<a href="#{html.escape(anchor(one))}">{html.escape(one.name)}</a>'
+        name = f'<a href="#{html.escape(anchor(one))}">{html.escape(one.name)}</a>'
         if one.content is None:
-            rows.append([link, "not decided", *[""] * 8])
+            rows.append([name, "not decided", *[""] * 8])
             continue
         mismatch: dict[str, Any] = one.content["mismatch"] or {}
         box = mismatch.get("location") or {}
@@ -69,7 +69,7 @@ def where(results: list[Result]) -> str:
             place, "–".join(map(str, box.get("strokes", []))), str(box.get("phase", "")),
             str(mismatch.get("driver") or ""),
         ]  # fmt: skip
-        rows.append([link, *(html.escape(cell) for cell in cells)])
+        rows.append([name, *(html.escape(cell) for cell in cells)])
     return table(head, rows, texts=3)
 
 
@@ -84,7 +84,7 @@ def better(results: list[Result], unit: str) -> str:
             "<p>Held out of recordings together are the last of them, whole ones too; these get their zero on their"
             " first second. The median is over single recordings.</p>"
         )
-    return table([f"rms error ({unit})", *TITLES.values()], rows) + note
+    return table([f"rms error ({html.escape(unit)})", *TITLES.values()], rows) + note
 
 
 def relative(results: list[Result]) -> str:
@@ -129,7 +129,7 @@ def transferred(carried: pd.DataFrame, unit: str) -> str:
             rows.append([html.escape(str(group)), source, count, *sizes(middle["rms"].to_dict(), CARRIED)])
             best.append([html.escape(str(group)), source, count, *sizes(middle["centred_rms"].to_dict(), CARRIED)])
     head = ["Group", "Learnt from", "Cases", *(TITLES[name] for name in CARRIED)]
-    text = f"<p>Median rms error ({unit}), zero set on the first second:</p>{table(head, rows, texts=2)}"
+    text = f"<p>Median rms error ({html.escape(unit)}), zero set on the first second:</p>{table(head, rows, texts=2)}"
     return text + f"<p>The same with the best zero:</p>{table(head, best, texts=2)}"
 
 
@@ -151,7 +151,7 @@ def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: 
         f"<p>The literature: {html.escape('; '.join(sorted(expected)))}.</p>",
         "<h2>Where simulation and recording part, and what explains it</h2>", where(results),
         "<h2>How much better: strokes that no fit has seen</h2>", better(results, unit), relative(results),
-        f'<img src="{name}.png" alt="Errors of every method">',
+        f'<img src="{link(f"{name}.png")}" alt="Errors of every method">',
         "<h3>Published figures</h3>", table(["Of what", "Value", "Source"], published, texts=3),
         f"<p>{html.escape(rig.note)}</p>", answers(rig, results),
         "<h2>Learnt on some recordings, asked about another</h2>", transferred(pairs, unit),
@@ -162,8 +162,9 @@ def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: 
             f'<h3 id="{html.escape(anchor(one))}">{html.escape(one.name)}</h3><pre>{html.escape(one.words)}</pre>'
         )
         if (one.folder / "diagnosis.png").is_file():
-            link = f"{name}/together/{one.group}" if one.together else f"{name}/{one.folder.name}"
-            text.append(f'<a href="{link}/diagnosis.png"><img src="{link}/diagnosis.png" alt="Diagnosis"></a>')
+            parts = (name, "together", one.group) if one.together else (name, one.folder.name)
+            source = link(*parts, "diagnosis.png")
+            text.append(f'<a href="{source}"><img src="{source}" alt="Diagnosis"></a>')
     return "\n".join(text) + "\n"
 
 

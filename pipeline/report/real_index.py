@@ -9,9 +9,9 @@ import pandas as pd
 from pipeline.errors import BadInput, program
 from pipeline.files import whole, write_text
 from pipeline.real.rigs import Rig, read_rigs
-from pipeline.report.index import STYLE
 from pipeline.report.real import WIDE, sizes, table
 from pipeline.report.real_results import BLACK_BOXES, CARRIED, ELSEWHERE, OTHERS, TITLES
+from pipeline.report.web.page import STYLE, link
 
 BLOCKS = (("", list(TITLES)), (ELSEWHERE, CARRIED), (OTHERS, CARRIED))
 INTRODUCTION = """\
@@ -44,7 +44,7 @@ def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
     text = []
     for rig, some in rows.groupby("rig", sort=False):
         title = html.escape(rigs[str(rig)].title)
-        text.append(f'<h3><a href="{rig}.html">{title}</a></h3>')
+        text.append(f'<h3><a href="{link(f"{rig}.html")}">{title}</a></h3>')
         lines = []
         for _, row in some.iterrows():
             ties = f" (or {int(row['ties'])} other{'s' * (row['ties'] > 1)})" if row["ties"] else ""

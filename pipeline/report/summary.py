@@ -1,26 +1,43 @@
-"""What the main job says at its end: the two tables of each material, where the figures are, and the verdicts."""
+"""What a run of the workflow says at its end: the tables that it was asked for, the pages, and the verdicts."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from pipeline.report.diagnoses import verdicts
 
+PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
+FIGURES = ("figure_4.png", "figure_5.png")
+WHOLE = {
+    "index.html": "all of it on one page", "campaign/campaign.html": "what a new string teaches a model",
+    "proof/proof.html": "the concealed proof", "real/index.html": "public rigs",
+}  # fmt: skip
 
-def summary(reports: Path, materials: list[str], runs: list[str]) -> str:
-    """Both tables of every material as text, the places of the figures, and a line on each run's diagnosis."""
-    text = []
+
+def of_material(folder: Path, there: set[Path]) -> list[str]:
+    """Both tables of a material and where its other pages are; nothing of what was not asked for."""
+    text = [
+        (folder / name).read_text(encoding="utf-8") for name in ("table_1.md", "table_2.md") if folder / name in there
+    ]
+    figures = [str(folder / name) for name in FIGURES if folder / name in there]
+    if figures:
+        text.append(f"figures: {', '.join(figures)}")
+    text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in there]
+    return text
+
+
+def summary(made: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
+    """Tables, places of the pages, and a line on each run's diagnosis.
+
+    `made` lists what the run was asked for and is whole: nothing else is named, however old it lies there.
+    """
+    there, text = {path for path in map(Path, made) if path.exists()}, []
     for material in materials:
-        folder = reports / material
-        if not all((folder / f"table_{number}.md").is_file() for number in (1, 2)):
-            text.append(f"\n== {material}: no tables")
-            continue
-        text.append(f"\n== {material} " + "=" * max(0, 90 - len(material)))
-        text += [(folder / f"table_{number}.md").read_text(encoding="utf-8") for number in (1, 2)]
-        figures = [str(folder / f"figure_{number}.png") for number in (4, 5)]
-        text.append(f"figures: {', '.join(path for path in figures if Path(path).is_file()) or 'not drawn'}")
-        text.append(f"beside the paper: {folder / 'comparison.md'}")
-        text.append(f"beside the floor: {folder / 'models.md'}")
-    words = verdicts(reports, runs)
+        said = of_material(reports / material, there)
+        if said:
+            text += [f"\n== {material} " + "=" * max(0, 90 - len(material)), *said]
+    words = verdicts([reports / "diagnosis" / run for run in runs if reports / "diagnosis" / run in there])
     if words:
         text.append("\n== what the simulator leaves out " + "=" * 62)
         text.append(f"{words}\nfigures: {reports / 'diagnosis' / '<run>' / 'diagnosis.png'}")
-    return "\n".join(text) + "\n"
+    text += [f"\n{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in there]
+    return "\n".join([*text, ""])

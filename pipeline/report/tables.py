@@ -1,8 +1,7 @@
-"""Metrics → Tables I and II in the paper's layout, as csv, Markdown and LaTeX."""
+"""Metrics → Tables I and II in the paper's layout, as csv, Markdown and LaTeX, marked with their configuration."""
 
 import argparse
-import csv
-import io
+from collections.abc import Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -10,10 +9,25 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import program
 from pipeline.files import write_text
+from pipeline.left_out import LeftOut
+from pipeline.made_by import MadeBy, sentence, warning
 from pipeline.report import left_out, paper
+from pipeline.report.marks import add_mark, mark_from
+from pipeline.report.plain import note
+from pipeline.report.sidecar import Column, describe
+from pipeline.report.strokes_there import missing_of, tabled, there_of
+from pipeline.report.table_forms import Row, to_csv, to_latex, to_markdown
 from pipeline.report.titles import titles_of
 
-Row = tuple[str, str, list[str]]  # model's title, stroke, cells
+
+def shown(metrics: pd.DataFrame, number: int) -> pd.DataFrame:
+    """The metrics that Table I or II is of: winding, split `within`, the whole range of twist, one direction."""
+    return metrics[
+        (metrics["split"] == "within")
+        & (metrics["phase"] == "winding")
+        & (metrics["angle_band"] == "all")
+        & (metrics["map"] == paper.MAPS[number])
+    ]
 
 
 def cell(metrics: pd.DataFrame, model: str, stroke: int, metric: str) -> str:
@@ -24,82 +38,66 @@ def cell(metrics: pd.DataFrame, model: str, stroke: int, metric: str) -> str:
     return "" if values.empty else f"{values.median():.3f}"
 
 
-def rows(metrics: pd.DataFrame, number: int, titles: dict[str, str]) -> list[Row]:
-    """Rows of Table I or II: winding, split `within`; `titles` maps a model's name to its title, in order."""
-    shown = metrics[
-        (metrics["split"] == "within")
-        & (metrics["phase"] == "winding")
-        & (metrics["angle_band"] == "all")
-        & (metrics["map"] == paper.MAPS[number])
-    ]
+def rows(
+    metrics: pd.DataFrame, number: int, titles: dict[str, str], strokes: Sequence[int] = paper.STROKES
+) -> list[Row]:
+    """Rows of Table I or II; `titles` maps a model's name to its title, in order."""
+    chosen = shown(metrics, number)
     return [
-        (title, f"n={stroke}", [cell(shown, model, stroke, metric) for metric in paper.METRICS])
+        (title, f"n={stroke}", [cell(chosen, model, stroke, metric) for metric in paper.METRICS])
         for model, title in titles.items()
-        for stroke in paper.STROKES
+        for stroke in strokes
     ]
 
 
-def to_csv(number: int, table: list[Row]) -> str:
-    """The table as csv; the model's name stands in every row."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(paper.header(number))
-    writer.writerows([title, stroke, *cells] for title, stroke, cells in table)
-    return text.getvalue()
-
-
-def _spanned(table: list[Row]) -> list[Row]:
-    """The table with each model's name in the first of its rows only."""
-    return [(title if stroke == f"n={paper.STROKES[0]}" else "", stroke, cells) for title, stroke, cells in table]
-
-
-def to_markdown(number: int, table: list[Row]) -> str:
-    """The table as Markdown, its columns aligned so that it reads well as plain text too."""
-    lines = [paper.header(number), *([title, stroke, *cells] for title, stroke, cells in _spanned(table))]
-    widths = [max(len(line[column]) for line in lines) for column in range(5)]
-    ruler = ["-" * width for width in widths]
-    padded = [
-        [
-            text.ljust(width) if column < 2 else text.rjust(width)
-            for column, (text, width) in enumerate(zip(line, widths, strict=True))
-        ]
-        for line in (lines[0], ruler, *lines[1:])
-    ]
-    roman = "I" * number
-    return f"TABLE {roman}: {paper.TITLES[number]}\n\n" + "".join(f"| {' | '.join(line)} |\n" for line in padded)
-
-
-def to_latex(number: int, table: list[Row]) -> str:
-    """The table as LaTeX, each model spanning its rows; needs the package multirow."""
-    head = [title.replace("θ/2π", r"$\theta/2\pi$") for title in paper.header(number)]
-    lines = [
-        r"\begin{table}", r"\centering", rf"\caption{{{paper.TITLES[number]}}}", r"\begin{tabular}{lcccc}", r"\hline",
-        " & ".join(head) + r" \\",
+def columns(number: int) -> list[Column]:
+    """What the columns of the csv hold."""
+    unit = {1: "mm", 2: "turns of the motor"}[number]
+    words = [
+        "the model's title", "n: the stroke's number since the string was new",
+        *(f"{metric} of the {paper.MAPS[number]} error on held-out winding points in {unit}, median over the seeds;"
+          " empty where the material has no such stroke" for metric in ("mean of the size", "largest size", "RMSE")),
     ]  # fmt: skip
-    for title, stroke, cells in table:
-        first = stroke == f"n={paper.STROKES[0]}"
-        if first:
-            lines.append(r"\hline")
-        name = rf"\multirow{{{len(paper.STROKES)}}}{{*}}{{{title.replace('_', chr(92) + '_')}}}" if first else ""
-        lines.append(" & ".join([name, f"${stroke}$", *cells]) + r" \\")
-    return "\n".join([*lines, r"\hline", r"\end{tabular}", r"\end{table}", ""])
+    kinds = ["string", "string", "number", "number", "number"]
+    return list(zip(paper.header(number), kinds, words, strict=True))
+
+
+def write(
+    metrics: pd.DataFrame,
+    number: int,
+    titles: dict[str, str],
+    mark: MadeBy,
+    folder: Path,
+    gone: Sequence[LeftOut] = (),
+) -> None:
+    """Write one table in all three forms; csv keeps the paper's strokes, the others show those that are there."""
+    material, stem = str(metrics["material"].iloc[0]), folder / f"table_{number}"
+    there = there_of(shown(metrics, number)["stroke"])
+    missing, printed = missing_of(there, paper.STROKES), rows(metrics, number, titles, tabled(there, paper.STROKES))
+    write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
+    notes = (missing, *left_out.beneath("md", gone), note(mark))
+    write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))
+    label = f"tab:{material}-{paper.MAPS[number]}"
+    notes = (f"Material {material}. {missing}".strip(), *left_out.beneath("tex", gone), sentence(mark))
+    write_text(stem.with_suffix(".tex"), to_latex(number, printed, label, warning(mark), notes))
+    title = f"Table {'I' * number}: {paper.TITLES[number].lower()}, {material}"
+    describe(stem.with_suffix(".csv"), title, columns(number), mark)
 
 
 @program
 def main() -> None:
     """Write `table_1` and `table_2` of one material in all three forms."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.tables", description=__doc__)
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--out-dir", type=Path, required=True)
+    add_mark(parser)
     left_out.arguments(parser)
     arguments = parser.parse_args()
-    metrics = schemas.read(arguments.metrics, schemas.METRICS)
+    metrics, gone = schemas.read(arguments.metrics, schemas.METRICS), left_out.told(arguments)
+    titles, mark = titles_of(arguments.titles), mark_from(arguments.made_by)
     for number in paper.TABLES:
-        table = rows(metrics, number, titles_of(arguments.titles))
-        for suffix, form in {"csv": to_csv, "md": to_markdown, "tex": to_latex}.items():
-            text = form(number, table) + left_out.beneath(suffix, arguments)
-            write_text(arguments.out_dir / f"table_{number}.{suffix}", text)
+        write(metrics, number, titles, mark, arguments.out_dir, gone)
 
 
 if __name__ == "__main__":

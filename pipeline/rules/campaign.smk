@@ -114,16 +114,19 @@ rule campaign:
     output:
         figures=CAMPAIGN_FIGURES,
         tables=expand("reports/campaign/{table}.csv", table=("few_shot", "coverage")),
+        columns=expand("reports/campaign/{table}.csv-metadata.json", table=("few_shot", "coverage")),
         page="reports/campaign/campaign.md",
+        html="reports/campaign/campaign.html",
     log:
         "processed/logs/campaign.log",
     params:
         titles=[f"{model}={title_of(model)}" for model in CAMPAIGN["models"]],
         model=title_of(CAMPAIGN["coverage"]["model"]),
-        code=fingerprint("pipeline.report.campaign"),
+        made_by=mark_of("campaign"),
+        code=fingerprint("pipeline.report.campaign", "pipeline.report.web.*"),
     message:
         "write the page of the campaign"
     shell:
         "exec python -m pipeline.report.campaign {input.points:q} --few-shot {input.few_shot:q} --floor {input.floor:q}"
         " --coverage {input.coverage:q} --titles {params.titles:q} --intervals-of {params.model:q}"
-        " --out-dir reports/campaign > {log:q} 2>&1"
+        " --made-by {params.made_by:q} --out-dir reports/campaign > {log:q} 2>&1"

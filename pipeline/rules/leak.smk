@@ -66,9 +66,10 @@ rule leak_figure:
     log:
         "processed/logs/leak_figure-{material}.log",
     params:
+        made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.leak"),
     message:
         "draw what forward-only training does to the INN's inverse on {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.leak {input.leak:q} {input.metrics:q} --out-dir reports/{wildcards.material:q}"
-        " > {log:q} 2>&1"
+        "exec python -m pipeline.report.leak {input.leak:q} {input.metrics:q} --made-by {params.made_by:q}"
+        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"

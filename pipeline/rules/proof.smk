@@ -2,8 +2,11 @@ from pipeline.proof.plan import batches, written
 
 BATCHES = batches(config["proof"])
 PROOF = "processed/proof"
-PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md", "sizes.png"] + expand(
-    "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
+PROOF_TABLES = ["cases", "sizes", "scores", "beside"]
+PROOF_FILES = (
+    [f"{table}.csv" for table in PROOF_TABLES]
+    + ["proof.md", "sizes.png"]
+    + expand("{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf"))
 )
 
 
@@ -153,9 +156,27 @@ rule score:
         f"{PROOF}/logs/score.log",
     params:
         batches=list(BATCHES),
+        note=note_of(mark_of("proof")),
         code=fingerprint("pipeline.proof.score"),
     message:
         "open the answers and score the verdicts"
     shell:
         "exec python -m pipeline.proof.score {params.batches:q} --place processed/proof --twins {input.twins:q}"
-        " --out reports/proof > {log:q} 2>&1"
+        " --note={params.note:q} --out reports/proof > {log:q} 2>&1"
+
+
+rule proof_page:
+    input:
+        expand("reports/proof/{file}", file=PROOF_FILES),
+    output:
+        "reports/proof/proof.html",
+        expand("reports/proof/{table}.csv-metadata.json", table=PROOF_TABLES),
+    log:
+        f"{PROOF}/logs/proof_page.log",
+    params:
+        made_by=mark_of("proof"),
+        code=fingerprint("pipeline.report.proof", "pipeline.report.web.*"),
+    message:
+        "write the page of the proof"
+    shell:
+        "exec python -m pipeline.report.proof reports/proof --made-by {params.made_by:q} > {log:q} 2>&1"

@@ -1,10 +1,6 @@
 from pipeline.left_out import to_json
 
 
-def fits_of_inn(wildcards):
-    return list(fits(config["models"], wildcards.material, only="inn"))
-
-
 # Functions, whose words Snakemake leaves as they are: a folder's name may look like a wildcard.
 def refused_of_material(wildcards):
     return to_json([one for one in PLAN.refused if one.material == wildcards.material])
@@ -18,6 +14,10 @@ def left_out(wildcards):
     return to_json(PLAN.left_out)
 
 
+def fits_within(wildcards):
+    return [fit for model in MODELS for fit in fits(config["models"], wildcards.material, only=model)]
+
+
 rule table:
     input:
         metrics="processed/{material}/metrics.parquet",
@@ -28,6 +28,7 @@ rule table:
         "processed/logs/table-{material}.log",
     params:
         titles=TITLES,
+        made_by=mark_of_material,
         planned=refused_of_material,
         code=fingerprint("pipeline.report.tables"),
     message:
@@ -35,23 +36,26 @@ rule table:
     shell:
         "exec python -m pipeline.report.tables {input.metrics:q} --titles {params.titles:q}"
         " --left-out {input.left_out:q} --planned {params.planned:q}"
-        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
+        " --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 rule comparison:
     input:
         "processed/{material}/metrics.parquet",
     output:
-        "reports/{material}/comparison.md",
+        page="reports/{material}/comparison.md",
+        html="reports/{material}/comparison.html",
     log:
         "processed/logs/comparison-{material}.log",
     params:
         titles=TITLES,
-        code=fingerprint("pipeline.report.comparison"),
+        made_by=mark_of_material,
+        code=fingerprint("pipeline.report.comparison", "pipeline.report.web.*"),
     message:
         "compare {wildcards.material} with the paper"
     shell:
-        "exec python -m pipeline.report.comparison {input:q} --titles {params.titles:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.comparison {input:q} --titles {params.titles:q}"
+        " --made-by {params.made_by:q} --out {output.page:q} > {log:q} 2>&1"
 
 
 rule models:
@@ -59,50 +63,58 @@ rule models:
         "processed/{material}/metrics.parquet",
     output:
         page="reports/{material}/models.md",
+        html="reports/{material}/models.html",
         table="reports/{material}/models.csv",
+        columns="reports/{material}/models.csv-metadata.json",
     log:
         "processed/logs/models-{material}.log",
     params:
         titles=TITLES,
         directed=[model for model, settings in config["models"].items() if settings["direction"]],
-        code=fingerprint("pipeline.report.models"),
+        made_by=mark_of_material,
+        code=fingerprint("pipeline.report.models", "pipeline.report.web.*"),
     message:
         "hold the models of {wildcards.material} against its floor"
     shell:
         "exec python -m pipeline.report.models {input:q} --titles {params.titles:q} --directed {params.directed:q}"
-        " --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
+        " --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
 
 
 rule figures:
     input:
         dataset="processed/{material}/dataset.parquet",
-        inn=fits_of_inn,
+        metrics="processed/{material}/metrics.parquet",
+        predictions=fits_within,
     output:
         expand("reports/{{material}}/{file}", file=FIGURES),
     log:
         "processed/logs/figures-{material}.log",
     params:
+        titles=TITLES,
+        made_by=mark_of_material,
         code=fingerprint("pipeline.report.figures"),
     message:
         "draw Figures 4 and 5 of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.figures {input.dataset:q} --inn {input.inn:q}"
-        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.figures {input.dataset:q} {input.metrics:q} --predictions {input.predictions:q}"
+        " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 rule metrics:
     input:
         expand("processed/{material}/metrics.parquet", material=MATERIALS),
     output:
-        "reports/metrics.csv",
+        table="reports/metrics.csv",
+        columns="reports/metrics.csv-metadata.json",
     log:
         "processed/logs/metrics.log",
     params:
+        made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.metrics"),
     message:
         "gather the metrics of all materials"
     shell:
-        "exec python -m pipeline.report.metrics {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.metrics {input:q} --made-by {params.made_by:q} --out {output.table:q} > {log:q} 2>&1"
 
 
 # What the stages left out: of materials by their datasets, of other runs in place of their strokes.
@@ -113,6 +125,7 @@ LEFT_OUT = expand("processed/{material}/left_out.json", material=MATERIALS) + ex
 
 rule index:
     input:
+        rules.metrics.output,
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
@@ -125,13 +138,14 @@ rule index:
         materials=MATERIALS,
         runs=DIAGNOSED,
         planned=left_out,
-        code=fingerprint("pipeline.report.index"),
+        made_by=MARK_OF_ALL,
+        code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
     message:
         "write the page that leads to every report"
     shell:
         "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
         " --left-out {input.left_out:q} --planned {params.planned:q}"
-        " --reports reports --out {output:q} > {log:q} 2>&1"
+        " --made-by {params.made_by:q} --reports reports --out {output:q} > {log:q} 2>&1"
 
 
 # It fails where a run was refused, after everything else is made, so that this is not overlooked.

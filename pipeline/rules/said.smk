@@ -1,11 +1,16 @@
 from pipeline.report.ended import remove_stale, rewrite, unmade
 
 
-# What the workflow does and says when it starts, fails and ends.
+# What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
+def made():
+    jobs = [job for job in workflow.dag.jobs if workflow.dag.noneedrun_finished(job)]
+    return [str(file) for job in jobs for file in job.output]
+
+
 def end(rewritten):
     # What a failure left was written by no job: those jobs run at the next start, whatever their inputs say.
-    made = {str(file) for job in workflow.dag.jobs if workflow.dag.finished(job) for file in job.output}
-    KNOWN.notes["again"] = sorted({*KNOWN.notes.get("again", []), *rewritten} - made)
+    done = {str(file) for job in workflow.dag.jobs if workflow.dag.finished(job) for file in job.output}
+    KNOWN.notes["again"] = sorted({*KNOWN.notes.get("again", []), *rewritten} - done)
     KNOWN.notes |= {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in SYNTHETIC}
     KNOWN.save()
 
@@ -25,7 +30,7 @@ onerror:
     left = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
     last = [job for name in ("metrics", "index") for job in jobs if job.rule.name == name]
     wrong = rewrite([job.shellcmd for job in last], left, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
-    print(summary(Path("reports"), MATERIALS, DIAGNOSED))
+    print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     for line in wrong + [one.why for one in left]:
         print(line)
     print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
@@ -34,9 +39,5 @@ onerror:
 
 
 onsuccess:
-    print(summary(Path("reports"), MATERIALS, DIAGNOSED))
-    if Path("reports/proof/proof.md").is_file():
-        print("the concealed proof: reports/proof/proof.md")
-    if Path("reports/real/index.html").is_file():
-        print("public rigs: reports/real/index.html")
+    print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     end([])

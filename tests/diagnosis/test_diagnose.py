@@ -4,6 +4,7 @@ import contextlib
 import importlib
 import io
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +15,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from PIL import Image
 
 from pipeline import diagnose
 from pipeline.diagnosis.adopt import acts_from
@@ -65,7 +67,7 @@ def test_the_json_is_the_contracts(diagnosed) -> None:
     folder, _, here, content = diagnosed
     assert list(content) == [
         "run", "verdict", "mismatch", "mechanisms", "alternatives", "next_experiment", "next_run", "parameters",
-        "fit", "simulation", "code",
+        "fit", "simulation", "code", "evidence",
     ]  # fmt: skip
     assert content["run"] == folder.name and content["verdict"] == "explained"
     assert set(content["mismatch"]) == {"rms_mm", "location", "driver"}
@@ -75,7 +77,25 @@ def test_the_json_is_the_contracts(diagnosed) -> None:
     assert creep["rms_mm"]["low"] <= creep["rms_mm"]["value"] <= creep["rms_mm"]["high"]
     assert set(content["parameters"]["radius_mm"]) == {"nominal", "value", "low", "high"}
     assert set(content["fit"]) == {"noise_floor_mm", "detectable_mm", "heldout"}
+    assert creep["sentence"].startswith("Under load the string lengthens by up to ") and " mm rms)" in creep["sentence"]
     assert (here / "diagnosis.png").stat().st_size > 10_000
+    assert (here / "diagnosis.pdf").read_bytes().startswith(b"%PDF")
+    with Image.open(here / "diagnosis.png") as image:
+        assert image.info["dpi"][0] >= 200
+
+
+def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagnosed) -> None:
+    _, _, here, content = diagnosed
+    shown = content["evidence"]["explanations"]
+    standing = {tuple(one["ids"]): one["standing"] for one in shown}
+    assert standing[("creep",)] == "named" and standing[()] == "nothing"
+    assert {"beaten", "not needed"} & set(standing.values())
+    text = (here / "verdict.txt").read_text()
+    assert text.startswith(f"{content['run']}: explained: ") and "Why no other explanation" in text
+    for one in (one for one in shown if one["standing"] == "beaten"):
+        assert set(one["location"]) == {"motor_turns", "strokes", "phase", "share"} and one["gap_mm"] > 0.0
+        assert f"  {' + '.join(one['ids'])}: leaves " in text
+    assert not re.search(r"\de[+-]\d", text)
 
 
 def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(diagnosed, tmp_path) -> None:
@@ -90,7 +110,9 @@ def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(di
     if content["verdict"] != "explained":
         legs = content["next_run"]["legs"]
         assert all(set(leg) == {"seconds", "motor_turns", "load_n"} and leg["seconds"] > 0 for leg in legs)
-        assert " turns in " in content["next_experiment"]
+        assert " turns in " in content["next_experiment"] and "1. " in content["next_experiment"]
+        text = (tmp_path / folder.name / "verdict.txt").read_text()
+        assert f"python -m pipeline.diagnose {folder} {folder}-next --together --out DIR" in text
     unknown = command("pipeline.diagnose", folder, "--out", tmp_path / "none", "--without", "crep")
     assert unknown.returncode == 2 and "crep is no mechanism" in unknown.stderr and not (tmp_path / "none").exists()
 
@@ -155,6 +177,7 @@ def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, tmp_pa
     assert done.returncode == 2 and "simulation[0].id" in done.stderr
     assert "short: recording" in done.stderr and "record at least three strokes" in done.stderr
     assert "faint: displacement_mm" in done.stderr and "finer sensor" in done.stderr
+    assert re.search(r"should move by [0-9.]+ mm and has a noise of [0-9.]+ mm: nothing", done.stderr)
     assert [path.name for path in (tmp_path / "out").iterdir()] == [good.name]
     done = command("pipeline.diagnose", short, "--out", tmp_path / "noted", "--note-refusals")
     assert done.returncode == 0 and [path.name for path in (tmp_path / "noted" / "short").iterdir()] == ["verdict.txt"]

@@ -41,8 +41,11 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     found = study(problem)
     rivals = found.search.all_of(1)[:3]
     assert any(problem.ports(found.search.linear.state.acts))
-    said, legs = nextrun.best(problem, run, found.noise, found.search, rivals)
-    assert any(said.startswith(name) for name in nextrun.CANDIDATES) and all(leg[0] > 0 for leg in legs)
+    proposal = nextrun.best(problem, run, found.noise, found.search, rivals)
+    assert proposal.title in nextrun.CANDIDATES and all(leg[0] > 0 for leg in proposal.legs)
+    entry = proposal.entry(run, fixed_load=True)
+    assert entry["gap_then"] >= entry["gap_now"] > 0.0 and all(entry["parts"])
+    assert [leg["seconds"] for leg in entry["legs"]] == [leg[0] for leg in proposal.legs]
 
 
 def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:

@@ -1,8 +1,15 @@
 """The box is where the energy is."""
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 
 from pipeline.diagnosis import locate
+from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words.text import verdict_text
+from pipeline.ingest import read_samples
 
 
 def test_box_of_a_patch(problem) -> None:
@@ -13,3 +20,22 @@ def test_box_of_a_patch(problem) -> None:
     assert found["phase"] == "winding" and found["share"] >= 0.8
     assert found["strokes"][0] >= 4 and found["strokes"][1] <= 9
     assert found["motor_turns"][0] >= 0.55 * top
+
+
+def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(conceal) -> None:
+    run, samples = read_samples(conceal("creep")[0])
+    found = study(make_problem([run], [samples]))
+    silent = tuple(replace(act, coefficients=(0.0,) * len(act.coefficients)) for act in found.best.acts)
+    found = replace(found, best=replace(found.best, acts=silent), state=replace(found.state, acts=silent))
+    content = diagnosis(found, found.problem, None, [run], None, frozenset())
+    (entry,) = content["mechanisms"]
+    assert entry["location"]["share"] == 0.0 and entry["rms_mm"]["value"] == 0.0
+    assert "comes out as nothing" in entry["sentence"]
+    assert "creep: It was found" in verdict_text(content, found.problem.system, [])
+
+
+@pytest.mark.parametrize("signal", [0.0, np.nan])
+def test_the_box_of_nothing_is_the_whole_recording(problem, signal) -> None:
+    found = locate.box(np.full(len(problem.record), signal), problem)
+    top = [float(problem.drivers.motion.min()), float(problem.drivers.motion.max())]
+    assert found["share"] == 0.0 and found["phase"] == "all" and found["motor_turns"] == top

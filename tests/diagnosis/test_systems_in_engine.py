@@ -201,7 +201,6 @@ def test_names_and_units_are_the_systems_own():
     assert cable.name("straight_mm_per_10_n") == "straight_deg_per_0.1_nm"
     assert cable.name("toe_1.5_n_mm") == "toe_0.015_nm_deg" and cable.unit("mm/10N") == "deg/0.1Nm"
     assert mass.name("straight_mm_per_turn_s") == "straight_n_per_m_s" and mass.unit("mm s/turn") == "N s/m"
-    assert "string" not in cable.words("The string stretches with its load, by {size}.", loaded=True)
 
 
 def test_a_run_of_another_system_needs_no_string():

@@ -10,4 +10,5 @@ def made_verdict(folder, words, content=None):
     if content:
         (folder / "diagnosis.json").write_text(json.dumps(content))
         (folder / "diagnosis.png").write_bytes(b"")
+        (folder / "diagnosis.pdf").write_bytes(b"")
     return folder

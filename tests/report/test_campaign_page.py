@@ -1,5 +1,6 @@
 """The campaign's page says what its tables say: who is best from how many strokes, what was held, what is not told."""
 
+import json
 import re
 
 import matplotlib.pyplot as plt
@@ -137,7 +138,14 @@ def written(few_shot, floor, coverage, tmp_path, monkeypatch):
 
 def test_the_program_writes_page_tables_and_figures(written, few_shot, coverage):
     names = {f"{name}.{suffix}" for name in ("few_shot", "coverage") for suffix in ("csv", "png", "pdf")}
-    assert {path.name for path in (written / "out").iterdir()} == names | {"campaign.md"}
+    names |= {"campaign.md", "campaign.html", "few_shot.csv-metadata.json", "coverage.csv-metadata.json"}
+    assert {path.name for path in (written / "out").iterdir()} == names
+    for name in ("few_shot", "coverage"):
+        beside = json.loads((written / "out" / f"{name}.csv-metadata.json").read_text())
+        heads = [column["titles"] for column in beside["tableSchema"]["columns"]]
+        assert heads == list(pd.read_csv(written / "out" / f"{name}.csv").columns)
+    html = (written / "out" / "campaign.html").read_text(encoding="utf-8")
+    assert '<img src="few_shot.png"' in html and html.count("<table") == 8
     assert {path.name for path in (written / "svg").iterdir()} == {"few_shot.svg", "coverage.svg"}
     rows = pd.read_csv(written / "out" / "few_shot.csv")
     assert len(rows) == len(few_shot) + 4 and (rows["model"] == "floor").sum() == 4

@@ -2,7 +2,7 @@
 
 from made_verdict import made_verdict
 
-from pipeline.report.diagnoses import row, section, verdicts
+from pipeline.report.diagnoses import explanations, named_of, section, sizes, verdict_of, verdicts
 from pipeline.report.summary import summary
 
 
@@ -25,21 +25,40 @@ FINE = {
 
 
 def test_a_row_says_what_is_left_out_and_what_it_improves(tmp_path):
-    left_out = "creep + backlash or thermal + backlash"
-    sizes = ["0.44 mm", "1.92 mm", "0.81 mm", "0.034 mm", "0.0312 mm"]
-    assert row(made(tmp_path, "a", "a: ambiguous", **TIED)) == ["a", "ambiguous", left_out, *sizes]
-    assert row(made(tmp_path, "b", "b: consistent", **FINE)) == ["b", "consistent", "", "", "", "", "", "0.2 deg"]
-    assert row(made(tmp_path, "c", "too short"))[:2] == ["c", "not decided"]
+    a, b = made(tmp_path, "a", "a: ambiguous", **TIED), made(tmp_path, "b", "b: consistent", **FINE)
+    c = made(tmp_path, "c", "too short")
+    assert [verdict_of(folder) for folder in (a, b, c)] == ["ambiguous", "consistent", "not decided"]
+    assert sizes(a) == ["0.44 mm", "1.9 mm", "0.81 mm", "0.034 mm", "0.031 mm"]
+    assert sizes(b) == ["", "", "", "", "0.2 deg"] and sizes(c) == [""] * 5
+    assert explanations(a) == [["creep", "backlash"], ["thermal", "backlash"]] and explanations(c) == []
+    assert ">creep</abbr> + <abbr" in named_of(a) and named_of(a).endswith(", or 1 other explanation")
+    assert named_of(b) == named_of(c) == ""
 
 
 def test_the_page_shows_every_run_and_escapes_what_it_prints(tmp_path):
     made(tmp_path, "a", "a: ambiguous <here>", **TIED)
     made(tmp_path, "c", "raw/c: too short")
-    page = section(tmp_path, ["a", "c"])
+    page = section(tmp_path, ["a", "c", "gone"])
     assert "a: ambiguous &lt;here&gt;" in page and page.count("<img") == 1 and "raw/c: too short" in page
+    assert "gone: no verdict was written" in page
+
+
+def test_the_figure_leads_to_the_pdf_where_there_is_one(tmp_path):
+    folder = made(tmp_path, "a", "a: ambiguous", **TIED)
+    assert 'href="diagnosis/a/diagnosis.pdf"' in section(tmp_path, ["a"])
+    (folder / "diagnosis.pdf").unlink()
+    assert 'href="diagnosis/a/diagnosis.png"' in section(tmp_path, ["a"])
+
+
+def test_a_line_names_two_ties_and_counts_the_rest(tmp_path):
+    many = TIED | {"alternatives": [[id_] for id_ in ("thermal", "wear", "jam", "slack")]}
+    said = verdicts([made(tmp_path, "a", "a: ambiguous.", **many)])
+    assert said == "a: ambiguous. creep + backlash or thermal or wear or 2 more"
 
 
 def test_the_end_of_the_main_job_says_each_verdict(tmp_path):
-    made(tmp_path, "a", "a: ambiguous: several fit alike.\n  more", **TIED)
-    assert verdicts(tmp_path, ["a", "b"]) == "a: ambiguous: several fit alike. creep + backlash or thermal + backlash"
-    assert "left out" not in summary(tmp_path, [], []) and "a: ambiguous" in summary(tmp_path, [], ["a"])
+    folder = made(tmp_path, "a", "a: ambiguous: several fit alike.\n  more", **TIED)
+    said = "a: ambiguous: several fit alike. creep + backlash or thermal + backlash"
+    assert verdicts([folder, tmp_path / "b"]) == said
+    assert "left out" not in summary([], tmp_path, [], ["a"])
+    assert said in summary([str(folder)], tmp_path, [], ["a"])

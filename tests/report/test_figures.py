@@ -7,28 +7,71 @@ import pandas as pd
 import pytest
 
 from pipeline import schemas
+from pipeline.made_by import MadeBy
+from pipeline.report.drawing import save
+from pipeline.report.figure_4 import figure_4
+from pipeline.report.figure_5 import figure_5, straight_up_to
+from pipeline.report.figures import best_other
+from pipeline.report.winding import with_median, with_nominal
+
+TITLES = {"inn": "INN model", "spline": "Spline model", "mlp": "MLP model", "traditional": "Traditional model"}
+AWAY = {"inn": 0.1, "spline": 0.02, "mlp": 0.3, "traditional": 0.01}  # of the measurement, in mm and turns
+SMALL = MadeBy("ci.yaml", "abc1234", "small", "", ())
+
+
+def made_metrics():
+    """Forward RMSE of every model on all held-out points, and on one stroke, where another is best."""
+    rows = [
+        ("m", model, "within", "forward", stroke, "all", "all", 0, "rmse", "mm", away if stroke == "all" else 1 - away)
+        for model, away in AWAY.items()
+        for stroke in ("all", "1")
+    ]
+    return pd.DataFrame(rows, columns=schemas.METRICS.names)
 
 
 @pytest.fixture(scope="module")
 def material(tmp_path_factory):
-    """A dataset and the INN's predictions of two seeds, as the DAG leaves them."""
+    """A dataset, metrics and the models' predictions of two seeds, as the DAG leaves them."""
     from test_dataset import NINE
 
     folder = tmp_path_factory.mktemp("processed") / "UHMWPE"
     schemas.write(NINE, schemas.DATASET, folder / "dataset.parquet")
+    schemas.write(made_metrics(), schemas.METRICS, folder / "metrics.parquet")
     held = np.flatnonzero(NINE["within"] == "test")
-    for seed in (0, 1):
-        table = pd.DataFrame({"point": held})
-        for column in ("displacement_mm", "motor_turns"):
-            table[column] = NINE[column].to_numpy()[held] + 0.1 * seed
-        schemas.write(table, schemas.PREDICTIONS, folder / "inn" / f"within-{seed}.predictions.parquet")
+    for model, away in AWAY.items():
+        for seed in (0, 1):
+            table = pd.DataFrame({"point": held})
+            for column in ("displacement_mm", "motor_turns"):
+                table[column] = NINE[column].to_numpy()[held] + away * seed
+            schemas.write(table, schemas.PREDICTIONS, folder / model / f"within-{seed}.predictions.parquet")
     return folder
 
 
-def draw(material, out):
-    inn = [str(material / "inn" / f"within-{seed}.predictions.parquet") for seed in (0, 1)]
-    command = ["pipeline.report.figures", str(material / "dataset.parquet"), "--inn", *inn, "--out-dir", str(out)]
-    subprocess.run([sys.executable, "-m", *command], check=True)
+@pytest.fixture(scope="module")
+def dataset(material):
+    return schemas.read(material / "dataset.parquet", schemas.DATASET)
+
+
+@pytest.fixture(scope="module")
+def learned(material, dataset):
+    """Medians of the INN's and the spline's predictions, by title."""
+    return {
+        TITLES[model]: with_median(dataset, sorted((material / model).glob("within-*.parquet")))
+        for model in ("inn", "spline")
+    }
+
+
+@pytest.fixture(autouse=True)
+def closed():
+    yield
+    plt.close("all")
+
+
+def draw(material, out, *more):
+    predictions = [str(path) for path in sorted(material.glob("*/within-*.parquet"))]
+    command = ["pipeline.report.figures", str(material / "dataset.parquet"), str(material / "metrics.parquet")]
+    command += ["--predictions", *predictions, "--titles", *(f"{model}={title}" for model, title in TITLES.items())]
+    subprocess.run([sys.executable, "-m", *command, "--out-dir", str(out), *more], check=True)
     return {path.name: path.read_bytes() for path in out.iterdir()}
 
 
@@ -37,30 +80,70 @@ def test_figures_are_drawn_and_the_same_every_time(material, tmp_path):
     assert sorted(first) == ["figure_4.pdf", "figure_4.png", "figure_5.pdf", "figure_5.png"]
     assert first == second
     assert first["figure_4.png"].startswith(b"\x89PNG") and first["figure_5.pdf"].startswith(b"%PDF")
+    small = draw(material, tmp_path / "c", "--made-by", SMALL.packed())
+    assert all(small[name] != first[name] for name in first)
 
 
-def test_figures_show_what_they_say(material):
-    from pipeline.report.figures import figure_4, figure_5, with_median, with_nominal
-
-    dataset = schemas.read(material / "dataset.parquet", schemas.DATASET)
-    inn = with_median(dataset, sorted((material / "inn").glob("within-*.parquet")))
-    assert inn["forward_mm"].to_numpy() == pytest.approx(inn["displacement_mm"].to_numpy() + 0.05)
-    four, five = figure_4(with_nominal(dataset), "UHMWPE"), figure_5(inn, with_nominal(dataset), "UHMWPE")
+def test_figure_4_shows_strokes_against_the_traditional_model(dataset):
+    four = figure_4(with_nominal(dataset), "UHMWPE")
     labels = [text.get_text() for text in four.axes[0].get_legend().get_texts()]
     assert labels == ["n=1", "n=3", "n=5", "n=7", "traditional model"]
     forward_error = four.axes[1].get_lines()[0].get_ydata()
     one = with_nominal(dataset).query("stroke == 1 and phase == 'winding'")
     assert forward_error == pytest.approx((one["forward_mm"] - one["displacement_mm"]).to_numpy())
-    assert [axes.get_title(loc="left")[:3] for axes in five.axes] == ["(a)", "(b)", "(c)", "(d)", "(e)", "(f)"]
-    plt.close("all")
 
 
-def test_missing_strokes_are_said_not_drawn(material):
-    from pipeline.report.figures import figure_4, figure_5, with_nominal
+def test_figure_5_has_a_row_of_errors_of_three_models_beneath_each_row_of_curves(dataset, learned):
+    five = figure_5(with_nominal(dataset), learned, "UHMWPE")
+    titles = [axes.get_title(loc="left") for axes in five.axes]
+    assert [title[:3] for title in titles[:3] + titles[6:9]] == ["(a)", "(b)", "(c)", "(d)", "(e)", "(f)"]
+    assert [title.split(",")[0] for title in titles[3:6]] == ["error of (a)", "error of (b)", "error of (c)"]
+    assert [title.split()[-1] for title in titles[:3]] == ["n=1", "n=5", "n=9"]
+    labels = [line.get_label() for line in five.axes[0].get_lines()]
+    assert labels == ["measured", "traditional model", "INN model, held-out points", "Spline model, held-out points"]
+    for below in (five.axes[3], five.axes[9]):
+        by_label = {line.get_label(): np.asarray(line.get_ydata(), float) for line in below.get_lines()}
+        for title, error in (("INN model", 0.05), ("Spline model", 0.01)):
+            shown = by_label[f"{title}, held-out points"]
+            assert len(shown) and shown[np.isfinite(shown)] == pytest.approx(error)
+        assert "traditional model" in by_label and below.get_yscale() == "symlog"
 
-    dataset = schemas.read(material / "dataset.parquet", schemas.DATASET)
-    few = with_nominal(dataset[dataset["stroke"] == 2])
-    four, five = figure_4(few, "UHMWPE"), figure_5(few, few, "UHMWPE")
-    assert "not recorded: n=1, n=3, n=5, n=7" in four.get_suptitle()
-    assert "no stroke 9 recorded" in [text.get_text() for text in five.axes[2].texts]
-    plt.close("all")
+
+def test_the_error_axis_follows_the_learned_models():
+    assert straight_up_to([np.array([0.05, -0.31, np.nan])]) == pytest.approx(0.1)
+    assert straight_up_to([]) == 1.0 and straight_up_to([np.array([])]) == 1.0
+
+
+def test_the_third_model_is_the_best_of_the_others():
+    assert best_other(made_metrics(), TITLES) == "spline"
+    assert best_other(made_metrics(), {"inn": "INN", "mlp": "MLP", "traditional": "T"}) == "mlp"
+    assert best_other(made_metrics(), {"inn": "INN", "traditional": "T"}) is None
+
+
+@pytest.mark.parametrize(("last", "shown"), [(8, [1, 5, 8]), (2, [1, 2]), (1, [1])])
+def test_figures_have_no_panel_for_a_stroke_that_is_not_there(dataset, learned, last, shown):
+    few = with_nominal(dataset[dataset["stroke"] <= last])
+    some = {title: points[points["stroke"] <= last] for title, points in learned.items()}
+    four, five = figure_4(few, "UHMWPE"), figure_5(few, some, "UHMWPE")
+    assert len(five.axes) == 4 * len(shown)
+    assert [axes.get_title(loc="left").split("n=")[1] for axes in five.axes[: len(shown)]] == [str(n) for n in shown]
+    assert all(len(axes.get_lines()) >= 2 for axes in [*five.axes, *four.axes])
+
+
+def test_a_figure_of_no_winding_says_so(dataset):
+    none = with_nominal(dataset[dataset["phase"] != "winding"])
+    assert "no winding was recorded" in figure_4(none, "UHMWPE").get_suptitle()
+    assert "no winding was recorded" in figure_5(none, {}, "UHMWPE").get_suptitle()
+
+
+def test_a_figure_of_a_small_fit_says_that_it_is_no_result(tmp_path):
+    figure = plt.figure()
+    figure.suptitle("nylon")
+    save(figure, tmp_path / "small", SMALL)
+    assert figure.get_suptitle() == "nylon\nsmall fit: not a result, ci.yaml abc1234"
+    assert b"Small fit, not a result: made by ci.yaml" in (tmp_path / "small.png").read_bytes()
+    figure = plt.figure()
+    figure.suptitle("nylon")
+    save(figure, tmp_path / "usual", MadeBy("default.yaml", "abc1234", "default", "", ()))
+    assert figure.get_suptitle() == "nylon"
+    assert b"Made by the default configuration" in (tmp_path / "usual.png").read_bytes()

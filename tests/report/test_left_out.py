@@ -28,12 +28,13 @@ def test_it_is_told_beneath_tables_and_on_the_page_with_nothing_unescaped(tmp_pa
     (tmp_path / "left_out.json").write_text(to_json([ONE]))
     told = asked("--left-out", str(tmp_path / "left_out.json"), "--planned", to_json([LeftOut("b-02", *["x"] * 5)]))
     assert [one.run for one in left_out.told(told)] == ["a-01", "b-02"]
-    assert left_out.beneath("csv", told) == "" and "a-01, b-02" in left_out.beneath("tex", told)
-    assert "Left out: run a-01: raw/a-01/run.yaml: <b>: is 'x' & " in left_out.beneath("md", told)
+    runs = left_out.told(told)
+    assert left_out.beneath("tex", runs) == ["Left out: a-01, b-02."]
+    assert left_out.beneath("md", runs)[0].startswith("Left out: run a-01: raw/a-01/run.yaml: \\<b>: is 'x' & ")
     page = left_out.section(left_out.told(told))
     assert "&lt;b&gt;" in page and "<b>" not in page and "\x1b" not in page and "Mend: write it." in page
     nothing = asked()
-    assert left_out.section(left_out.told(nothing)) == left_out.beneath("md", nothing) == ""
+    assert left_out.told(nothing) == left_out.beneath("md", []) == left_out.beneath("tex", []) == []
 
 
 def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
@@ -134,6 +135,6 @@ def test_metrics_are_written_by_the_command_of_its_rule(tmp_path):
     table, out = tmp_path / "nylon" / "metrics.parquet", tmp_path / "x.csv"
     command = f"exec {sys.executable} -m pipeline.report.metrics {table} --out {out}"
     assert ended.rewrite([command + " > log 2>&1"], [], [], str(Path(__file__).parents[2])) == []
-    assert out.read_text().splitlines()[1].startswith("nylon,")
+    assert (tmp_path / "x.csv").read_text().splitlines()[1].startswith("nylon,")
     (wrong,) = ended.rewrite([command.replace("nylon", "wool")], [], [], str(Path(__file__).parents[2]))
     assert "FileNotFoundError" in wrong

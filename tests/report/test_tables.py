@@ -1,13 +1,16 @@
 import csv
 import io
+import json
 
 import pandas as pd
 import pytest
 
 from pipeline import schemas
+from pipeline.made_by import MadeBy
 from pipeline.report import paper
 from pipeline.report.comparison import comparison
-from pipeline.report.tables import rows, to_csv, to_latex, to_markdown
+from pipeline.report.table_forms import from_markdown, to_csv, to_latex, to_markdown
+from pipeline.report.tables import rows, write
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "traditional": "Traditional model"}
 HEADERS = {
@@ -67,11 +70,59 @@ def test_a_stroke_that_is_not_there_keeps_its_row_empty():
 
 def test_markdown_and_latex_hold_the_same_numbers():
     table = rows(made_metrics(), 1, TITLES)
-    markdown, latex = to_markdown(1, table), to_latex(1, table)
+    markdown, latex = to_markdown(1, table), to_latex(1, table, "tab:one")
     for _, _, cells in table:
         assert all(cell in markdown and cell in latex for cell in cells)
     assert latex.count("multirow") == 3 and markdown.count("INN model") == 1
-    assert r"$\theta/2\pi$" in to_latex(2, table)
+    assert r"$\theta/2\pi$" in to_latex(2, table, "tab:two")
+
+
+def test_the_markdown_table_can_be_read_back_whatever_a_title_holds():
+    table = rows(made_metrics(), 1, {"inn": "<b> | *INN* [a](b) \\", "mlp": "MLP model"})
+    caption, head, body, notes = from_markdown(to_markdown(1, table, "small fit", ("one", "two")))
+    assert caption.endswith("(small fit)") and head == paper.header(1) and notes == ["one", "two"]
+    assert body == [[title, stroke, *cells] for title, stroke, cells in table]
+
+
+def test_latex_shows_a_title_as_it_is_and_has_a_label():
+    text = to_latex(1, rows(made_metrics(), 1, {"inn": r"50 % of a_b & {c} \d"}), "tab:m-forward")
+    assert r"{50 \% of a\_b \& \{c\} \textbackslash{}d}" in text and r"\label{tab:m-forward}" in text
+    assert text.index(r"\caption") < text.index(r"\label") < text.index(r"\begin{tabular}")
+
+
+SMALL = MadeBy("ci.yaml", "abc1234", "small", "INN model 2 seeds of 3 epochs", ())
+
+
+def test_every_form_of_a_small_fit_says_that_it_is_no_result_and_the_csv_keeps_its_layout(tmp_path):
+    write(made_metrics(), 1, TITLES, SMALL, tmp_path)
+    plain = to_csv(1, rows(made_metrics(), 1, TITLES))
+    assert (tmp_path / "table_1.csv").read_text() == plain and plain.splitlines()[0] == HEADERS[1]
+    for suffix in ("md", "tex"):
+        text = (tmp_path / f"table_1.{suffix}").read_text()
+        assert "COMPARISON (small fit: not a result, ci.yaml abc1234)" in text
+        assert "Small fit, not a result: made by ci.yaml" in text and "2 seeds of 3 epochs" in text
+    beside = json.loads((tmp_path / "table_1.csv-metadata.json").read_text())
+    assert beside["url"] == "table_1.csv" and beside["schema:creativeWorkStatus"] == "small fit: not a result"
+    assert [column["titles"] for column in beside["tableSchema"]["columns"]] == HEADERS[1].split(",")
+
+
+def test_a_result_carries_the_name_of_its_configuration_and_no_warning(tmp_path):
+    write(made_metrics(), 2, TITLES, MadeBy("default.yaml", "abc1234", "default", "", ()), tmp_path)
+    text = (tmp_path / "table_2.md").read_text()
+    assert text.startswith("TABLE II: INVERSE KINEMATICS MODEL ERROR COMPARISON\n")
+    assert text.endswith("\nMade by the default configuration, default.yaml (abc1234).\n")
+
+
+def test_eight_strokes_give_no_empty_row_where_a_person_reads(tmp_path):
+    write(made_metrics(strokes=range(1, 9)), 1, TITLES, SMALL, tmp_path)
+    markdown, latex = ((tmp_path / f"table_1.{suffix}").read_text() for suffix in ("md", "tex"))
+    assert from_markdown(markdown)[2][1][1] == "n=5" and len(from_markdown(markdown)[2]) == 6
+    assert "n=9$" not in latex and latex.count(r"\multirow{2}") == 3
+    for text in (markdown, latex):
+        assert "Not shown: n=9. The material has strokes 1 to 8." in text
+    assert (tmp_path / "table_1.csv").read_text().count("n=9,,,\n") == 3
+    compared = comparison(made_metrics(strokes=range(1, 9)), "m", TITLES)
+    assert "| n=9 |" not in compared.split("## Forward, later")[0] and "The material has strokes 1 to 8." in compared
 
 
 def test_comparison_shows_the_paper_beside_ours_with_the_spread():

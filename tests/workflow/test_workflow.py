@@ -39,9 +39,13 @@ def digest(folder):
 def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     project, printed = finished
     reports = project.folder / "reports"
-    names = [f"table_{n}.{suffix}" for n in (1, 2) for suffix in ("csv", "md", "tex")]
-    names += [f"figure_{n}.{suffix}" for n in (4, 5) for suffix in ("png", "pdf")] + ["comparison.md"]
-    names += ["models.md", "models.csv", "figure_leak.png", "figure_leak.pdf"]
+    names = [f"table_{n}.{suffix}" for n in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
+    names += [f"figure_{n}.{suffix}" for n in (4, 5) for suffix in ("png", "pdf")] + [
+        "comparison.md",
+        "comparison.html",
+    ]
+    names += ["models.md", "models.html", "models.csv", "models.csv-metadata.json"]
+    names += ["figure_leak.png", "figure_leak.pdf"]
     assert all((reports / "synthetic" / name).stat().st_size > 0 for name in names)
     assert "TABLE I: FORWARD" in printed and "TABLE II: INVERSE" in printed and "figure_4.png" in printed
     with open(reports / "synthetic" / "table_1.csv", encoding="utf-8", newline="") as file:
@@ -57,12 +61,27 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     assert {line.split(",")[1] for line in lines} >= {"inn", "traditional", "floor", "floor_blind"}
     assert "The INN model loses forward, within strokes, to" in (reports / "synthetic" / "models.md").read_text()
     index = (reports / "index.html").read_text()
-    assert index.count("<table>") == 2 and "synthetic/models.md" in index and "synthetic/figure_leak.png" in index
+    assert "synthetic/models.html" in index and "synthetic/figure_leak.png" in index
+    assert index.index("At a glance") < index.index("<details") < index.index("Table I: forward")
     verdict = json.loads((reports / "diagnosis" / "synthetic-01" / "diagnosis.json").read_text())["verdict"]
-    assert f"synthetic-01: {verdict}" in printed and f"<td>{verdict}</td>" in index
+    assert f"synthetic-01: {verdict}" in printed and f'<span class="verdict {verdict}">' in index
     assert (
         "diagnosis/synthetic-01/diagnosis.png" in index and (reports / "diagnosis/synthetic-01/diagnosis.png").is_file()
     )
+
+
+def test_what_ci_makes_cannot_be_taken_for_a_result(finished):
+    project, printed = finished
+    reports = project.folder / "reports"
+    assert "(small fit: not a result, ci.yaml" in printed
+    pages = [reports / "index.html", *(reports / "synthetic").glob("*.html"), *(reports / "synthetic").glob("*.md")]
+    pages += [reports / "synthetic" / f"table_{n}.tex" for n in (1, 2)]
+    for path in (*pages, *reports.rglob("*.csv-metadata.json")):
+        assert "Small fit, not a result: made by ci.yaml" in path.read_text(), path
+    tables = {path.name for path in reports.rglob("*.csv") if "diagnosis" not in path.parts}
+    assert tables == {path.name.removesuffix("-metadata.json") for path in reports.rglob("*.csv-metadata.json")}
+    for path in (reports / "synthetic").glob("figure_*.png"):
+        assert b"Small fit, not a result: made by ci.yaml" in path.read_bytes(), path
 
 
 def test_a_second_run_has_nothing_to_do(finished):
@@ -78,7 +97,10 @@ def test_the_tables_alone(tmp_path, finished):
     other = type(project)(tmp_path / "project")
     shutil.rmtree(other.folder / "reports")
     assert other.rules_to_run("tables") == {"table": 1}
-    assert other.snakemake("tables").returncode == 0
+    done = other.snakemake("tables")
+    assert done.returncode == 0 and "TABLE I: FORWARD" in done.stdout
+    for page in ("index.html", "comparison", "models.", "figure_", "what the simulator leaves out"):
+        assert page not in done.stdout, page
     assert other.read("reports/synthetic/table_2.tex") == project.read("reports/synthetic/table_2.tex")
     assert not (other.folder / "reports" / "index.html").exists()
 
@@ -92,7 +114,7 @@ LATE = dict.fromkeys(
     ("module", "rules"),
     [
         ("pipeline/report/tables.py", {"table": 1, "index": 1, "all_taken": 1}),
-        ("pipeline/models/mlp.py", {"train": 2, **{rule: 1 for rule in LATE if rule != "figures"}}),
+        ("pipeline/models/mlp.py", {"train": 2, **LATE}),
         ("pipeline/import_run.py", {}),
         (
             "pipeline/rig/setups/small.yaml",
@@ -102,7 +124,7 @@ LATE = dict.fromkeys(
         # the diagnosed simulator is a model, which is trained again as well
         (
             "pipeline/diagnosis/locate.py",
-            {"diagnose": 1, "train": 2, **{rule: 1 for rule in LATE if rule != "figures"}},
+            {"diagnose": 1, "train": 2, **LATE},
         ),
     ],
 )

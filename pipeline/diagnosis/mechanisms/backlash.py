@@ -26,7 +26,8 @@ MECHANISM = Mechanism(
     source="physics.md C1, D1",
     confused_with="friction_hysteresis, sensor_lag, viscous_loss",
     told_apart_by="a second load: the play keeps its width",
-    sentence="After each reversal the motor turns through a play before the string follows, {size}.",
+    sentence="After each reversal the motor moves through a play before the {string} follows, worth {size}.",
+    details=("half the play is {half_width_turns}",),
     shapes=shapes,
     terms=terms,
 )

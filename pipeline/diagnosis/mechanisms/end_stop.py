@@ -36,7 +36,8 @@ MECHANISM = Mechanism(
     source="physics.md F13",
     confused_with="jam, slack",
     told_apart_by="a stroke that ends above the stop: behind a stop nothing moves at all",
-    sentence="The motion is clipped at a stop, which takes {size} away.",
+    sentence="The motion is clipped at a stop, which takes up to {span} away ({size}).",
+    details=("the stop is {stop_mm} from where the recording begins",),
     shapes=shapes,
     terms=terms,
 )

@@ -81,7 +81,13 @@ MECHANISM = Mechanism(
     source="physics.md C2-C5",
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
-    sentence="Winding and unwinding part by up to a loop of friction, {size}, which grows with load or twist.",
+    sentence="Friction parts the {reading} of {up} from that of {down}, by up to {span} ({size}).",
+    details=(
+        "half the loop is {half_loop_mm}",
+        "half the loop is {half_loop_mm_per_10_n}",
+        "half the loop is {dry_mm}",
+        "half the play is {play_turns} under the usual load",
+    ),
     shapes=shapes,
     terms=terms,
 )

@@ -35,7 +35,8 @@ MECHANISM = Mechanism(
     source="physics.md E4",
     confused_with="end_stop (which is flat), radius_compaction (which has no corner)",
     told_apart_by="strokes that end above and below the corner; the torque, which rises in a jam",
-    sentence="Past a critical twist the coils touch and the contraction falls behind, {size}.",
+    sentence="Past a critical {motion} the coils touch and the {reading} falls behind, by up to {span} ({size}).",
+    details=("it begins at {critical_turns}",),
     shapes=shapes,
     terms=terms,
 )

@@ -41,7 +41,8 @@ MECHANISM = Mechanism(
     source="physics.md F14",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",
-    sentence="Load and string ring after starts and stops, {size}.",
+    sentence="Load and {string} ring after starts and stops, {size}.",
+    details=("at {frequency_hz}, with a damping ratio of {damping}",),
     shapes=shapes,
     terms=terms,
 )

@@ -63,7 +63,8 @@ MECHANISM = Mechanism(
     source="physics.md E5",
     confused_with="a wrong radius, jam (opposite sign)",
     told_apart_by="strokes that end above and below the critical twist",
-    sentence="Past a critical twist the string coils and the contraction runs ahead, {size}.",
+    sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",
+    details=("it begins at {critical_turns}",),
     shapes=shapes,
     terms=terms,
 )

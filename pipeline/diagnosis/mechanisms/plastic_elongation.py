@@ -37,7 +37,7 @@ MECHANISM = Mechanism(
     source="physics.md A1, A1b, A1c, A2",
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
-    sentence="Every worked stroke leaves the string longer, {size} in all, and no rest takes it back.",
+    sentence="Every worked stroke leaves the {string} longer, {span} in all ({size}), and no rest takes it back.",
     shapes=shapes,
     terms=terms,
 )

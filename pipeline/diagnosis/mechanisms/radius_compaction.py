@@ -29,7 +29,7 @@ MECHANISM = Mechanism(
     source="physics.md B2, B3",
     confused_with="a wrong radius, shaft_windup, jam",
     told_apart_by="more than 20 turns at two loads; an image of the bundle",
-    sentence="The twist presses the bundle thinner: its radius falls, which costs {size} of contraction.",
+    sentence="The twist presses the bundle thinner: its radius falls, which costs up to {span} of {reading} ({size}).",
     shapes=shapes,
     terms=terms,
 )

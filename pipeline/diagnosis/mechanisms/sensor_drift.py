@@ -29,7 +29,7 @@ MECHANISM = Mechanism(
     source="physics.md F3",
     confused_with="creep, thermal, plastic_elongation",
     told_apart_by="a long rest: a drifting zero goes on in it as before",
-    sentence="The sensor's zero drifts with time, {size}, at work and at rest alike.",
+    sentence="The zero of the sensor drifts with time, {span} in all ({size}), at work and at rest alike.",
     shapes=shapes,
     terms=terms,
 )

@@ -45,7 +45,7 @@ MECHANISM = Mechanism(
     source="physics.md F7, F8",
     confused_with="viscous_loss, backlash, friction_hysteresis",
     told_apart_by="two speeds; a rigid bar in place of the string",
-    sentence="The displacement reading is late, which is worth {size} at these speeds.",
+    sentence="The {reading} is read late, which is worth {size} at these speeds.",
     shapes=shapes,
     terms=terms,
 )

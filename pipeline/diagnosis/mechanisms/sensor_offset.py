@@ -23,7 +23,8 @@ MECHANISM = Mechanism(
     source="contracts: cable_drive and moving_mass",
     confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",
-    sentence="The reading carries a constant offset, {size}.",
+    sentence="The {reading} carries a constant offset, {size}.",
+    details=("{offset_mm}",),
     shapes=shapes,
     terms=terms,
 )

@@ -27,7 +27,8 @@ MECHANISM = Mechanism(
     source="physics.md D2",
     confused_with="radius_compaction, a wrong radius (under one load)",
     told_apart_by="two loads; or lock the string's end and twist",
-    sentence="The shaft winds up under the string's torque, which costs {size} of contraction.",
+    sentence="The shaft winds up under the torque of the {string}, which costs up to {span} of {reading} ({size}).",
+    details=("{turns_per_10_n} in proportion to the torque",),
     shapes=shapes,
     terms=terms,
 )

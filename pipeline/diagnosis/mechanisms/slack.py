@@ -47,7 +47,8 @@ MECHANISM = Mechanism(
     source="physics.md E1-E3",
     confused_with="a wrong separator, backlash",
     told_apart_by="small strokes at low twist",
-    sentence="The first twist moves nothing: slack swallows {size}.",
+    sentence="The first {motion} moves nothing: slack swallows up to {span} ({size}).",
+    details=("it is taken up after {take_up_turns}", "it is taken up after {take_up_mm} of {reading}"),
     shapes=shapes,
     terms=terms,
 )

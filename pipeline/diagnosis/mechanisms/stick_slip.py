@@ -72,6 +72,7 @@ MECHANISM = Mechanism(
     confused_with="eccentricity, backlash",
     told_apart_by="one slow stroke: the jerks come at equal steps of contraction and vanish at speed",
     sentence="Slow motion goes in jerks of {size}.",
+    details=("what sticks is let go after about {reach_mm}",),
     shapes=shapes,
     terms=terms,
     random=random,

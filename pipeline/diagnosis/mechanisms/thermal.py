@@ -62,7 +62,8 @@ MECHANISM = Mechanism(
     source="physics.md A8, A9",
     confused_with="creep, plastic_elongation, sensor_drift",
     told_apart_by="another speed and a pause at the same load: only heat follows the power; or a thermocouple",
-    sentence="The length follows the temperature, by {size}.",
+    sentence="The length follows the temperature, by up to {span} ({size}), {times}.",
+    details=("{at_once_mm_per_k}",),
     shapes=shapes,
     terms=terms,
 )

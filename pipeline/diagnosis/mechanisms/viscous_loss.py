@@ -32,7 +32,8 @@ MECHANISM = Mechanism(
     source="physics.md C6",
     confused_with="sensor_lag (which shows nothing at low twist), friction_hysteresis (which ignores the speed)",
     told_apart_by="three speeds and small strokes at low twist",
-    sentence="The string yields with the twisting rate, by {size}, and stands right as soon as the motor stands.",
+    sentence="A loss follows the {rate}, up to {span} ({size}), and is gone as soon as the motor stands.",
+    details=("{straight_mm_per_turn_s}",),
     shapes=shapes,
     terms=terms,
 )

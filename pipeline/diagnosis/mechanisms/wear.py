@@ -24,7 +24,7 @@ MECHANISM = Mechanism(
     source="physics.md B4-B6",
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",
-    sentence="The radius changes with travel, which moves the contraction by {size}.",
+    sentence="The radius changes with the distance travelled, which moves the {reading} by up to {span} ({size}).",
     shapes=shapes,
     terms=terms,
 )

@@ -61,6 +61,7 @@ MECHANISM = Mechanism(
     confused_with="load_swing (which follows starts and stops), eccentricity",
     told_apart_by="a rest with the motor off: it goes on",
     sentence="The reading oscillates steadily in time, {size}, whatever the rig does.",
+    details=("at {hz}",),
     shapes=shapes,
     helper=True,
     units={"hz": "Hz"},

@@ -22,13 +22,14 @@ def main() -> None:
     parser.add_argument("--place", type=Path, required=True, help="processed/proof")
     parser.add_argument("--twins", type=Path, required=True, help="what the library leaves of the rig's effects")
     parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--note", default="", metavar="TEXT", help="which configuration made it, to stand beneath")
     told = parser.parse_args()
     cases, sizes = gather(told.place, told.batches)
     besides = beside.gather(cases, told.place, told.batches)
     scored = pd.concat([scores(cases, sizes), beside.scores(besides)], ignore_index=True)
     for name, table in (("cases", cases), ("sizes", sizes), ("beside", besides), ("scores", scored)):
         write_text(told.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
-    write_text(told.out / "proof.md", page(cases, scored, pd.read_csv(told.twins)))
+    write_text(told.out / "proof.md", page(cases, scored, pd.read_csv(told.twins)) + told.note)
     made = cases[cases["skipped"] == ""]
     draw(made, sizes, told.out)
     print(made["outcome"].value_counts().to_string())

@@ -1,0 +1,130 @@
+"""What the words of a verdict stand on: each explanation that was weighed, what it leaves, and where.
+
+Nothing here decides: the verdict is already made.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from pipeline.diagnosis import engine, generic, locate, named
+from pipeline.diagnosis.compare import price
+from pipeline.diagnosis.outcome import Study, cancels
+from pipeline.diagnosis.problem import Problem
+from pipeline.diagnosis.search import Explanation, Search
+from pipeline.kinematics import Array
+
+LISTED = 11  # explanations
+SINGLES, OTHERS = 8, 4  # of one mechanism, and of each larger number
+LEAST_VALUE = 1e-8  # of the largest singular value: smaller directions are rounding
+FOLLOWS = 0.5  # of a signal's energy: what a driver must carry for the signal to follow it
+
+
+def listed(found: Study) -> list[Explanation]:
+    """What is shown: nothing at all, what ties, and the best of every size, from what they leave."""
+    shown = {one.ids: one for one in (found.search.nothing, *found.sets)}
+    for size in range(max((len(one.ids) for one in found.sets), default=1), 0, -1):
+        for one in found.search.all_of(size)[: SINGLES if size == 1 else OTHERS]:
+            if len(shown) < LISTED:
+                shown.setdefault(one.ids, one)
+    return sorted(shown.values(), key=lambda one: one.energy, reverse=True)
+
+
+def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
+    """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
+
+    `bent`: what it leaves if its formulas may be a little wrong. `worse`: misfit over that of the first, which is minus
+    twice the logarithm of how much likelier the first makes the recording.
+    """
+    search = found.search
+    decided = found.verdict in ("explained", "ambiguous")
+    first = found.sets[0] if found.sets else None
+    tied = {one.ids for one in found.sets}
+    drivers, entries = bases(found.problem), []
+    for one in listed(found):
+        standing = "beaten"
+        if one.ids in tied:
+            standing = "tied" if decided and one is not first else "named" if decided else "not enough"
+        elif not one.ids:
+            standing = "nothing"
+        elif not first or len(one.ids) > len(first.ids):
+            standing = "not needed"
+        entry: dict[str, Any] = {
+            "ids": list(one.ids),
+            "standing": standing,
+            f"left_{ending}": float(np.sqrt(max(one.energy, 0.0))),
+        }
+        entry[f"bent_{ending}"] = float(np.sqrt(max(search.bent(one).energy, 0.0)))
+        if first and one.ids and one is not first:
+            entry["worse"] = price(search, one) - price(search, first)
+            gap = fitted(search, first) - fitted(search, one)
+            entry[f"gap_{ending}"] = float(np.sqrt(np.mean(np.square(gap))))
+            entry["location"] = locate.box(gap, found.problem)
+            entry["driver"] = follows(drivers, gap)
+            if standing == "beaten" and entry["worse"] <= 0.0:  # it fits no worse: only that disqualifies it
+                entry["balanced"] = cancels(found.problem, engine.at_work(search, one))
+        entries.append(entry)
+    return entries
+
+
+def fitted(search: Search, one: Explanation) -> Array:
+    """What an explanation predicts beside the linearised simulator, calibration included, one value a sample."""
+    fit = search.linear.plain(search.linear.columns_of(one.keys))
+    return np.asarray(search.linear.table[fit.columns].T @ fit.coefficients)
+
+
+def bases(problem: Problem) -> dict[str, Array]:
+    """Orthonormal columns of each driver of the generic dictionary, their means aside, shape (samples, columns)."""
+    found = {}
+    for name, group in generic.groups(problem.drivers).items():
+        columns = group[:, : problem.rows] - group[:, : problem.rows].mean(axis=1, keepdims=True)
+        if len(group):
+            basis, values, _ = np.linalg.svd(columns.T, full_matrices=False)
+            found[name] = basis[:, values > LEAST_VALUE * max(float(values[0]), 1e-300)]
+    return found
+
+
+def follows(drivers: dict[str, Array], signal: Array) -> str | None:
+    """The one driver whose columns carry most of a signal; None where none carries half of it."""
+    signal = signal - signal.mean()
+    carried = {name: float(np.sum(np.square(basis.T @ signal))) for name, basis in drivers.items()}
+    name = max(carried, key=lambda key: carried[key])
+    energy = float(np.sum(np.square(signal)))
+    return name if energy > 0.0 and carried[name] >= FOLLOWS * energy else None
+
+
+def spans(found: Study) -> dict[str, float]:
+    """From the lowest to the highest value of what each named mechanism does, a few samples aside; by id."""
+    ends = {}
+    for act in found.best.acts:
+        if act in found.problem.included or act.id in found.random:
+            continue
+        effect = named.effect_of(found.problem, found.best, act)
+        ends[act.id] = float(np.subtract(*np.percentile(effect, [99.9, 0.1])))
+    return ends
+
+
+def moved(found: Study) -> dict[str, float]:
+    """By how many sigma calibration moved each dimension from what was measured."""
+    problem = found.problem
+    return {
+        problem.parameters[i].name: float(
+            (found.state.values[i] - problem.parameters[i].nominal) / problem.parameters[i].sigma
+        )
+        for i in problem.movable
+    }
+
+
+def evidence(found: Study) -> dict[str, Any]:
+    """All of it, as `diagnosis.json` holds it; `floor` is that of the samples that were compared."""
+    system, drivers = found.problem.system, found.problem.drivers
+    ending = system.channel.rpartition("_")[2]
+    return {
+        f"floor_{ending}": found.floor,
+        "explanations": explanations(found, ending),
+        f"spans_{ending}": spans(found),
+        "moved_sigma": moved(found),
+        system.driver: [float(drivers.motion.min()), float(drivers.motion.max())],
+        "strokes": [int(max(drivers.stroke.min(), 1)), int(drivers.stroke.max())],
+        "loaded": drivers.loaded,
+    }

@@ -1,0 +1,74 @@
+"""A named mechanism → its sentence: the library's words with the size, the reach and the parameters that were found."""
+
+import re
+from string import Formatter
+from typing import Any
+
+from pipeline.diagnosis.interface import Mechanism
+from pipeline.diagnosis.naming import Units
+from pipeline.diagnosis.words.quantity import duration, listing, quantity, size
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+MOST_OF = 0.2  # of all strengths: time constants with less are not worth a word
+ENTRY_S = re.compile(r"(?:^|_)([0-9.]+)_s_")
+
+
+def sentence(mechanism: Mechanism, entry: dict[str, Any], span: float | None, words: Vocabulary, units: Units) -> str:
+    """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high."""
+    worth = entry[f"rms_{words.ending}"]["value"]
+    if not worth:
+        return "It was found, and comes out as nothing once everything is fitted together."
+    fields = {**words.fields, "size": f"{size(worth, words.unit)} rms"}
+    fields["span"] = size(span, words.unit) if span is not None else ""
+    fields["times"] = time_constants(entry["parameters"])
+    said = filled(mechanism.sentence, fields).rstrip(".")
+    detail = details(mechanism, entry["parameters"], words, units)
+    return f"{said}{': ' if detail else ''}{detail}."
+
+
+def filled(template: str, fields: dict[str, str]) -> str:
+    """A template with its fields; the words around a field that has nothing to say go with it."""
+    parts = re.split(r"(?<=,) ", template)
+    kept = [part for part in parts if all(fields.get(name, "") for name in names_in(part))]
+    if len(kept) == len(parts):
+        return template.format(**fields)
+    return f"{' '.join(part.format(**fields) for part in kept).rstrip(',.')}."
+
+
+def names_in(template: str) -> list[str]:
+    """The fields of a template."""
+    return [name for _, name, _, _ in Formatter().parse(template) if name]
+
+
+def details(mechanism: Mechanism, parameters: dict[str, Any], words: Vocabulary, units: Units) -> str:
+    """The first detail whose parameters were all found, once for every event."""
+    for template in mechanism.details:
+        wanted = {name: units.name(name) for name in names_in(template) if name not in words.fields}
+        found = []
+        for number in range(1, mechanism.steps + 1):
+            ending = "" if number == 1 else f"_{number}"
+            values = {name: parameters.get(f"{key}{ending}") for name, key in wanted.items()}
+            if any(value is None or not value["value"] for value in values.values()):
+                continue
+            said = {name: quantity(value["value"], value["unit"], digits=3) for name, value in values.items() if value}
+            found.append(template.format(**words.fields, **said))
+        if found:
+            return listing(found)
+    return ""
+
+
+def time_constants(parameters: dict[str, Any]) -> str:
+    """The time constants that carry most of an effect, from the names of its strengths."""
+    strengths: dict[float, float] = {}
+    for name, value in parameters.items():
+        match = ENTRY_S.search(name)
+        if match and value["value"]:
+            seconds = float(match[1])
+            strengths[seconds] = strengths.get(seconds, 0.0) + abs(value["value"])
+    whole = sum(strengths.values())
+    kept = sorted(seconds for seconds, strength in strengths.items() if strength >= MOST_OF * whole)
+    if not kept:
+        return ""
+    if len(kept) == 1:
+        return f"with a time constant of about {duration(kept[0])}"
+    return f"with time constants of {duration(kept[0])} to {duration(kept[-1])}"

@@ -1,0 +1,77 @@
+"""Numbers as a person reads them: two or three digits, a unit that suits, no exponents."""
+
+import math
+import re
+from collections.abc import Sequence
+
+SMALLER = {"mm": "µm", "m": "mm", "cm": "µm", "N": "mN", "Nm": "mNm", "V": "mV", "A": "mA", "rad": "mrad", "s": "ms"}
+FACTOR = {"cm": 1e4}  # 1e3 else
+LEAST = 1e-3  # in a unit, below which the smaller one reads better
+
+
+def number(value: float, digits: int = 2, whole: bool = False) -> str:
+    """A number with so many digits and no exponent: 0.034, 5.3, 120, 5,300; `whole` keeps zeros: 0.10."""
+    rounded = float(f"{value:.{digits}g}")
+    if rounded == 0.0:
+        return "0"
+    if abs(rounded) < 1e-6:
+        mantissa, exponent = f"{rounded:.{digits - 1}e}".split("e")
+        return f"{mantissa} × 10^{int(exponent)}"
+    decimals = max(digits - 1 - math.floor(math.log10(abs(rounded))), 0) if whole else 0
+    while decimals < 9 and round(rounded, decimals) != rounded:
+        decimals += 1
+    return f"{rounded:,.{decimals}f}"
+
+
+def said_unit(unit: str) -> str:
+    """A unit as it is written: `mm/10 N` for `mm/10N`, `mm/turn²` for `mm/turn^2`; nothing for a share or a count."""
+    if unit in ("", "1"):
+        return ""
+    unit = re.sub(r"([A-Za-z])\^?2\b", r"\1²", unit)
+    return re.sub(r"([0-9.]+)([A-Za-z])", r"\1 \2", unit)
+
+
+def size(value: float, unit: str) -> str:
+    """A measured size with its unit: two digits, zeros included."""
+    return quantity(value, unit, whole=True)
+
+
+def quantity(value: float, unit: str, digits: int = 2, whole: bool = False) -> str:
+    """A number with its unit, or with a smaller unit where that reads better; nothing but the number for a share."""
+    if unit in SMALLER and 0.0 < abs(value) < LEAST:
+        value, unit = value * FACTOR.get(unit, 1e3), SMALLER[unit]
+    return f"{number(value, digits, whole)} {said_unit(unit)}".strip()
+
+
+def span(low: float, high: float, unit: str, whole: float) -> str:
+    """A range on an axis `whole` wide."""
+    return f"{at(low, '', whole)} to {at(high, unit, whole)}"
+
+
+def at(value: float, unit: str, whole: float) -> str:
+    """A place on an axis `whole` wide, to a hundredth of it or finer: what is nearly 0 is 0."""
+    decimals = -math.floor(math.log10(whole / 100.0)) if whole > 0.0 else 3
+    return f"{number(round(value, decimals), 12)} {said_unit(unit)}".strip()
+
+
+def duration(seconds: float) -> str:
+    """A time as a clock shows it: 0.5 s, 30 s, 2 min, 2 min 30 s."""
+    if seconds < 10.0:
+        return f"{number(seconds)} s"
+    whole = round(seconds)
+    if whole < 120:
+        return f"{whole} s"
+    minutes, rest = divmod(whole, 60)
+    return f"{minutes} min" + (f" {rest} s" if rest else "")
+
+
+def times(ratio: float) -> str:
+    """How many times: 1.0, 2.4, 12, 140."""
+    return f"{ratio:.1f}" if ratio < 10.0 else number(ratio)
+
+
+def listing(words: Sequence[str], last: str = "and") -> str:
+    """Words as a list: a; a and b; a, b and c."""
+    if len(words) < 2:
+        return "".join(words)
+    return f"{', '.join(words[:-1])} {last} {words[-1]}"

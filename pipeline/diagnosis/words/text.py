@@ -1,0 +1,122 @@
+"""The content of `diagnosis.json` → `verdict.txt`: what is missing, what explains it, what next."""
+
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from pipeline.diagnosis.words import experiment, rivals, unseen
+from pipeline.diagnosis.words.dimensions import remeasured
+from pipeline.diagnosis.words.places import place
+from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words.spoken import whole
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.systems import System
+
+CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
+COMMAND = "python -m pipeline.diagnose"
+WIDE = 112
+SAID = {
+    "consistent": "the simulation explains the recording to its noise ({floor} rms).",
+    "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
+    "explained": "physics is missing, and named.",
+    "ambiguous": "physics is missing; {count} explanations fit alike.",
+    "unknown": "the mismatch is real, and nothing in the library explains it.",
+}
+
+
+def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -> str:
+    """A verdict for a person, whole; `folders` are the runs it is about, for the command that follows the next run."""
+    words = Vocabulary.of(system)
+    sections = [
+        (headline(content, words), unseen.cautions(content, words)),
+        ("What is missing", missing(content, words)),
+        (
+            "What explains it" if content["verdict"] == "explained" else "The best explanation",
+            [*named(content), *rivals.what_is_left(content, words), *rivals.made_up_for(content, words)],
+        ),
+        ("What cannot be ruled out beside it", tied(content, words)),
+        ("Error on strokes that no fit has seen", unseen.lines(content, words)),
+        ("Dimensions", remeasured(content)),
+        ("The run to make next", following(content, words, folders)),
+        (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
+        ("What would have been seen", detectable(content, words)),
+    ]
+    return "\n\n".join(
+        "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
+        for head, lines in sections
+        if lines or head is sections[0][0]
+    )
+
+
+def wrapped(line: str, indent: str) -> list[str]:
+    """A line within the width of a page, indented; a command stays whole."""
+    if COMMAND in line:
+        return [f"{indent}{line}"]
+    own = indent + " " * (len(line) - len(line.lstrip()))
+    return textwrap.wrap(
+        line.lstrip(), WIDE, initial_indent=own, subsequent_indent=f"{own}  ", break_long_words=False,
+        break_on_hyphens=False,
+    )  # fmt: skip
+
+
+def headline(content: dict[str, Any], words: Vocabulary) -> str:
+    """The verdict in one line."""
+    run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
+    floor = size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
+    said = SAID[content["verdict"]].format(floor=floor, count=1 + len(content["alternatives"]))
+    return f"{run}: {content['verdict']}: {said}"
+
+
+def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """How large the mismatch is, where, and what it follows."""
+    mismatch = content["mismatch"]
+    if not mismatch or content["verdict"] == "parameters":
+        return []
+    rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    where = place(mismatch["location"], content["evidence"], words)
+    return [
+        f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise.",
+        f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
+        f"It follows {mismatch['driver']}.",
+    ]
+
+
+def named(content: dict[str, Any]) -> list[str]:
+    """Each mechanism's sentence; also of those that only a user's own library knows."""
+    own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
+    lines = [f"{entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
+    return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
+
+
+def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What ties, with what all share first."""
+    return [rivals.shared(content), *rivals.ties(content, words)] if content["alternatives"] else []
+
+
+def detectable(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What a verdict without a name is worth: the sizes from which effects would have been seen."""
+    sizes = sorted(content["fit"][f"detectable_{words.ending}"].items(), key=lambda item: item[1])
+    if content["verdict"] not in ("consistent", "parameters") or not sizes:
+        return []
+    return [f"{listing([f'{id_} from {size(least, words.unit)}' for id_, least in sizes])} rms on."]
+
+
+def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Why the others were beaten, or what comes closest where nothing explains."""
+    if content["verdict"] == "unknown":
+        more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
+        return [*rivals.insufficient(content, words), more]
+    return rivals.beaten(content, words) if content["mechanisms"] else []
+
+
+def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[str]:
+    """The protocol, line by line, and the command that diagnoses its recording together with this one."""
+    run = content["next_run"]
+    if not run:
+        return []
+    lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
+    lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
+    new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]
+    command = " ".join([COMMAND, *map(str, folders), *new, "--together --out DIR"])
+    why = (experiment.care(run), experiment.purpose(run, words), experiment.together(run, words), f"  {command}")
+    return [*lines, *(line for line in why if line)]

@@ -1,0 +1,43 @@
+"""How every figure looks and how it is saved: the same bytes for the same data, marked with its configuration."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pipeline.files import whole
+from pipeline.made_by import MadeBy, sentence, warning
+
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
+WARNING = "#c2410c"
+STYLE: dict[Any, Any] = {
+    "font.size": 9, "axes.titlesize": 9, "legend.fontsize": 7.5, "axes.spines.top": False, "axes.spines.right": False,
+    "axes.grid": True, "grid.alpha": 0.25, "savefig.dpi": 200, "pdf.fonttype": 42, "legend.frameon": False,
+    "figure.constrained_layout.use": True,
+}  # fmt: skip
+TURNS, MILLIMETRES = "motor twist θ/2π (turns)", "displacement x (mm)"
+
+
+def name(axes: Axes, title: str, x: str, y: str) -> None:
+    """Title and labels of a panel."""
+    axes.set_title(title, loc="left")
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+
+
+def save(figure: Figure, stem: Path, mark: MadeBy | None = None) -> None:
+    """Write a figure as png and pdf, without dates; what is no result says so in a line of text on the figure."""
+    told: dict[str, Any] = {}
+    if mark is not None:
+        told = {".png": {"Description": sentence(mark)}, ".pdf": {"Subject": sentence(mark)}}
+        if warning(mark):
+            figure.suptitle("\n".join(filter(None, (figure.get_suptitle(), warning(mark)))), color=WARNING)
+    for suffix, metadata in {".png": {"Software": None}, ".pdf": {"CreationDate": None}}.items():
+        with whole(stem.with_suffix(suffix)) as temporary:
+            figure.savefig(temporary, metadata={**metadata, **told.get(suffix, {})})
+    plt.close(figure)

@@ -1,0 +1,45 @@
+"""Figure 4 of the paper: what strokes do to the string, and to the error of the traditional model."""
+
+from typing import Any
+
+import matplotlib.pyplot as plt
+import pandas as pd
+from matplotlib.figure import Figure
+
+from pipeline.report.drawing import COLOURS, MILLIMETRES, TURNS, name
+from pipeline.report.strokes_there import drawn
+from pipeline.report.winding import SHOWN, strokes_of, winding
+
+STROKES = (1, 3, 5, 7)
+
+
+def figure_4(points: pd.DataFrame, material: str) -> Figure:
+    """Recorded strokes against the traditional model, and its errors: forward above, inverse below.
+
+    `points` holds every moving point of the material with the traditional model's `forward_mm` and `inverse_turns`.
+    """
+    figure, ((forward, forward_error), (inverse, inverse_error)) = plt.subplots(2, 2, figsize=(8.0, 6.2))
+    shown = drawn(strokes_of(points), STROKES)
+    strokes = {stroke: winding(points, stroke) for stroke in shown}
+    for colour, (stroke, one) in zip(COLOURS, strokes.items(), strict=False):
+        x, turns, label = one["displacement_mm"], one["motor_turns"], f"n={stroke}"
+        forward.plot(turns, x, color=colour, lw=1.2, label=label)
+        forward_error.plot(turns, one["forward_mm"] - x, color=colour, lw=0.8, label=label)
+        inverse.plot(x, turns, color=colour, lw=1.2, label=label)
+        inverse_error.plot(x, one["inverse_turns"] - turns, color=colour, lw=0.8, label=label)
+    if strokes:
+        longest = max(strokes.values(), key=lambda one: one["motor_turns"].max() - one["motor_turns"].min())
+        by_turns, by_x = (longest.dropna().sort_values(column) for column in SHOWN[:2])
+        style: dict[str, Any] = {"color": "k", "ls": "--", "lw": 1.1, "label": "traditional model"}
+        forward.plot(by_turns["motor_turns"], by_turns["forward_mm"], **style)
+        inverse.plot(by_x["displacement_mm"], by_x["inverse_turns"], **style)
+        forward.legend()
+        inverse.legend()
+    for axes in (forward_error, inverse_error):
+        axes.axhline(0, color="k", lw=0.6)
+    name(forward, "(a) forward kinematics", TURNS, MILLIMETRES)
+    name(forward_error, "(b) forward error of the traditional model", TURNS, "model − measured (mm)")
+    name(inverse, "(c) inverse kinematics", MILLIMETRES, TURNS)
+    name(inverse_error, "(d) inverse error of the traditional model", MILLIMETRES, "model − measured (turns)")
+    figure.suptitle(f"{material}: winding, every recorded sample{'' if shown else ' (no winding was recorded)'}")
+    return figure

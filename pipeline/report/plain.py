@@ -1,0 +1,18 @@
+"""Text that Markdown shows as it is, and the mark of a configuration as a paragraph of Markdown."""
+
+import re
+
+from pipeline.made_by import MadeBy, sentence
+
+SPECIAL = re.compile(r"([\\`*\[\]<|])")
+
+
+def plain(text: str) -> str:
+    """One line of text in which no name becomes a link, a table's border or HTML."""
+    return SPECIAL.sub(r"\\\1", " ".join(text.splitlines()))
+
+
+def note(mark: MadeBy) -> str:
+    """The mark as a paragraph of Markdown, in bold unless the configuration is the default one."""
+    words = plain(sentence(mark))
+    return words if mark.kind == "default" else f"**{words}**"

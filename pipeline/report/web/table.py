@@ -1,0 +1,29 @@
+"""HTML tables that a click sorts."""
+
+from collections.abc import Sequence
+
+from markupsafe import Markup
+
+from pipeline.report.web.page import Text
+
+
+def table(
+    head: Sequence[Text], rows: Sequence[Sequence[Text]], caption: Text = "", texts: Sequence[int] = (0,),
+    over: Sequence[tuple[Text, int]] = (),
+) -> Markup:  # fmt: skip
+    """A table; columns `texts` hold words, the others numbers; `over` gives heads above heads, each with its width."""
+    shape = [Markup(' class="text"') if column in texts else Markup("") for column in range(len(head))]
+    names = Markup("").join(Markup("<th{}>{}</th>").format(of, name) for of, name in zip(shape, head, strict=True))
+    wide = Markup("").join(Markup('<th class="over" colspan="{}">{}</th>').format(width, name) for name, width in over)
+    above = Markup("<tr>{}</tr>\n").format(wide) if over else Markup("")
+    lines = Markup("\n").join(
+        Markup("<tr>{}</tr>").format(
+            Markup("").join(Markup("<td{}>{}</td>").format(of, cell) for of, cell in zip(shape, row, strict=True))
+        )
+        for row in rows
+    )
+    told = Markup("<caption>{}</caption>\n").format(caption) if caption else Markup("")
+    return Markup(
+        '<div class="scroll"><table class="sortable">\n{}<thead>\n{}<tr>{}</tr>\n</thead>\n'
+        "<tbody>\n{}\n</tbody></table></div>"
+    ).format(told, above, names, lines)

@@ -1,0 +1,26 @@
+import yaml
+
+from pipeline.made_by import NOT_HASHED, called, made_by, unpacked
+from pipeline.names import SYNTHETIC as SYNTHETIC_MATERIAL
+from pipeline.report.plain import note
+
+# Which configuration made what: a mark that every page, table and figure carries.
+DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml").read_text(encoding="utf-8"))
+OPTIONS = set(workflow.config_settings.config) - set(NOT_HASHED)
+CALLED = called([str(file) for file in workflow.overwrite_configfiles], bool(OPTIONS))
+
+
+def mark_of(*parts):
+    return made_by(config, DEFAULT, CALLED, list(parts)).packed()
+
+
+def note_of(mark):
+    return f"\n{note(unpacked(mark))}\n"
+
+
+def mark_of_material(wildcards):
+    own = ["synthetic"] if wildcards.material == SYNTHETIC_MATERIAL else []
+    return mark_of("models", "keep_lossy", *own)
+
+
+MARK_OF_ALL = mark_of("models", "keep_lossy", "synthetic", "leak")

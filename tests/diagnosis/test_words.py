@@ -1,0 +1,291 @@
+"""The words of a diagnosis: units, sensible numbers, a protocol, and what must be said first; from the JSON alone."""
+
+import copy
+import re
+from pathlib import Path
+
+import pytest
+
+from pipeline.diagnosis.interface import Mechanism
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.naming import Units
+from pipeline.diagnosis.words import effects, experiment, quantity
+from pipeline.diagnosis.words.spoken import spoken
+from pipeline.diagnosis.words.text import verdict_text
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.systems import systems
+
+SYSTEMS = {"mm": systems()["separator"], "deg": systems()["cable_drive"], "n": systems()["moving_mass"]}
+
+
+def leg(seconds, to, load, driver="motor_turns", load_name="load_n"):
+    return {"seconds": seconds, driver: to, load_name: load}
+
+
+def explanation(ids, standing, left, bent=None, worse=100.0, driver="time", place=(0.0, 12.2)):
+    found = {"ids": ids, "standing": standing, "left_mm": left, "bent_mm": bent or left}
+    if standing in ("tied", "beaten"):
+        box = {"motor_turns": list(place), "strokes": [2, 4], "phase": "rest", "share": 0.82}
+        found |= {"worse": worse, "gap_mm": 0.07, "location": box, "driver": driver}
+    return found
+
+
+def parameter(value, unit):
+    return {"value": value, "low": 0.9 * value, "high": 1.1 * value, "unit": unit}
+
+
+CONTENT = {
+    "run": "nylon-3", "verdict": "ambiguous",
+    "mismatch": {
+        "rms_mm": 0.44, "driver": ["direction x load", "time under load"],
+        "location": {"motor_turns": [0.002, 12.04], "strokes": [2, 9], "phase": "winding", "share": 0.834},
+    },
+    "mechanisms": [
+        {"id": "friction_hysteresis", "rms_mm": parameter(0.0822, "mm"), "parameters": {
+            "half_loop_mm": parameter(0.101, "mm"), "sharp_mm": parameter(0.1, "mm")}},
+        {"id": "creep", "rms_mm": parameter(0.41, "mm"), "parameters": {
+            "load_15_s_mm_per_10_n": parameter(0.3, "mm/10N"), "load_60_s_mm_per_10_n": parameter(0.2, "mm/10N")}},
+    ],
+    "alternatives": [["friction_hysteresis", "thermal"]],
+    "next_experiment": None,
+    "next_run": {
+        "title": "a hold at full twist, then a rest", "from": 4.0, "load": 20.0, "fixed_load": False,
+        "legs": [leg(2.0, -0.000488, 20.02), leg(0.5, -0.000488, 19.9), leg(16.5, 30.671, 19.9),
+                 leg(60.0, 30.671, 19.9), leg(16.5, -0.000488, 19.9), leg(120.0, -0.000488, 19.9)],
+        "parts": [["friction_hysteresis", "creep"], ["friction_hysteresis", "thermal"]],
+        "gap_now": 5.02, "gap_then": 5330.0,
+    },
+    "parameters": {"radius_mm": {"nominal": 0.55, "value": 0.5612, "low": 0.56, "high": 0.563}},
+    "fit": {
+        "noise_floor_mm": 0.0312, "detectable_mm": {"creep": 0.02, "backlash": 0.004},
+        "heldout": {"split": "last 30 % of strokes", "nominal_mm": 1.92, "calibrated_mm": 0.81, "explained_mm": 0.033},
+    },
+    "evidence": {
+        "floor_mm": 0.03, "motor_turns": [-0.0005, 30.7], "strokes": [1, 12], "loaded": True,
+        "spans_mm": {"friction_hysteresis": 0.2, "creep": 0.9}, "moved_sigma": {"radius_mm": 2.9},
+        "explanations": [
+            explanation([], "nothing", 0.45),
+            explanation(["creep"], "beaten", 0.06),
+            explanation(["friction_hysteresis", "sensor_drift"], "beaten", 0.0304, worse=400.0, driver=None),
+            explanation(["friction_hysteresis", "thermal"], "tied", 0.07, bent=0.0305),
+            explanation(["friction_hysteresis", "creep", "wear"], "not needed", 0.0299),
+            explanation(["friction_hysteresis", "creep"], "named", 0.03),
+        ],
+    },
+}  # fmt: skip
+
+
+def content(**changes):
+    """A diagnosis before its words; `changes` by dotted path, a double underscore for each dot."""
+    made = copy.deepcopy(CONTENT)
+    for path, value in changes.items():
+        *parents, last = path.split("__")
+        place = made
+        for key in parents:
+            place = place[key]
+        place[last] = value
+    return made
+
+
+def told(made=None, folders=("raw/nylon-3",), system="mm"):
+    """The verdict as a person reads it, with its lines joined again where they were wrapped."""
+    made = spoken(made or content(), SYSTEMS[system])
+    return re.sub(r"\n {4,}(?=\S)(?!\d\.|python)", " ", verdict_text(made, SYSTEMS[system], [Path(f) for f in folders]))
+
+
+def test_no_number_goes_without_unit_sense_or_in_exponents():
+    text = told()
+    assert not re.search(r"\de[+-]?\d", text)
+    assert "-0.000" not in text and "-0 " not in text
+    assert "0.44 mm rms after calibration, 15 times the noise." in text
+    assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
+    assert "It follows the direction of motion and the load; time under load." in text
+
+
+def test_sentences_say_size_reach_and_what_was_found():
+    made = spoken(content(), SYSTEMS["mm"])
+    friction, creep = (entry["sentence"] for entry in made["mechanisms"])
+    assert friction == (
+        "Friction parts the displacement of winding from that of unwinding, by up to 0.20 mm (0.082 mm rms): "
+        "half the loop is 0.101 mm."
+    )
+    assert "by up to 0.90 mm (0.41 mm rms), with time constants of 15 s to 60 s" in creep
+
+
+def test_the_run_to_make_is_a_protocol_with_its_command():
+    text = told()
+    assert "A hold at full twist, then a rest; 3.5 min in all." in text
+    for step in (
+        "1. Begin at rest, at 0 turns under 20 N.", "2. Wind to 30.7 turns in 16 s (1.9 turns/s).",
+        "3. Hold 60 s at 30.7 turns.", "4. Unwind to 0 turns in 16 s (1.9 turns/s).", "5. Hold 2 min at 0 turns.",
+    ):  # fmt: skip
+        assert step in text
+    assert "tell creep from thermal: the two cases are expected to part by 73 standard deviations of the noise" in text
+    assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
+    assert "with the same `string.id`" in text
+
+
+def test_the_json_holds_the_same_protocol_in_one_string():
+    said = spoken(content(), SYSTEMS["mm"])["next_experiment"]
+    assert said.startswith(
+        "A hold at full twist, then a rest: 3.5 min in all. 1. Begin at rest, at 0 turns under 20 N."
+    )
+    assert "5. Hold 2 min at 0 turns." in said and "`--together`" in said
+
+
+def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
+    legs = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0),
+            leg(0.5, 0.0, 20.0), leg(20.0, 12.0, 20.0), leg(20.0, 0.0, 20.0)]  # fmt: skip
+    run = {"title": "another load, then half the speed", "legs": legs, "load": 20.0, "follows": "twist"}
+    both = told(content(next_run=run | {"fixed_load": True}))
+    assert "Run 1: change the load from 20 to 30 N, and say so in run.yaml (`load_n: 30`)" in both
+    assert "Run 2, under 20 N as recorded:" in both
+    assert "raw/nylon-3 raw/nylon-3-next-1 raw/nylon-3-next-2 --together" in both
+    assert "It shows whether what is missing follows the twist." in both
+    one = told(content(next_run=run | {"fixed_load": False}))
+    assert "Change the load to 20 N." in one and "raw/nylon-3 raw/nylon-3-next --together" in one
+
+
+def test_a_load_cell_that_reads_a_little_more_changes_no_load():
+    legs = [leg(2.0, 0.0, 22.6), leg(0.5, 0.0, 21.6), leg(1.2, 20.0, 21.6), leg(1.2, 0.0, 21.6)]
+    text = told(content(next_run={"title": "one stroke", "legs": legs, "load": 22.6, "fixed_load": False}))
+    assert "hange the load" not in text
+
+
+def test_a_rest_alone_would_be_refused_and_so_ends_with_a_stroke():
+    run = {"title": "a rest with the motor off", "legs": [leg(2.0, 0.0, 20.0), leg(120.0, 0.0, 20.0)]}
+    text = told(content(next_run=run))
+    assert "1. Hold 2 min at 0 turns under 20 N." in text and "2. Then make one stroke as before" in text
+    assert "Then make one stroke" not in told()
+
+
+def test_what_is_repeated_is_counted_and_reversals_in_a_row_are_one_step():
+    stroke = [leg(0.5, 0.0, 20.0), leg(5.0, 6.0, 20.0), leg(0.2, 6.0, 20.0), leg(5.0, 0.0, 20.0)]
+    text = told(content(next_run={"title": "four strokes", "legs": [leg(2.0, 0.0, 20.0), *stroke * 4]}))
+    assert "4. Repeat steps 2 to 3 another 3 times." in text
+    places = (6.0, 3.0, 9.0, 4.0, 12.0, 0.0)
+    row = [leg(abs(to - at), to, 20.0) for at, to in zip((0.0, *places), places, strict=False)]
+    text = told(content(next_run={"title": "reversals", "legs": [leg(2.0, 0.0, 20.0), *row]}))
+    assert "2. Go to 6, 3, 9, 4, 12 and 0 turns without a pause, at 1.0 turns/s (40 s in all)." in text
+
+
+def test_what_all_ties_share_and_why_each_rival_was_beaten():
+    text = told()
+    assert "Together they leave 0.030 mm rms (1.0 times the noise)." in text
+    assert "Both explanations have friction_hysteresis; they differ in what is beside it: creep or thermal." in text
+    assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise), but only 1.0 times" in text
+    beaten = text[text.index("Why no other explanation") :]
+    assert "creep: leaves 0.060 mm rms (2.0 times the noise). It parts from the best by 0.070 mm rms, mostly" in beaten
+    assert "at 0 to 12.2 turns, in strokes 2 to 4, at rest; this follows the time." in beaten
+    assert (
+        "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), no more than the best, but"
+        in (beaten)
+    )
+    assert "less likely with it, by 20 standard deviations" in beaten
+    assert "wear beside friction_hysteresis + creep: takes away 0.0024 mm rms more: too little to count." in beaten
+    assert "calibration alone: leaves 0.45 mm rms (15 times the noise)." in beaten
+
+
+def first_lines(**held):
+    """What stands before the first section."""
+    text = told(content(**{f"fit__heldout__{name}_mm": value for name, value in held.items()}))
+    return text.partition("\n\n")[0].splitlines()
+
+
+def test_what_must_be_known_first_stands_first():
+    assert first_lines() == ["nylon-3: ambiguous: physics is missing; 2 explanations fit alike."]
+    worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
+    assert "the calibrated simulator is worse than the nominal one: 1.1 mm against 0.31 mm" in worse
+    assert "Something systematic is still missing: the unseen strokes are missed by 3.4 times the noise." in worse
+    assert "improves nothing" in " ".join(first_lines(explained=0.80))
+    assert "makes the calibrated simulator worse" in " ".join(first_lines(explained=0.95))
+
+
+def test_the_error_on_unseen_strokes_stands_beside_the_noise():
+    text = told()
+    assert "nominal 1.9 mm (62 times the noise); calibrated 0.81 mm (26 times the noise); as diagnosed 0.033 mm" in text
+    assert "The noise is 0.031 mm rms. Held out: the last 30 % of strokes." in text
+    assert "re-measure the radius: 0.55 mm measured, 0.5612 mm fits, 2.9 sigma away." in text
+
+
+def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest():
+    text = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
+    assert "backlash from 0.0040 mm and creep from 0.020 mm rms on." in text and "What is missing" not in text
+    shown = [explanation([], "nothing", 0.45), explanation(["x_wave"], "not enough", 0.06)]
+    text = told(content(verdict="unknown", mechanisms=[], alternatives=[], evidence__explanations=shown))
+    assert "x_wave: takes 99 % of the mismatch's energy, and is no physics of the library." in text
+    assert "At most three effects at once are tried" in text
+
+
+def others(system, ending, driver, channel_unit, load):
+    """The same verdict on a rig that is no string."""
+    text = repr(content(run="rig-1"))
+    text = text.replace("_mm'", f"_{ending}'").replace("'mm'", f"'{channel_unit}'").replace("motor_turns", driver)
+    return told(eval(text.replace("load_n", load or "none")), ["raw/rig-1"], system)
+
+
+@pytest.mark.parametrize(
+    ("ending", "driver", "unit", "load"), [("deg", "motor_deg", "deg", "torque_nm"), ("n", "position_m", "N", "load_n")]
+)
+def test_other_rigs_have_their_own_words_and_units(ending, driver, unit, load):
+    text = others(ending, ending, driver, unit, load)
+    assert not re.search(r"\b(string|twist|twisted|wind|winding|unwinding|turns|mm|displacement)\b", text), text
+    reading, motion = {"deg": ("jaw angle", "deg"), "n": ("force", "m")}[ending]
+    assert f"Friction parts the {reading} of the way up from that of the way down, by up to 0.20 {unit}" in text
+    assert f"2. Go to 30.7 {motion} in 16 s" in text and f"4. Go back to 0 {motion}" in text
+
+
+def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
+    for system in systems().values():
+        words, units = Vocabulary.of(system), Units.of(system)
+        for mechanism in mechanisms().values():
+            for shape in mechanism.shapes(problem.drivers)[:40:7]:
+                names = [*shape, *(term.name for term in mechanism.terms(problem.drivers, shape))]
+                found = {units.name(name): parameter(0.21, units.unit("mm")) for name in names}
+                entry = {"id": mechanism.id, f"rms_{words.ending}": parameter(0.3, words.unit), "parameters": found}
+                said = effects.sentence(mechanism, entry, 0.7, words, units)
+                assert said.endswith(".") and not re.search(r"[{}]|  |\.\.|, \.", said), said
+                assert re.search(rf"0\.(30|70) {words.unit}", said), said
+
+
+def test_a_mechanism_that_came_out_as_nothing_says_so():
+    made = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
+    assert "comes out as nothing" in spoken(made, SYSTEMS["mm"])["mechanisms"][0]["sentence"]
+
+
+def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimensions():
+    made = content()
+    made["mechanisms"][1]["rms_mm"]["value"] = 3.52
+    text = told(made)
+    assert "creep is 8.0 times the mismatch: without it other dimensions make up for most of it." in text
+    assert "friction_hysteresis is" not in text
+
+
+def test_events_are_told_one_by_one():
+    found = {"at_s": parameter(102.3, "s"), "mm": parameter(0.44, "mm"), "at_s_2": parameter(211.0, "s"),
+             "mm_2": parameter(0.2, "mm")}  # fmt: skip
+    entry = {"id": "clamp_slip", "rms_mm": parameter(0.3, "mm"), "parameters": found}
+    made = spoken(content(mechanisms=[entry]), SYSTEMS["mm"])
+    assert made["mechanisms"][0]["sentence"].endswith(": by 0.44 mm after 102 s and by 0.2 mm after 211 s.")
+
+
+def test_a_mechanism_of_ones_own_may_say_no_more_than_its_size():
+    own = Mechanism("x_own", "speed", "", "", "", "", "Air brakes the motion, by {size}.", lambda _: [], lambda *_: [])
+    entry = {"id": "x_own", "rms_mm": parameter(0.3, "mm"), "parameters": {}}
+    words = Vocabulary.of(SYSTEMS["mm"])
+    said = effects.sentence(own, entry, None, words, Units.of(SYSTEMS["mm"]))
+    assert said == "Air brakes the motion, by 0.30 mm rms."
+
+
+def test_numbers_read_well():
+    said = [quantity.number(value) for value in (0.0, 0.0312, 5.02, 120.0, 5330.0, 1.49e-4)]
+    assert said == ["0", "0.031", "5", "120", "5,300", "0.00015"]
+    assert quantity.size(0.0000312, "mm") == "0.031 µm" and quantity.size(0.104, "mm") == "0.10 mm"
+    assert quantity.at(-0.000488, "turns", 30.0) == "0 turns" and quantity.at(30.671, "turns", 30.0) == "30.7 turns"
+    assert quantity.said_unit("mm/10N") == "mm/10 N" and quantity.said_unit("mm/turn^2") == "mm/turn²"
+    assert [quantity.duration(s) for s in (0.5, 30.2, 120.0, 150.0)] == ["0.5 s", "30 s", "2 min", "2 min 30 s"]
+
+
+def test_titles_are_said_in_the_rigs_words():
+    run = {"title": "a rest at the lowest twist, then one stroke"}
+    assert experiment.title(run, Vocabulary.of(SYSTEMS["deg"])) == "A rest at the lowest motor angle, then one stroke"

@@ -1,0 +1,175 @@
+"""The index: the short answer first, every name escaped, every link relative, and what the end of a run names."""
+
+import html
+import re
+import shutil
+import subprocess
+import sys
+from html.parser import HTMLParser
+from urllib.parse import unquote
+
+import pandas as pd
+import pytest
+from made_verdict import made_verdict
+from test_diagnoses import FINE, TIED
+from test_models_page import TITLES, made_metrics
+from test_tables import made_metrics as made_table_metrics
+
+from pipeline import schemas
+from pipeline.left_out import LeftOut, to_json
+from pipeline.made_by import MadeBy
+from pipeline.report.glance import best, shortened
+from pipeline.report.summary import summary
+
+HOSTILE = "<img src=x onerror=alert(1)>"
+SMALL = MadeBy(f"{HOSTILE}.yaml", "abc1234", "small", f"{HOSTILE} 2 seeds", ())
+MATERIAL = "nylon"
+TITLE = f"Model |{HOSTILE}"
+
+
+class Seen(HTMLParser):
+    """Tags, addresses and ids of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.addresses, self.ids, self.handlers = [], [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append(tag)
+        for name, value in attributes:
+            if name in ("href", "src"):
+                self.addresses.append(value)
+            if name == "id":
+                self.ids.append(value)
+            if name.startswith("on"):
+                self.handlers.append((tag, name))
+
+
+def run(program, *words):
+    done = subprocess.run([sys.executable, "-m", f"pipeline.report.{program}", *words], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory):
+    """Reports of one material with hostile titles and of runs with hostile names, all by the real programs."""
+    root = tmp_path_factory.mktemp("project")
+    out, mark = root / "reports" / MATERIAL, ("--made-by", SMALL.packed())
+    titles = ["--titles", f"inn={TITLE}", *(f"{model}={title}" for model, title in TITLES.items() if model != "inn")]
+    for name, metrics in (("models", made_metrics()), ("tables", made_table_metrics())):
+        table = metrics.assign(material=HOSTILE)
+        schemas.write(table, schemas.METRICS, root / f"{name}.parquet")
+    run("tables", str(root / "tables.parquet"), *titles, *mark, "--out-dir", str(out))
+    run("comparison", str(root / "tables.parquet"), *titles, *mark, "--out", str(out / "comparison.md"))
+    pages = ("--out", str(out / "models.md"), "--table", str(out / "models.csv"))
+    run("models", str(root / "models.parquet"), *titles, *mark, "--directed", "mlp", *pages)
+    run("metrics", str(root / "models.parquet"), *mark, "--out", str(root / "reports" / "metrics.csv"))
+    for stem in ("figure_4", "figure_5"):
+        for suffix in ("png", "pdf"):
+            (out / f"{stem}.{suffix}").write_bytes(b"")
+    tied = {**TIED, "next_experiment": f"hold 20 N {HOSTILE}: for 15 minutes"}
+    tied["mechanisms"] = [{"id": "creep"}, {"id": HOSTILE}]
+    made_verdict(root / "reports" / "diagnosis" / HOSTILE, f"{HOSTILE}: ambiguous", tied)
+    made_verdict(root / "reports" / "diagnosis" / "it's 100% #1?", "consistent", FINE)
+    made_verdict(root / "reports" / "diagnosis" / "short", "raw/short: too short")
+    words = [MATERIAL, "--runs", HOSTILE, "it's 100% #1?", "short", "--reports", str(root / "reports")]
+    run("index", *words, *mark, "--out", str(root / "reports" / "index.html"))
+    return root / "reports"
+
+
+def pages_of(reports):
+    return {path: path.read_text(encoding="utf-8") for path in sorted(reports.rglob("*.html"))}
+
+
+def test_no_name_reaches_a_page_unescaped(reports):
+    pages = pages_of(reports)
+    assert {path.name for path in pages} == {"index.html", "models.html", "comparison.html"}
+    for path, text in pages.items():
+        seen = Seen(text)
+        assert HOSTILE not in text and not seen.handlers, path
+        assert html.escape(HOSTILE) in text, path
+        assert seen.tags.count("script") == 1 and "x" not in seen.addresses, path
+
+
+def test_every_link_is_relative_and_leads_to_something_wherever_the_folder_lies(reports, tmp_path):
+    moved = tmp_path / "else where"
+    shutil.copytree(reports, moved)
+    for path, text in pages_of(moved).items():
+        seen = Seen(text)
+        assert len(seen.ids) == len(set(seen.ids)), path
+        for address in seen.addresses:
+            if address.startswith("#"):
+                assert unquote(address[1:]) in seen.ids, (path, address)
+            else:
+                assert not re.match(r"[a-z]+:|/", address), (path, address)
+                assert (path.parent / unquote(address)).is_file(), (path, address)
+
+
+def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
+    text = (reports / "index.html").read_text()
+    opening, _, rest = text[text.index("<body>") :].partition("<details")
+    for words in ("At a glance", MATERIAL, "MLP model", "0.051", "1.04", "ambiguous", "hold 20 N"):
+        assert words in opening, words
+    assert "consistent" in opening and "not decided" in opening and "<pre>" not in opening
+    assert opening.index("Small fit, not a result") < opening.index("At a glance")
+    assert "TABLE" not in opening and "Table II: inverse" in rest and "glossary" in rest
+    assert "models.html" in rest and "models.md" not in rest and "comparison.html" in rest
+
+
+def test_every_page_wears_the_mark_of_its_configuration(reports):
+    for path, text in pages_of(reports).items():
+        assert '<p class="mark small" role="note">Small fit, not a result' in text, path
+        assert "abc1234" in text and text.count("Small fit, not a result") == 1, path
+
+
+def test_pages_bring_their_own_script_and_style_and_ask_the_network_for_nothing(reports):
+    for path, text in pages_of(reports).items():
+        assert "http" not in text.replace("http-equiv", ""), path
+        assert 'class="sortable"' in text and "table.sortable" in text and "<thead>" in text, path
+
+
+def test_the_best_model_is_the_one_of_the_least_error_on_all_points(tmp_path, reports):
+    assert best(reports / MATERIAL / "models.csv", "forward") == ["MLP model", "0.051", "1.04"]
+    assert best(tmp_path / "none.csv", "forward") == ["", "", ""]
+    rows = pd.read_csv(reports / MATERIAL / "models.csv")
+    rows.loc[rows["model"] == "inn", "median"] = 0.001
+    rows[rows["model"] != "mlp"].to_csv(tmp_path / "some.csv", index=False)
+    assert best(tmp_path / "some.csv", "inverse")[:2] == [TITLE, "0.001"]
+
+
+def test_the_next_run_is_said_in_a_few_words():
+    assert shortened("one stroke under twice the load: hold 0 turns for 2 s; more") == "one stroke under twice the load"
+    assert shortened("Rest at 0.5 turns. Then go on.") == "Rest at 0.5 turns"
+    assert shortened("word " * 60).endswith("word …") and len(shortened("word " * 60)) < 95
+
+
+def test_what_was_left_out_stands_on_the_page_and_beneath_the_tables(tmp_path, reports):
+    planned = to_json([LeftOut(HOSTILE, "nylon", "raw/x/run.yaml", HOSTILE, "is wrong", "mend it")])
+    run("index", "--planned", planned, "--reports", str(tmp_path), "--out", str(tmp_path / "index.html"))
+    text = (tmp_path / "index.html").read_text()
+    assert text.index("At a glance") < text.index('<h2 id="left-out">Left out</h2>') < text.index("<details")
+    assert html.escape(HOSTILE) in text and HOSTILE not in text
+    metrics = str(reports.parent / "tables.parquet")
+    run("tables", metrics, "--titles", "inn=INN", "--planned", planned, "--out-dir", str(tmp_path))
+    assert "\nLeft out: run \\<img src=x" in (tmp_path / "table_1.md").read_text()
+    assert r"Left out: \textless{}img" in (tmp_path / "table_1.tex").read_text()
+    assert "Left out" not in (tmp_path / "table_1.csv").read_text()
+
+
+def test_an_index_of_nothing_says_so(tmp_path):
+    run("index", "--reports", str(tmp_path), "--out", str(tmp_path / "index.html"))
+    assert "No run lies in raw/ yet." in (tmp_path / "index.html").read_text()
+
+
+def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
+    tables = [str(reports / MATERIAL / f"table_{number}.md") for number in (1, 2)]
+    said = summary(tables, reports, [MATERIAL], ["short"])
+    assert "TABLE I: " in said and "TABLE II: " in said
+    for other in ("index.html", "comparison", "models.html", "figure_", "diagnosis"):
+        assert other not in said, other
+    more = [*tables, str(reports / "index.html"), str(reports / MATERIAL / "models.html")]
+    more += [str(reports / "proof" / "proof.html"), str(reports / "diagnosis" / "short")]
+    said = summary(more, reports, [MATERIAL], ["short"])
+    assert f"all of it on one page: {reports / 'index.html'}" in said and "models.html" in said
+    assert "raw/short: too short" in said and "proof" not in said.replace(str(reports), "")

@@ -1,0 +1,114 @@
+"""Which configuration made a page: what is a result, what is a small fit, and that every form of a table says so."""
+
+import copy
+import csv
+import json
+from pathlib import Path
+
+import pytest
+import yaml
+from snakemake.utils import update_config
+
+from pipeline.made_by import MadeBy, called, made_by, sentence, unpacked, warning
+from pipeline.report.plain import note, plain
+from pipeline.report.sidecar import describe
+
+CONFIG = Path(__file__).parents[2] / "pipeline" / "config"
+DEFAULT = yaml.safe_load((CONFIG / "default.yaml").read_text())
+CI = yaml.safe_load((CONFIG / "ci.yaml").read_text())
+MODELS = ["models", "keep_lossy"]
+
+
+def merged(*parts):
+    """The default configuration with others on top, as Snakemake merges them."""
+    config = copy.deepcopy(DEFAULT)
+    for part in parts:
+        update_config(config, part)
+    return config
+
+
+def test_the_default_configuration_is_a_result():
+    mark = made_by(DEFAULT, DEFAULT, "default.yaml", MODELS)
+    assert mark.kind == "default" and warning(mark) == "" and mark.changed == ()
+    said = sentence(mark)
+    assert f"Made by the default configuration, default.yaml ({mark.digest})." in said and len(mark.digest) == 7
+    assert "INN model 5 seeds of 24 epochs" in said and "MLP model 5 seeds of 240 epochs" in said
+    assert not note(mark).startswith("**")
+
+
+@pytest.mark.parametrize("parts", [MODELS, ["campaign"], ["proof"], ["leak"]])
+def test_what_ci_makes_is_a_small_fit(parts):
+    mark = made_by(merged(CI), DEFAULT, "ci.yaml", parts)
+    assert mark.kind == "small" and "small fit: not a result" in warning(mark)
+    assert sentence(mark).startswith("Small fit, not a result: made by ci.yaml") and note(mark).startswith("**Small")
+
+
+@pytest.mark.parametrize(
+    ("change", "kind"),
+    [
+        ({"models": {"mlp": {"seeds": {"later": 4}}}}, "small"),
+        ({"models": {"inn": {"settings": {"epochs": 23}}}}, "small"),
+        ({"models": {"inn": {"settings": {"epochs": 48}}}}, "own"),
+        ({"models": {"inn": {"settings": {"width": 8}}}}, "own"),
+        ({"keep_lossy": True}, "own"),
+        ({"campaign": {"strings": 3}, "proof": {"seed": 1}, "recordings": "/some/where"}, "default"),
+    ],
+)
+def test_a_change_counts_where_it_matters(change, kind):
+    mark = made_by(merged(change), DEFAULT, "mine.yaml", MODELS)
+    assert mark.kind == kind
+    assert ("your own configuration, mine.yaml" in warning(mark)) == (kind == "own")
+
+
+def test_an_own_configuration_says_what_differs():
+    mark = made_by(merged({"models": {"inn": {"settings": {"epochs": 48}}}}), DEFAULT, "mine.yaml", MODELS)
+    assert "it differs from the default in models.inn.settings.epochs (48 instead of 24)." in sentence(mark)
+    assert "not the default one" in sentence(mark)
+
+
+def test_the_hash_is_of_the_configuration_and_not_of_where_files_lie():
+    digests = [
+        made_by(merged(change), DEFAULT, "x", MODELS).digest
+        for change in (
+            {},
+            {"recordings": "/a"},
+            {"campaign": {"seed": 5}},
+            {"models": {"inn": {"title": "x"}}},
+        )
+    ]
+    assert digests[0] == digests[1] and len(set(digests)) == 3
+
+
+def test_a_mark_survives_the_command_line():
+    mark = made_by(merged(CI), DEFAULT, "it's $(touch PWNED) <b>.yaml", MODELS)
+    assert unpacked(mark.packed()) == mark
+    for text in ("nothing", "{}", '{"changed": 3}', '{"changed": [], "else": 1}', "[]"):
+        with pytest.raises(ValueError):
+            unpacked(text)
+
+
+def test_a_configuration_is_called_by_its_files_and_options():
+    assert called([], False) == "default.yaml"
+    assert called(["/a/ci.yaml", "/b/mine.yaml"], True) == "ci.yaml + mine.yaml with --config"
+
+
+def test_markdown_shows_any_text_as_it_is():
+    from markdown_it import MarkdownIt
+
+    hostile = "<img src=x onerror=alert(1)> [a](javascript:b) | *c* `d` \\e ![f](g)\nh"
+    shown = MarkdownIt().enable("table").render(plain(hostile))
+    assert "<img" not in shown and "<a" not in shown and "<em>" not in shown and "<code>" not in shown
+    assert "&lt;img src=x onerror=alert(1)&gt; [a](javascript:b) | *c* `d` \\e" in shown
+
+
+def test_the_file_beside_a_table_is_csv_on_the_web(tmp_path):
+    table = tmp_path / "some.csv"
+    table.write_text("a (mm),b\n1,x\n")
+    mark = MadeBy("ci.yaml", "abc1234", "small", "INN model 2 seeds of 3 epochs", ())
+    describe(table, "some table", [("a (mm)", "number", "size of a in mm"), ("b", "string", "a name")], mark)
+    content = json.loads((tmp_path / "some.csv-metadata.json").read_text())
+    assert content["@context"][0] == "http://www.w3.org/ns/csvw" and content["url"] == "some.csv"
+    with open(table, newline="") as file:
+        assert [column["titles"] for column in content["tableSchema"]["columns"]] == next(csv.reader(file))
+    assert content["schema:creativeWorkStatus"] == "small fit: not a result"
+    assert "INN model 2 seeds of 3 epochs" in content["dc:provenance"] and content["schema:version"] == "abc1234"

@@ -1,0 +1,30 @@
+import pytest
+
+from pipeline.report.strokes_there import drawn, missing_of, ranges, tabled, there_of
+
+
+@pytest.mark.parametrize(
+    ("there", "wanted", "shown"),
+    [
+        (range(1, 10), (1, 5, 9), [1, 5, 9]),
+        (range(1, 9), (1, 5, 9), [1, 5, 8]),
+        (range(1, 9), (1, 3, 5, 7), [1, 3, 5, 7]),
+        (range(21, 30), (1, 5, 9), [21, 25, 29]),
+        ([2], (1, 5, 9), [2]),
+        ([], (1, 5, 9), []),
+    ],
+)
+def test_figures_show_strokes_that_are_there(there, wanted, shown):
+    assert drawn(there, wanted) == shown
+
+
+def test_tables_drop_a_stroke_that_is_not_there():
+    assert tabled(range(1, 9), (1, 5, 9)) == [1, 5]
+    assert tabled(range(21, 30), (1, 5, 9)) == [21, 25, 29]
+
+
+def test_what_is_not_shown_is_said():
+    assert missing_of(range(1, 10), (1, 5, 9)) == ""
+    assert missing_of(range(1, 9), (1, 5, 9)) == "Not shown: n=9. The material has strokes 1 to 8."
+    assert missing_of([2], (1, 5)) == "Not shown: n=1, n=5. The material has stroke 2."
+    assert ranges([1, 2, 3, 7, 9, 10]) == "1 to 3, 7 and 9 to 10" and there_of(["all", "10", "9"]) == [9, 10]
