@@ -147,7 +147,7 @@ def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
 
 
 def test_a_load_cell_that_reads_a_little_more_changes_no_load():
-    legs = [leg(2.0, 0.0, 22.6), leg(0.5, 0.0, 21.6), leg(1.2, 20.0, 21.6), leg(1.2, 0.0, 21.6)]
+    legs = [leg(2.0, 0.0, 22.6), leg(0.5, 0.0, 22.6), leg(1.2, 20.0, 21.6), leg(1.2, 0.0, 21.6)]
     text = told(content(next_run={"title": "one stroke", "legs": legs, "load": 22.6, "fixed_load": False}))
     assert "hange the load" not in text
 

@@ -129,10 +129,10 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
         return f"{said}. It parts from the best by {gap} rms, {where}{follows}."
     if one["worse"] > 0.0:
         less = f"the recording is less likely with it, by {times(math.sqrt(one['worse']))} standard deviations"
-        return f"{said}, no more than the best, but {less}; it parts from it by {gap} rms, {where}{follows}."
+        return f"{said}, no more than the best, but {less}; the two part by {gap} rms, {where}{follows}."
     if one.get("balanced"):
         return f"{said}. Its effects are far larger than what they do together: a balance, which is no explanation."
-    return f"{said}, about as little as the best, which the search prefers; it parts from it {where}{follows}."
+    return f"{said}, about as little as the best, which the search prefers; the two part {where}{follows}."
 
 
 def _saved(base: dict[str, Any], one: dict[str, Any], key: str) -> float:
