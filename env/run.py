@@ -26,12 +26,12 @@ def refuse() -> None:
 
 def prepare(check: bool) -> str:
     """The environment to run in, made first where needed."""
-    from launcher import environment
+    from launcher import environment, swap
 
     place = environment.ready(check)
     with contextlib.suppress(OSError):  # a checkout of somebody else: the environment serves all the same
-        environment.swap(place)
-        environment.tidy(place)
+        swap.swap(place)
+        swap.tidy(place)
     return str(place)
 
 

@@ -13,29 +13,20 @@ from pathlib import Path
 
 from launcher import locking, moved, records, stamp
 from launcher.install import Installer, finish_activation
-from launcher.processes import names, running
+from launcher.places import ENV, HELD, LINK, LOCK, ONE_AT_A_TIME, PROFILE, environments, shown
+from launcher.swap import clear_remains
 from launcher.words import say
 
-ENV = Path(__file__).resolve().parents[1]
-LINK, LOCK, PROFILE, ONE_AT_A_TIME = (
-    ENV / ".venv",
-    ENV / "requirements.lock",
-    ENV / "profile",
-    ENV / ".venv.lock",
-)
-HELD = "pyvenv.cfg"  # the file that a command holds as long as it works in an environment
 
-
-def places() -> list[Path]:
+def candidates() -> list[Path]:
     """The folders that may be the environment, what `env/.venv` names first."""
     named = Path(os.path.realpath(LINK))
-    beside = [path for path in sorted(ENV.glob(".venv-*")) if path.is_dir() and not path.is_symlink()]
-    return [named, *(path for path in beside if path != named)]
+    return [named, *(path for path in environments() if path != named)]
 
 
 def usable(mending: bool = False) -> Path | None:
     """An environment of this lock and this Python that is whole where it lies; `mending` fits a moved one."""
-    for place in places():
+    for place in candidates():
         content = stamp.read(place)
         if content is None or not stamp.is_of(content, LOCK) or not stamp.stands(place, content):
             continue
@@ -48,11 +39,6 @@ def usable(mending: bool = False) -> Path | None:
         if not moved_from or (mending and place.parent == ENV and moved.mend(place, moved_from, LOCK, PROFILE)):
             return place
     return None
-
-
-def shown(place: Path) -> str:
-    """A path as the person sees it from the project's folder."""
-    return str(place.relative_to(ENV.parent)) if place.is_relative_to(ENV.parent) else str(place)
 
 
 def take_turn() -> int | None:
@@ -68,7 +54,7 @@ def build(turn: int | None) -> Path:
     """A whole environment in a new folder; ends the program with a sentence when that cannot be."""
     name = f".venv-{sys.implementation.cache_tag}-{stamp.lock_sum(LOCK)[:8]}-{secrets.token_hex(3)}"
     place = ENV / name
-    say(f"making the environment in {shown(place)}; this happens once")
+    say(f"making the environment in {shown(place)}, once for each lock")
     place.mkdir()
     try:
         installer = Installer(place, turn)
@@ -89,13 +75,6 @@ def build(turn: int | None) -> Path:
     return place
 
 
-def clear_remains(turn: int | None) -> None:
-    """Remove what killed attempts left; their disk is needed, and with the turn held nobody works in them."""
-    for path in ENV.glob(".venv-*"):
-        if turn is not None and not path.is_symlink() and not (path / stamp.STAMP).exists():
-            remove(path)
-
-
 def hold(place: Path) -> bool:
     """Mark an environment as used for as long as this process and the command that it becomes live."""
     try:
@@ -114,89 +93,14 @@ def ready(check: bool = False) -> Path:
         bad = records.faults(place, LOCK) if place and check else []
         if place is None or bad:
             turn = take_turn()
-            clear_remains(turn)
+            if turn is not None:
+                clear_remains()
             if bad and place:
                 say(f"{shown(place)} is damaged: {bad[0]} ({len(bad)} in all)")
-                (place / stamp.STAMP).unlink(missing_ok=True)
-            place = usable(mending=True) or build(turn)
+                if place.parent == ENV:
+                    (place / stamp.STAMP).unlink(missing_ok=True)
+            place = (None if bad else usable(mending=True)) or build(turn)
             if turn is not None:
                 os.close(turn)
         if hold(place):
             return place
-
-
-def swap(place: Path) -> None:
-    """Let `env/.venv` name an environment, unless it names one of this lock or a job runs by that name."""
-    named = Path(os.path.realpath(LINK))
-    if named == place or is_another_pythons(named):
-        return
-    if os.path.lexists(LINK):
-        seen = running()
-        users = [process.id for process in seen.processes if names(process, LINK)] if seen else []
-        if users or (seen is None and LINK.exists()):
-            say(f"env/.venv names the environment from before until nothing runs by that name (process {users or '?'})")
-            return
-    temporary = ENV / f".venv-link-{secrets.token_hex(3)}"
-    os.symlink(os.path.relpath(place, ENV), temporary)
-    if LINK.is_dir() and not LINK.is_symlink():  # as the launcher made it once
-        LINK.rename(ENV / f".venv-before-{secrets.token_hex(3)}")
-    os.replace(temporary, LINK)
-
-
-def is_another_pythons(place: Path) -> bool:
-    """Whether an environment is of this lock too, and made by another kind of Python."""
-    content = stamp.read(place)
-    if content is None or content["lock"] != stamp.lock_sum(LOCK) or content["place"] != str(place):
-        return False
-    return content["python"] != stamp.python_tag() and stamp.stands(place, content)
-
-
-def out_of_date(place: Path) -> list[Path]:
-    """Environments beside `place` that no launcher would choose, and remains of killed attempts and swaps."""
-    kept = (place, Path(os.path.realpath(LINK)))
-    return [
-        path for path in ENV.glob(".venv-*") if path not in kept and (path.is_symlink() or not is_another_pythons(path))
-    ]
-
-
-UNKNOWN = (
-    "older environments stay, as this system does not tell whether they are used; when no job runs, delete in env/: {}"
-)
-
-
-def tidy(place: Path) -> None:
-    """Remove what is out of date and used by nobody, unless another launcher is at work."""
-    old = out_of_date(place)
-    if not old:
-        return
-    try:
-        turn = locking.exclusive(ONE_AT_A_TIME, wait=False)
-    except BlockingIOError:
-        return
-    if turn is None:
-        return say(UNKNOWN.format(", ".join(path.name for path in old)))
-    seen = running()
-    try:
-        if seen is None:
-            return say(UNKNOWN.format(", ".join(path.name for path in old)))
-        for path in old:
-            if path.is_symlink():
-                path.unlink(missing_ok=True)
-            elif not any(names(process, path) for process in seen.processes):
-                remove(path)
-    finally:
-        os.close(turn)
-
-
-def remove(place: Path) -> None:
-    """Delete an environment that no launcher's command holds, its stamp first."""
-    held = None
-    try:
-        if (place / HELD).exists():
-            held = locking.exclusive(place / HELD, wait=False, create=False)
-    except BlockingIOError:
-        return
-    (place / stamp.STAMP).unlink(missing_ok=True)
-    shutil.rmtree(place, ignore_errors=True)
-    if held is not None:
-        os.close(held)

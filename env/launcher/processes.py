@@ -21,16 +21,16 @@ class Process:
 
 @dataclass(frozen=True)
 class Running:
-    """The processes that can be seen; `complete` is false when other users' may be hidden."""
+    """The processes that can be seen, but this one; those that it comes from; whether others' may be hidden."""
 
     processes: list[Process]
     complete: bool
+    line: tuple[int, ...] = ()
 
 
 def running() -> Running | None:
-    """Every process but this one and those that it comes from; None where the system does not tell."""
-    seen = by_proc() if (PROC / "self").exists() else by_ps()
-    return seen
+    """What runs; None where the system does not tell."""
+    return by_proc() if (PROC / "self").exists() else by_ps()
 
 
 def by_proc() -> Running:
@@ -49,9 +49,8 @@ def by_proc() -> Running:
             continue
         words[:1] = [absolute(word, path) for word in words[:1]]
         found[int(path.name)] = Process(int(path.name), user, words, environment_of(path), folder_of(path))
-    for process in line_of(os.getpid(), parents):
-        found.pop(process, None)
-    return Running(list(found.values()), complete)
+    found.pop(os.getpid(), None)
+    return Running(list(found.values()), complete, line_of(os.getpid(), parents))
 
 
 def environment_of(path: Path) -> bytes:
@@ -79,13 +78,13 @@ def absolute(program: bytes, path: Path) -> bytes:
         return program
 
 
-def line_of(process: int, parents: dict[int, int]) -> list[int]:
+def line_of(process: int, parents: dict[int, int]) -> tuple[int, ...]:
     """A process and those that it comes from."""
     line: list[int] = []
     while process > 0 and process not in line:
         line.append(process)
         process = parents.get(process, 0)
-    return line
+    return tuple(line)
 
 
 def by_ps() -> Running | None:
@@ -102,9 +101,8 @@ def by_ps() -> Running | None:
             process, parent, user = map(int, fields[:3])
             parents[process] = parent
             found[process] = Process(process, user, fields[3].split(), b"", None)
-    for process in line_of(os.getpid(), parents):
-        found.pop(process, None)
-    return Running(list(found.values()), True)
+    found.pop(os.getpid(), None)
+    return Running(list(found.values()), True, line_of(os.getpid(), parents))
 
 
 def names(process: Process, folder: Path) -> bool:

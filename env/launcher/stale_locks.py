@@ -19,7 +19,7 @@ def is_stale(owner: int, seen: Running | None) -> bool:
     if seen is None or not (seen.complete or owner == os.geteuid()):
         return False
     for process in seen.processes:
-        if process.user == owner and is_snakemake(process.words):
+        if process.user == owner and process.id not in seen.line and is_snakemake(process.words):
             try:
                 if process.folder is None or os.path.samefile(process.folder, "."):
                     return False

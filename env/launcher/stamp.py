@@ -49,7 +49,7 @@ def read(place: Path) -> dict[str, Any] | None:
     except (OSError, ValueError):
         return None
     fits = isinstance(content, dict) and all(isinstance(content.get(name), kind) for name, kind in FIELDS.items())
-    return content if fits else None
+    return content if fits and all(isinstance(size, int) for size in content["outline"].values()) else None
 
 
 def stands(place: Path, content: dict[str, Any]) -> bool:
