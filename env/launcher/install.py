@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import urllib.request
 from collections.abc import Callable
 from pathlib import Path
 
@@ -110,6 +109,8 @@ def has_nvidia_gpu() -> bool:
 
 def cpu_index_answers() -> bool:
     """Whether PyTorch's own index of CPU builds can be reached."""
+    import urllib.request  # here, as it is the slowest of all to import and seldom needed
+
     try:
         with urllib.request.urlopen(f"{CPU_INDEX}/torch/", timeout=ANSWER_WITHIN_S) as reply:
             return bool(reply.status == 200)

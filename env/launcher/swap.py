@@ -18,7 +18,7 @@ UNKNOWN = (
 def swap(place: Path) -> None:
     """Let `env/.venv` name an environment, unless it names one of this lock or a job runs by that name."""
     named = Path(os.path.realpath(LINK))
-    if named == place or is_another_pythons(named):
+    if named == place or (is_another_pythons(named) and not is_moved(named)):
         return
     if os.path.lexists(LINK):
         seen = running()
@@ -36,9 +36,15 @@ def swap(place: Path) -> None:
 def is_another_pythons(place: Path) -> bool:
     """Whether an environment is of this lock too, and made by another kind of Python."""
     content = stamp.read(place)
-    if content is None or content["lock"] != stamp.lock_sum(LOCK) or content["place"] != str(place):
+    if content is None or content["lock"] != stamp.lock_sum(LOCK):
         return False
     return content["python"] != stamp.python_tag() and stamp.stands(place, content)
+
+
+def is_moved(place: Path) -> bool:
+    """Whether an environment was made elsewhere than where it lies."""
+    content = stamp.read(place)
+    return content is None or content["place"] != str(place)
 
 
 def out_of_date(place: Path) -> list[Path]:

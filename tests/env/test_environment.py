@@ -93,6 +93,11 @@ def test_another_pythons_environment_stays_and_the_link_with_it(checkout):
     (mine,) = set(checkout.places()) - {other}
     assert is_whole(mine, BOTH) and is_whole(other, BOTH) and checkout.link.resolve() == other
     assert str(mine) in checkout.run("alpha").stdout
+    moved = checkout.folder.rename(checkout.folder.with_name("moved"))
+    checkout.folder = moved
+    assert checkout.run("alpha").stdout.startswith("alpha 1.0")
+    assert {path.name for path in checkout.places()} == {mine.name, other.name}  # the other can be fitted too
+    assert checkout.link.resolve().name == mine.name
 
 
 def test_what_the_installer_leaves_out_or_spoils_is_not_stamped(bare):

@@ -158,7 +158,8 @@ def test_the_installer_ends_with_its_launcher(bare, silent_index):
     assert silent_index.asked.wait(LONG_S)
     assert not nobody_installs(bare)
     launcher.kill()
-    launcher.communicate()
+    launcher.wait()
+    launcher.stdout.close()
     wait_until(lambda: nobody_installs(bare), "the installer lives on")
     ends_whole(bare, "1.0")
 
