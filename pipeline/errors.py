@@ -1,13 +1,16 @@
 """Bad input, said so that a person can mend it."""
 
-import ctypes
 import errno
 import functools
 import os
 import signal
 import sys
+import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
+
+LOOK_EVERY_S = 1.0
 
 
 class BadInput(Exception):
@@ -19,12 +22,35 @@ class BadInput(Exception):
 
 
 def die_with(parent: int) -> None:
-    """Ask Linux to end this process when its parent dies: a killed Snakemake must leave no job that writes on."""
-    if sys.platform == "linux":
-        set_parent_death_signal = 1  # PR_SET_PDEATHSIG
-        ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
-        if os.getppid() != parent:  # it died while this process was starting
-            os.kill(os.getpid(), signal.SIGKILL)
+    """End this process when its parent dies: a killed Snakemake must leave no job that writes on.
+
+    Linux does that at once; elsewhere a thread looks every second. Windows says nothing of a parent's death.
+    """
+    if os.name == "nt":
+        return
+    if not _kernel_ends_orphans():
+        threading.Thread(target=_end_as_orphan, args=(parent,), daemon=True).start()
+    elif os.getppid() != parent:  # it died while this process was starting
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
+def _kernel_ends_orphans() -> bool:
+    """Whether the kernel took the order to end this process with its parent."""
+    try:
+        import ctypes
+
+        prctl = ctypes.CDLL(None).prctl
+    except (ImportError, OSError, AttributeError):  # not Linux
+        return False
+    set_parent_death_signal = 1  # PR_SET_PDEATHSIG
+    return bool(prctl(set_parent_death_signal, signal.SIGKILL) == 0)
+
+
+def _end_as_orphan(parent: int) -> None:
+    """Wait until another process is the parent, then end this one at once."""
+    while os.getppid() == parent:
+        time.sleep(LOOK_EVERY_S)
+    os.kill(os.getpid(), signal.SIGKILL)
 
 
 def _unusable(error: OSError) -> BadInput:

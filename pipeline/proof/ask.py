@@ -3,7 +3,6 @@
 import argparse
 import json
 import os
-import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -21,13 +20,13 @@ def ask(runs: list[Path], out: Path, without: str = "", together: bool = False) 
     command = [sys.executable, "-m", "pipeline.diagnose", *map(str, runs), "--out", str(out)]
     command += ["--without", without] if without else []
     command += ["--together"] if together else []
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = os.times()
     # it must end when this process does, not when Snakemake does
     done = subprocess.run(command, env={**os.environ, "TWISTBENCH_PARENT": str(os.getpid())})
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    after = os.times()
     if done.returncode not in (0, REFUSED):
         raise RuntimeError(f"the diagnosis ended with status {done.returncode}: {' '.join(command)}")
-    seconds = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    seconds = after.children_user - before.children_user + after.children_system - before.children_system
     return {"runs": [run.name for run in runs], "seconds": round(seconds, 2), "status": done.returncode}
 
 

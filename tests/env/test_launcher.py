@@ -1,58 +1,20 @@
-"""The launcher: when it makes the environment, what it says when it cannot, and which locks it clears."""
+"""What the launcher says and asks for: torch's build, systems that it refuses, commands that are not there."""
 
-import importlib.util
+import importlib
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-PATH = Path(__file__).parents[2] / "env" / "run.py"
+RUN = Path(__file__).parents[2] / "env" / "run.py"
 
 
 @pytest.fixture
-def launcher(tmp_path, monkeypatch):
-    """The launcher as a module, on an environment folder of its own."""
-    spec = importlib.util.spec_from_file_location("launcher", PATH)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    (tmp_path / "requirements.lock").write_text("torch==2.13.0\nsix==1.16.0\n")
-    for name, path in {"ENV": tmp_path, "VENV": tmp_path / ".venv", "STAMP": tmp_path / ".venv" / "stamp"}.items():
-        monkeypatch.setattr(module, name, path)
-    monkeypatch.setattr(module, "LOCK", tmp_path / "requirements.lock")
-    return module
-
-
-@pytest.fixture
-def asked(launcher, monkeypatch):
-    """What pip is asked for; it always succeeds, and making the venv does nothing."""
-    calls = []
-    monkeypatch.setattr(launcher, "pip", lambda *words, quiet=False: calls.append(words) or True)
-
-    def make_venv():
-        (launcher.VENV / "bin").mkdir(parents=True, exist_ok=True)
-        (launcher.VENV / "bin" / "activate").write_text("")
-
-    monkeypatch.setattr(launcher, "make_venv", make_venv)
-    return calls
-
-
-def test_the_environment_is_made_once_and_again_when_the_lock_changes(launcher, asked):
-    launcher.ensure_environment()
-    made = len(asked)
-    assert made and launcher.STAMP.read_text() == launcher.stamp()
-    launcher.ensure_environment()
-    assert len(asked) == made
-    launcher.LOCK.write_text("torch==2.13.0\n")
-    launcher.ensure_environment()
-    assert len(asked) > made
-
-
-def test_a_failed_install_leaves_no_stamp(launcher, asked, monkeypatch):
-    monkeypatch.setattr(launcher, "pip", lambda *words, quiet=False: "-r" not in words)
-    with pytest.raises(SystemExit, match="installing failed"):
-        launcher.ensure_environment()
-    assert not launcher.STAMP.exists()
+def install(monkeypatch):
+    """The launcher's module that installs."""
+    monkeypatch.syspath_prepend(str(RUN.parent))
+    return importlib.import_module("launcher.install")
 
 
 @pytest.mark.parametrize(
@@ -64,17 +26,23 @@ def test_a_failed_install_leaves_no_stamp(launcher, asked, monkeypatch):
         (True, True, True, []),
     ],
 )
-def test_the_cpu_build_of_torch_is_preferred_without_a_gpu(launcher, asked, monkeypatch, gpu, on_disk, index, expected):
-    monkeypatch.setattr(launcher.sys, "platform", "linux")
-    monkeypatch.setattr(launcher, "has_nvidia_gpu", lambda: gpu)
-    monkeypatch.setattr(launcher, "cpu_index_answers", lambda: index)
+def test_the_cpu_build_of_torch_is_preferred_without_a_gpu(
+    install, tmp_path, monkeypatch, gpu, on_disk, index, expected
+):
+    lock = tmp_path / "requirements.lock"
+    lock.write_text("six==1.16.0\ntorch==2.13.0\n")
+    monkeypatch.setattr(install.sys, "platform", "linux")
+    monkeypatch.setattr(install.platform, "machine", lambda: "x86_64")
+    monkeypatch.setattr(install, "has_nvidia_gpu", lambda: gpu)
+    monkeypatch.setattr(install, "cpu_index_answers", lambda: index)
+    asked = []
 
-    def pip(*words, quiet=False):
+    def pip(self, *words, quiet=False):
         asked.append(words)
         return on_disk or "--no-index" not in words
 
-    monkeypatch.setattr(launcher, "pip", pip)
-    launcher.ensure_environment()
+    monkeypatch.setattr(install.Installer, "pip", pip)
+    install.Installer(tmp_path, None).packages(lock)
     options = [word for words in asked for word in words if word in ("--no-index", "--index-url")]
     assert options == expected
     assert any("torch==2.13.0" in words for words in asked) == bool(expected)
@@ -82,44 +50,66 @@ def test_the_cpu_build_of_torch_is_preferred_without_a_gpu(launcher, asked, monk
 
 
 @pytest.mark.parametrize("pip_too", [True, False])
-def test_without_python3_venv_it_takes_virtualenv_or_says_what_to_install(launcher, monkeypatch, pip_too):
+def test_without_python3_venv_it_takes_virtualenv_or_says_what_to_install(install, tmp_path, monkeypatch, pip_too):
     missing = {"ensurepip"} if pip_too else {"ensurepip", "pip"}
-    monkeypatch.setattr(launcher.importlib.util, "find_spec", lambda name: None if name in missing else object())
+    monkeypatch.setattr(install.importlib.util, "find_spec", lambda name: None if name in missing else object())
     commands = []
 
     def run(command, **_):
         commands.append(command)
         return subprocess.CompletedProcess(command, 0 if pip_too else 1)
 
-    monkeypatch.setattr(launcher.subprocess, "run", run)
+    monkeypatch.setattr(install.subprocess, "run", run)
     if pip_too:
-        launcher.make_venv()
-        assert "virtualenv" in commands[0] and commands[1][1:3] == ["-m", "virtualenv"]
+        install.Installer(tmp_path, None).make_venv()
+        assert "virtualenv" in commands[0] and commands[1][1:3] == ("-m", "virtualenv")
     else:
         with pytest.raises(SystemExit, match=r"apt install python3\.\d+-venv"):
-            launcher.make_venv()
+            install.Installer(tmp_path, None).make_venv()
 
 
-def test_stale_locks_go_and_live_ones_stay(launcher, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    lock = tmp_path / ".snakemake" / "locks" / "0.input.lock"
-    lock.parent.mkdir(parents=True)
-    lock.touch()
-    program = tmp_path / "bin" / "snakemake"
-    program.parent.mkdir()
-    program.write_text("import time; print('at work', flush=True); time.sleep(60)")
-    alive = subprocess.Popen([sys.executable, str(program)], cwd=tmp_path, stdout=subprocess.PIPE)
-    try:
-        alive.stdout.readline()
-        launcher.clear_stale_locks()
-        assert lock.exists()
-    finally:
-        alive.kill()
-        alive.communicate()
-    launcher.clear_stale_locks()
-    assert not lock.exists()
+def launched(*words, first="pass"):
+    """The launcher, after some code of the test's own."""
+    code = f"import os, runpy, shutil, sys; {first}; sys.argv = {['run.py', *words]!r}; "
+    code += f"runpy.run_path({str(RUN)!r}, run_name='__main__')"
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
 
 
 def test_without_a_command_it_says_how_it_is_used():
-    done = subprocess.run([sys.executable, str(PATH)], capture_output=True, text=True)
+    done = launched()
     assert done.returncode == 1 and "env/run.py snakemake" in done.stderr
+
+
+def test_windows_is_refused_in_one_sentence():
+    done = launched("pytest", first="os.name = 'nt'")
+    assert done.returncode == 1 and "WSL" in done.stderr and len(done.stderr.splitlines()) == 1
+
+
+def test_an_old_python_is_refused_in_one_sentence():
+    done = launched("pytest", first="sys.version_info = (3, 10, 2)")
+    assert done.returncode == 1 and "Python 3.11 or newer" in done.stderr and len(done.stderr.splitlines()) == 1
+
+
+def test_a_command_that_is_not_there_or_does_not_run_is_a_sentence(checkout, tmp_path):
+    done = checkout.run("no-such-command")
+    assert done.returncode == 1 and "no command 'no-such-command'" in done.stderr
+    broken = tmp_path / "broken"
+    broken.write_bytes(b"\0\1\2\3")
+    broken.chmod(0o755)
+    done = checkout.run(str(broken))
+    assert done.returncode == 1 and "cannot be run" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_it_makes_runs_and_keeps_where_the_system_has_no_locks_and_no_proc(bare, tmp_path):
+    """Where it cannot be known whether an old environment is used, it stays, and how to remove it is said."""
+    site = Path(bare.quick["PYTHONPATH"]) / "sitecustomize.py"
+    poor = "import os, sys\nif os.path.basename(sys.orig_argv[1]) == 'run.py':\n"
+    poor += "    sys.modules['fcntl'] = sys.modules['ctypes'] = None\n    del os.fdatasync\n"
+    (tmp_path / "sitecustomize.py").write_text(site.read_text() + poor)
+    without = {"PYTHONPATH": str(tmp_path)}
+    assert bare.run("alpha", **without).stdout.startswith("alpha 1.0")
+    old = bare.link.resolve()
+    bare.lock("alpha==2.0", "beta==1.0")
+    done = bare.run("alpha", **without)
+    assert done.stdout.startswith("alpha 2.0") and old in bare.places()
+    assert f"when no job runs, delete in env/: {old.name}" in done.stderr

@@ -46,8 +46,9 @@ def copy_project(folder: Path) -> Project:
     for name in ("pipeline", "env"):
         shutil.copytree(ROOT / name, folder / name, ignore=ignored)
     shutil.copy(ROOT / "Snakefile", folder)
-    if (ROOT / "env" / ".venv").exists():
-        (folder / "env" / ".venv").symlink_to(ROOT / "env" / ".venv")
+    ours = Path(sys.prefix) if (Path(sys.prefix) / "stamp").exists() else ROOT / "env" / ".venv"
+    if ours.exists():
+        (folder / "env" / ".venv").symlink_to(ours)
     return Project(folder)
 
 
