@@ -111,7 +111,7 @@ class Lines:
             if len(header) == count and (is_known(header) or its == between != " "):
                 self._printed = header
                 self.columns = self.columns or header
-                self.text -= 1
+                self.text -= sum(one == header for one, _ in self.headers)
                 said = between.join(header)
                 self.greetings = [one for one in self.greetings if re.sub(r"\s", "", one) != re.sub(r"\s", "", said)]
                 return
@@ -146,11 +146,11 @@ class Lines:
         mend = "name them, as many as a line has numbers: --columns time_ms,motor_turns,displacement_mm"
         if not count:
             return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
-        if not self.columns:
-            return f"no line names the columns of lines of {count} numbers like {line!r}", mend
         if self._foreign:
             return "the rig has named other columns since", "reset it, or end the run and begin another"
-        if between == "," and count > len(self.columns):
+        columns = self.columns or next((header for header, _ in reversed(self.headers) if is_known(header)), ())
+        if not columns:
+            return f"no line names the columns of lines of {count} numbers like {line!r}", mend
+        if between == "," and count > len(columns):
             mend = "if these are decimal commas, print decimal points or put ; between the numbers; else " + mend
-        what = f"lines like {line!r} have {count} numbers, and the columns are {len(self.columns)}"
-        return f"{what} ({', '.join(self.columns)})", mend
+        return f"lines like {line!r} have {count} numbers, and the columns are {', '.join(columns)}", mend
