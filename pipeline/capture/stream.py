@@ -69,7 +69,7 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
     """
     listener = Listener(hello)
     progress = listener.progress
-    silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 50.0 / hello.rate_hz)
+    silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
     began_s = heard_s = new_s = time.monotonic()
     stopped_s, newest = math.inf, 0
     over: str | None = None  # why it was stopped, if nobody asked

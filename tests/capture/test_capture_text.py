@@ -321,6 +321,19 @@ def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
     assert info["samples"]["received"] > 10 and info["lines"]["bad"] == 0 and info["lines"]["text"] >= 1
 
 
+def test_a_rig_that_prints_for_ever_is_ended_by_longest(rig, tmp_path):
+    ours, start = rig
+    process, folder = start("--columns", "time_ms,motor_turns,displacement_mm", "--longest", "1"), tmp_path / "run-1"
+    until((folder / "recording.lines").exists, process)
+    number = 0
+    while process.poll() is None:
+        os.write(ours, line(number))
+        number += 1
+        time.sleep(0.02)
+    assert process.returncode == 0 and "ended by --longest after 1 s" in process.stdout.read()
+    assert json.loads((folder / "capture.json").read_text())["samples"]["received"] > 3
+
+
 COMMAS = b"".join(b"%d,%d,25,%d,1\r\n" % (number * 20, number, number) for number in range(300))
 
 
