@@ -26,7 +26,8 @@ ARRAYS = ["pipeline.wire.batch", "pipeline.wire.ledger"]
 with atheris.instrument_imports(include=["pipeline"], exclude=ARRAYS):
     from pipeline.capture.commit import Read, account
     from pipeline.capture.guess import guess
-    from pipeline.capture.lines import read_lines
+    from pipeline.capture.holes import Steps, find
+    from pipeline.capture.lines import Lines, Splitter
     from pipeline.capture.progress import Progress
     from pipeline.capture.stream import Outcome
     from pipeline.wire import Channel, Decoder, Hello, Kind, encode, read_account, read_recording
@@ -112,10 +113,15 @@ def bear(data: bytes) -> None:
     if log:
         guess(log, 115_200)
     for columns in ((), ("time_ms", "motor_turns")):
-        table = read_lines(text, columns)
-        assert all(len(row) == len(table.columns) for row in table.rows)
-        table.holes()
-        table.csv.encode()
+        lines, steps = Lines(columns), Steps()
+        rows = [row for row in map(lines.take, Splitter().feed(text)) if row is not None]
+        assert all(len(row) == len(lines.columns) for row in rows) and lines.good == len(rows)
+        lines.problem()
+        if lines.time_at >= 0:
+            times = [float(row[lines.time_at]) for row in rows]
+            for time in times:
+                steps.take(time)
+            find(times, steps.usual)
 
 
 def one(data: bytes) -> None:

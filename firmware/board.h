@@ -10,6 +10,7 @@
 #else
 #define PROGMEM
 #define pgm_read_byte(address) (*(const char *)(address))
+#define pgm_read_dword(address) (*(const uint32_t *)(address))
 #endif
 
 /* What the sensors said at one moment, and how many moments before it found no room to be kept. */

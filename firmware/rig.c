@@ -17,7 +17,7 @@ enum reason { COMPLETE = 0, STOPPED = 1, FAULTY = 2 };
 enum fault { MOTOR_STALLED = 1, ENCODER_SKIPPED = 2 }; /* our own numbers */
 
 static const char HELLO_BEGIN[] PROGMEM =
-    "{\"protocol\":1,\"device\":\"" DEVICE "\",\"firmware\":\"1.0\",\"nonce\":\"";
+    "{\"protocol\":2,\"device\":\"" DEVICE "\",\"firmware\":\"2.0\",\"nonce\":\"";
 static const char HELLO_REST[] PROGMEM =
     "\",\"rate_hz\":" TEXT(RATE_HZ) ",\"strokes\":" TEXT(STROKES) ",\"channels\":["
     CHANNEL("motor_turns", "turns", "i32", MOTOR_SCALE, "0") ","

@@ -3,22 +3,22 @@
 #include "board.h"
 
 #define GROUP 254 /* bytes without a zero that one COBS code can announce */
-#define COMMAND 7 /* kind u8, seq u32, crc u16: the host's frames have no payload */
+#define COMMAND 9 /* kind u8, seq u32, crc u32: the host's frames have no payload */
 
 static uint8_t group[GROUP];
 static uint8_t grouped;
 static bool was_full; /* the last group was: no zero stood behind it */
-static uint16_t crc;
+static uint32_t crc;
 
-/* CRC-16/CCITT-FALSE, a byte at a time and without a table; start with 0xFFFF. */
-static uint16_t crc_of(uint16_t sum, uint8_t byte)
+/* CRC-32 as in zip, half a byte at a time: its table has 64 bytes instead of 1024. Start with 0xFFFFFFFF, invert. */
+static const uint32_t HALVES[16] PROGMEM = {
+    0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC, 0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
+    0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C, 0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
+
+static uint32_t crc_of(uint32_t sum, uint8_t byte)
 {
-    sum = (uint16_t)(sum >> 8 | sum << 8);
-    sum ^= byte;
-    sum ^= (uint8_t)sum >> 4;
-    sum ^= (uint16_t)(sum << 12);
-    sum ^= (uint16_t)((sum & 0xFF) << 5);
-    return sum;
+    sum = sum >> 4 ^ pgm_read_dword(&HALVES[(uint8_t)(sum ^ byte) & 15]);
+    return sum >> 4 ^ pgm_read_dword(&HALVES[(uint8_t)(sum ^ byte >> 4) & 15]);
 }
 
 static void put_group(void)
@@ -62,7 +62,7 @@ void frame_u32(uint32_t number)
 
 void frame_begin(enum kind kind, uint32_t seq)
 {
-    crc = 0xFFFF;
+    crc = 0xFFFFFFFF;
     grouped = 0;
     was_full = false;
     frame_u8((uint8_t)kind);
@@ -71,8 +71,7 @@ void frame_begin(enum kind kind, uint32_t seq)
 
 void frame_end(void)
 {
-    uint16_t sum = crc;
-    frame_u16(sum);
+    frame_u32(~crc);
     if (grouped > 0 || !was_full)
         put_group();
     board_put(0);
@@ -91,6 +90,11 @@ static bool unstuff(uint8_t *bytes, uint8_t count)
     return next == count;
 }
 
+static uint32_t u32_at(const uint8_t *bytes)
+{
+    return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
 bool frame_heard(uint8_t byte, struct command *command)
 {
     static uint8_t heard[COMMAND + 1];
@@ -107,12 +111,12 @@ bool frame_heard(uint8_t byte, struct command *command)
     count = 0;
     if (length != sizeof heard || !unstuff(heard, length))
         return false;
-    uint16_t sum = 0xFFFF;
-    for (uint8_t at = 1; at <= COMMAND - 2; at++)
+    uint32_t sum = 0xFFFFFFFF;
+    for (uint8_t at = 1; at <= COMMAND - 4; at++)
         sum = crc_of(sum, heard[at]);
-    if (heard[COMMAND - 1] != (uint8_t)sum || heard[COMMAND] != (uint8_t)(sum >> 8))
+    if (u32_at(&heard[COMMAND - 3]) != (uint32_t)~sum)
         return false;
     command->kind = heard[1];
-    command->seq = (uint32_t)heard[2] | (uint32_t)heard[3] << 8 | (uint32_t)heard[4] << 16 | (uint32_t)heard[5] << 24;
+    command->seq = u32_at(&heard[2]);
     return true;
 }

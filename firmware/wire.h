@@ -1,4 +1,4 @@
-/* Frames of docs/protocol.md, byte by byte: COBS( kind | seq | payload | crc ) and a zero. Knows no hardware. */
+/* Frames of docs/protocol.md, version 2, byte by byte: COBS( kind | seq | payload | crc ) and a zero. Knows no hardware. */
 #ifndef WIRE_H
 #define WIRE_H
 
@@ -8,7 +8,7 @@
 enum kind { HELLO = 0x01, SAMPLE = 0x02, EVENT = 0x03, END = 0x04, GREET = 0x81, START = 0x82, STOP = 0x83, ACK = 0x84 };
 
 /* Bytes on the line of a frame with a payload of up to 246 bytes: kind, seq, crc, one byte of COBS and the zero. */
-#define FRAME_BYTES(payload) ((payload) + 9)
+#define FRAME_BYTES(payload) ((payload) + 11)
 
 struct command {
     uint8_t kind;

@@ -1,17 +1,16 @@
 """A recording, in whatever form it lies in a run folder or came from a logger, as a table of channels in our units."""
 
-import hashlib
 from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from pipeline import wire
+from pipeline.captured import check_lines, read_frames
 from pipeline.complaint import key_name, short
 from pipeline.errors import BadInput
 from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run
-from pipeline.runs import capture_info, recording_path
+from pipeline.runs import recording_path
 from pipeline.table_file import read_table
 from pipeline.units import conversion
 
@@ -100,33 +99,6 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
     if run.actuator in STRING_ACTUATORS and "load_n" not in samples:
         samples["load_n"] = pd.Series(run.rig.get("load_n", 0.0), index=table.index)
     return pd.DataFrame(samples).astype(float)
-
-
-def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
-    """Samples of the capture program's recording as the device named and scaled them, and each channel's unit.
-
-    Raises BadInput when the bytes are not those that were captured, or no hello says what they mean.
-    """
-    content, info = path.read_bytes(), capture_info(path.parent)
-    if hashlib.sha256(content).hexdigest() != info.get("sha256"):
-        mend = "restore it from a copy; a recording is never edited"
-        raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
-    recorded = wire.read_recording(content)
-    if recorded.hello is None:
-        raise BadInput(path, "hello", "no frame says what the channels are", "record again; see docs/protocol.md")
-    units = {channel.name: channel.unit for channel in recorded.hello.channels}
-    return pd.DataFrame({"time_s": recorded.time_s, **recorded.channels}), units
-
-
-def check_lines(path: Path) -> None:
-    """Raise BadInput when a table that the capture program made of printed lines is not as it was made."""
-    info = capture_info(path.parent)
-    if (path.parent / "recording.lines").is_file() or "csv_sha256" in info:
-        if hashlib.sha256(path.read_bytes()).hexdigest() == info.get("csv_sha256"):
-            return
-        again = f"remove it and capture.json, and run python -m pipeline.capture --recover {path.parent}"
-        problem = "its bytes are not those that capture.json was written for"
-        raise BadInput(path, "csv_sha256", problem, f"{again}; recording.lines has what was printed")
 
 
 def read_recording(run: Run, folder: Path) -> pd.DataFrame:

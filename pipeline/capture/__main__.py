@@ -1,6 +1,7 @@
 """Record a rig: PORT → RUN_DIR/recording.frames, then RUN_DIR/capture.json. Ctrl-C ends it in good order."""
 
 import argparse
+import math
 import signal
 from datetime import UTC, datetime
 from pathlib import Path
@@ -8,16 +9,18 @@ from types import FrameType
 from typing import Any
 
 from pipeline.capture.commit import commit, recover
+from pipeline.capture.fields import names
 from pipeline.capture.handshake import check_rate, greet
-from pipeline.capture.lines import names
 from pipeline.capture.log import LINES, NAME, Log, check_folder
 from pipeline.capture.port import Port
-from pipeline.capture.printed import await_header, commit_lines, follow, recover_lines, tell_lines
+from pipeline.capture.printed import await_header, follow, tell_lines
 from pipeline.capture.stream import record
+from pipeline.capture.table import commit_lines, recover_lines
 from pipeline.errors import BadInput, program
 from pipeline.runs import read_run
 
 GAPS_TOLD = 5
+CLOCK = "time_s"
 
 
 class Asked:
@@ -44,7 +47,9 @@ def plain(text: str) -> str:
     return "".join(character if character.isprintable() else "?" for character in text)
 
 
-def capture_lines(name: str, folder: Path, baud: int, columns: tuple[str, ...]) -> dict[str, Any]:
+def capture_lines(
+    name: str, folder: Path, baud: int, columns: tuple[str, ...], longest_s: float = math.inf
+) -> dict[str, Any]:
     """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
     asked = Asked()
     check_folder(folder)
@@ -53,9 +58,8 @@ def capture_lines(name: str, folder: Path, baud: int, columns: tuple[str, ...]) 
         asked.listen()
         log = Log(folder, LINES)
         try:
-            log.append(beginning)
             began = datetime.now(UTC)
-            outcome = follow(port, log, asked)
+            outcome = follow(port, log, asked, columns, beginning, longest_s)
         except OSError as error:
             mend = f"make room, then run python -m pipeline.capture --recover {folder}"
             raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
@@ -64,7 +68,7 @@ def capture_lines(name: str, folder: Path, baud: int, columns: tuple[str, ...]) 
     return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
 
 
-def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
+def capture(name: str, folder: Path, baud: int, longest_s: float = math.inf) -> dict[str, Any]:
     """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written."""
     asked = Asked()
     check_folder(folder)
@@ -73,12 +77,16 @@ def capture(name: str, folder: Path, baud: int) -> dict[str, Any]:
         check_rate(hello, baud, name)
         channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
         print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
+        if any(channel.name == CLOCK for channel in hello.channels):
+            print(
+                f"{CLOCK} is the device's clock, t_us; its channel of that name is kept as device_{CLOCK}", flush=True
+            )
         asked.listen()
         log = Log(folder)
         try:
             log.append(beginning)
             began = datetime.now(UTC)
-            outcome = record(port, log, hello, asked)
+            outcome = record(port, log, hello, asked, longest_s)
         except OSError as error:
             mend = f"make room, then run python -m pipeline.capture --recover {folder}"
             raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
@@ -118,6 +126,10 @@ def tell_frames(info: dict[str, Any], folder: Path) -> None:
         print(f"{folder}: and in {len(info['gaps']) - GAPS_TOLD} more places, see capture.json")
     if samples["out_of_order"]:
         print(f"{folder}: samples came out of order ({samples['out_of_order']} times); their numbers put them right")
+    clock = {word: samples[f"{word}_time_stamps"] for word in ("backward", "repeated")}
+    if any(clock.values()) and info["exit_status"] != "fault":
+        counted = " and ".join(f"{times} {word}" for word, times in clock.items() if times)
+        print(f"{folder}: the device's clock gave {counted} time stamps; they are mended when the run is read")
     if samples["sent"] is not None and not 0 <= samples["sent"] - samples["received"] <= frames["lost"]:
         print(
             f"{folder}: warning: the device counted {samples['sent']} samples, {samples['received']} can be read, and "
@@ -127,15 +139,21 @@ def tell_frames(info: dict[str, Any], folder: Path) -> None:
 
 @program
 def main() -> int:
-    """Exit 0 when the recording is complete, was ended on request or is recovered, 1 after a fault, 2 on bad input."""
+    """Exit 0 when the recording is complete, was ended on request or is recovered, 1 after a fault, 2 on bad input.
+
+    Nothing without a sample is exit 0.
+    """
     parser = argparse.ArgumentParser(prog="python -m pipeline.capture", description=__doc__)
     parser.add_argument("port", metavar="PORT", nargs="?", help="the rig's serial port")
     parser.add_argument("run_dir", metavar="RUN_DIR", nargs="?", type=Path, help="raw/<run>")
     parser.add_argument("--baud", type=int, default=1_000_000)
     parser.add_argument("--recover", metavar="RUN_DIR", type=Path, help="commit a run whose capture was killed")
     parser.add_argument("--text", action="store_true", help="the rig prints lines of numbers, not frames")
-    parser.add_argument("--columns", default="", help="with --text: names, separated by commas, if the rig prints none")
+    parser.add_argument("--columns", default="", help="names, separated by commas, of what --text records")
+    parser.add_argument("--longest", type=float, default=math.inf, metavar="SECONDS", help="then the run is ended")
     arguments = parser.parse_args()
+    if not arguments.longest > 0:
+        parser.error("--longest must be above 0 seconds")
     columns = names(arguments.columns.encode())
     if arguments.columns and not columns:
         parser.error("--columns needs two names or more, separated by commas")
@@ -151,9 +169,9 @@ def main() -> int:
         folder = arguments.run_dir
         try:
             if arguments.text:
-                info = capture_lines(arguments.port, folder, arguments.baud, columns)
+                info = capture_lines(arguments.port, folder, arguments.baud, columns, arguments.longest)
             else:
-                info = capture(arguments.port, folder, arguments.baud)
+                info = capture(arguments.port, folder, arguments.baud, arguments.longest)
         except KeyboardInterrupt:  # before START: nothing was recorded
             return 130
     tell(info, folder)

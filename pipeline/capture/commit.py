@@ -13,10 +13,33 @@ from pipeline.capture.losses import locate
 from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
 from pipeline.files import write_text
-from pipeline.wire import Account, Hello, read_account
+from pipeline.runs import capture_info
+from pipeline.wire import Account, Hello, Reason, read_account
 
 SCHEMA = 1
 PIECE = 1 << 20  # bytes that are read at once
+
+
+def judged(outcome: Outcome, frames: Account) -> Outcome:
+    """An outcome after the recording was read: what nobody can use is a fault, whatever the device said."""
+    wrong = None
+    if frames.no_clock:
+        bad, steps = frames.backward_stamps + frames.repeated_stamps, frames.samples - 1
+        wrong = f"the device's clock stands or runs backwards at {bad} of {steps} steps from sample to sample"
+    elif not frames.samples and outcome.status != "fault":
+        wrong = "it holds no sample"
+    if wrong is None:
+        return outcome
+    return Outcome("fault", "; ".join(filter(None, (outcome.fault, wrong))))
+
+
+def told(frames: Account) -> Outcome:
+    """How a recording ended by what the device said in it; without an END, that it was recovered."""
+    if frames.end is None:
+        return Outcome("recovered")
+    if frames.end.reason == Reason.FAULT:
+        return Outcome("fault", "the device reported a fault")
+    return Outcome("complete" if frames.end.reason == Reason.COMPLETE else "aborted")
 
 
 def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
@@ -62,7 +85,7 @@ def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> d
     """Content of capture.json; sent = received + lost holds for its frames."""
     frames, hello = read.frames, read.hello
     return {
-        **opening(read.size, read.sha256, began, ended, outcome),
+        **opening(read.size, read.sha256, began, ended, judged(outcome, frames)),
         "frames": {
             "sent": frames.sent,
             "received": frames.received,
@@ -77,6 +100,8 @@ def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> d
             "sent": frames.samples_sent,
             "received": frames.samples,
             "out_of_order": frames.out_of_order,
+            "backward_time_stamps": frames.backward_stamps,
+            "repeated_time_stamps": frames.repeated_stamps,
         },
         "hello": asdict(hello) if hello else None,
     }
@@ -90,33 +115,44 @@ def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> 
     return seal(folder, NAME, account(Read.of(folder / NAME), began, ended, outcome))
 
 
-def seal(folder: Path, name: str, info: dict[str, Any], csv: str | None = None) -> dict[str, Any]:
-    """Write capture.json, after `csv` as recording.csv if given, and let nobody write to recording `name` any more.
+def seal(folder: Path, name: str, info: dict[str, Any]) -> dict[str, Any]:
+    """Write capture.json, and let nobody write to recording `name` any more.
 
     Raises BadInput when they cannot be written.
     """
     try:
         (folder / name).chmod(0o444)
-        if csv is not None:
-            write_text(folder / "recording.csv", csv)
         write_text(folder / "capture.json", json.dumps(info, indent=1, ensure_ascii=False) + "\n")
         sync_folder(folder)
     except OSError as error:
-        mend = f"make room, then run python -m pipeline.capture --recover {folder}"
-        problem = f"could not be written ({error.strerror}); the recording is whole and kept"
-        raise BadInput(folder, "capture.json", problem, mend) from None
+        raise unwritten(folder, "capture.json", error) from None
     return info
 
 
+def unwritten(folder: Path, name: str, error: OSError) -> BadInput:
+    """That a file of a recording could not be written when it had ended."""
+    mend = f"make room, then run python -m pipeline.capture --recover {folder}"
+    problem = f"could not be written ({error.strerror}); the recording is whole and kept"
+    return BadInput(folder, name, problem, mend)
+
+
+def committed(folder: Path) -> dict[str, Any]:
+    """Content of capture.json; nothing where there is none, or one that cannot be read and is to be made again."""
+    try:
+        return capture_info(folder)
+    except BadInput:
+        return {}
+
+
 def recover(folder: Path) -> dict[str, Any]:
-    """Commit a recording whose capture program was killed, as `recovered`; it is kept as it is.
+    """Commit a recording whose capture program was killed, as `recovered` or as its END says; it is kept as it is.
 
     Its start is reckoned back from the file's last change. Raises BadInput when there is nothing to recover.
     """
     path = folder / NAME
     if not path.is_file():
         raise BadInput(path, NAME, "is not there", "name the folder of a run that was being captured")
-    if (folder / "capture.json").exists():
+    if committed(folder):
         raise BadInput(folder, "capture.json", "is there, so the run is finished", "there is nothing to recover")
     if in_use(path):
         raise BadInput(path, NAME, "is still being captured", "wait for that program, or end it")
@@ -125,4 +161,4 @@ def recover(folder: Path) -> dict[str, Any]:
         raise BadInput(path, NAME, "holds no HELLO, so nobody knows what was measured", "record again")
     ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
     began = ended - timedelta(seconds=read.frames.last_s)
-    return seal(folder, NAME, account(read, began, ended, Outcome("recovered")))
+    return seal(folder, NAME, account(read, began, ended, told(read.frames)) | {"recovered": True})

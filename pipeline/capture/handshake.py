@@ -5,7 +5,8 @@ import time
 from pipeline.capture.guess import guess
 from pipeline.capture.port import Port, Unplugged
 from pipeline.errors import BadInput
-from pipeline.wire import Decoder, Hello, Kind, encode
+from pipeline.wire import Decoder, Frame, Hello, Kind, encode
+from pipeline.wire.check import VERSIONS
 
 SILENCE_S = 3.0
 GREET_AGAIN_S = 1.0
@@ -14,7 +15,7 @@ KEPT = 1 << 14  # bytes of what is no HELLO, to guess from
 
 
 def greet(port: Port, name: str, baud: int) -> tuple[Hello, bytes]:
-    """The device's HELLO, and the bytes with which the recording begins.
+    """The device's HELLO, and the bytes with which the recording begins; asked in every version of the protocol.
 
     Whatever came before the HELLO, and answers to a second GREET, are no part of the recording: no device sends
     samples before START. Raises BadInput for a port without a device that speaks this protocol.
@@ -26,14 +27,14 @@ def greet(port: Port, name: str, baud: int) -> tuple[Hello, bytes]:
     try:
         while (now_s := time.monotonic()) - began_s < SILENCE_S:
             if now_s >= next_s:
-                port.write(encode(Kind.GREET, greeted))
+                port.write(b"".join(encode(Kind.GREET, greeted, protocol=version) for version in VERSIONS))
                 greeted, next_s = greeted + 1, now_s + GREET_AGAIN_S
             chunk = port.read()
             heard_bytes += len(chunk)
             sample += chunk[: KEPT - len(sample)]
             for heard in decoder.feed(chunk):
                 if heard.frame.kind == Kind.HELLO:
-                    hello = _checked(heard.frame.payload, name)
+                    hello = _checked(heard.frame, name)
                     return hello, heard.raw + _late(port, decoder, greeted - 1)
     except Unplugged as error:
         raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
@@ -52,9 +53,12 @@ def _late(port: Port, decoder: Decoder, answers: int) -> bytes:
     return decoder.rest
 
 
-def _checked(payload: bytes, name: str) -> Hello:
+def _checked(frame: Frame, name: str) -> Hello:
     try:
-        return Hello.unpack(payload)
+        hello = Hello.unpack(frame.payload)
+        if hello.protocol != frame.protocol:
+            raise ValueError(f"protocol: is version {hello.protocol}, under the check of version {frame.protocol}")
+        return hello
     except ValueError as error:
         field, colon, problem = str(error).rpartition(": ")
         field = f"HELLO.{field}" if colon else "HELLO"
@@ -64,7 +68,8 @@ def _checked(payload: bytes, name: str) -> Hello:
 
 def check_rate(hello: Hello, baud: int, name: str) -> None:
     """Raise BadInput when the line cannot carry the samples that the device is to send."""
-    sample = encode(Kind.SAMPLE, 0, bytes(4 + sum(int(c.type[1:]) // 8 for c in hello.channels)))
+    payload = bytes(4 + sum(int(c.type[1:]) // 8 for c in hello.channels))
+    sample = encode(Kind.SAMPLE, 0, payload, hello.protocol)
     needed = len(sample) * 10 * hello.rate_hz
     if needed > baud:
         problem = f"{hello.rate_hz:g} Hz need {needed:.0f} Bd, more than {baud}"

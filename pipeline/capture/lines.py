@@ -1,100 +1,156 @@
-"""Lines of numbers that a rig prints, as a table, and an account of every line that is none."""
+"""Lines that a rig prints, one by one: which are samples, which name the columns, and what the others are."""
 
-import math
 import re
 from dataclasses import dataclass, field
 
-NAME = re.compile(r"[A-Za-z_][\w .()/%°-]{0,63}")
-TIME = re.compile(r"(t|time|millis|micros)(_?(s|ms|us))?", re.IGNORECASE)
-MAX_LINE = 1024  # bytes; what is longer is no line of numbers
+from pipeline.capture.fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
+
 LISTED = 1000  # so many places are kept; all are counted
-HOLE = 1.5  # usual steps of the device's time
+GREETINGS = 5  # so many lines of text are kept
+REMEMBERED = 50  # so many lines that can be headers
+TEXT = re.compile(rb"\s*[A-Za-z\[<>*=!-]")
 
 
-def fields(line: bytes) -> list[str]:
-    """Fields of a line, by its semicolons, else commas, else white space; none for what is no text or too long."""
-    if len(line) > MAX_LINE or not line.isascii():
-        return []
-    text = line.decode("ascii").strip()
-    return [part.strip() for part in text.split(";" if ";" in text else "," if "," in text else None)] if text else []
+class Splitter:
+    """Lines out of chunks of any size; of a line that is too long only as much as shows that."""
 
+    def __init__(self) -> None:
+        self._rest = b""
+        self.tail_bytes = 0  # since the last line's end
 
-def names(line: bytes) -> tuple[str, ...]:
-    """Names of the columns if a line is a header, else nothing."""
-    found = tuple(fields(line))
-    good = len(found) > 1 and len(set(found)) == len(found) and all(NAME.fullmatch(name) for name in found)
-    return found if good else ()
-
-
-def _numbers(parts: list[str]) -> list[float] | None:
-    try:
-        numbers = [float(part) for part in parts]
-    except ValueError:
-        return None
-    return numbers if all(map(math.isfinite, numbers)) and not any("_" in part for part in parts) else None
+    def feed(self, chunk: bytes) -> list[bytes]:
+        """Whole lines that end in a chunk."""
+        *whole, rest = chunk.split(b"\n")
+        if not whole:
+            self._rest, self.tail_bytes = self._rest + rest[: MAX_LINE + 2], self.tail_bytes + len(rest)
+            self._rest = self._rest[: MAX_LINE + 2]
+            return []
+        whole[0] = self._rest + whole[0]
+        self._rest, self.tail_bytes = rest[: MAX_LINE + 2], len(rest)
+        return whole
 
 
 @dataclass
-class Table:
-    """Good lines of a text log, and what is wrong with the others; lines are counted from 1."""
+class Lines:
+    """What was printed so far; with `columns` they are called that, else by the header that the numbers fit.
 
-    columns: tuple[str, ...]
-    rows: list[list[str]] = field(default_factory=list)
-    bad: int = 0
-    bad_lines: list[int] = field(default_factory=list)
-    tail_bytes: int = 0
-    time_s: list[float] = field(default_factory=list)  # the device's, in the unit that it prints
-
-    @property
-    def csv(self) -> str:
-        """Content of recording.csv."""
-        return "\n".join(",".join(row) for row in [list(self.columns), *self.rows]) + "\n"
-
-    def holes(self) -> list[dict[str, float | int]]:
-        """Where the device's time leaps ahead: samples before it, that time, and about how many samples are missing."""
-        steps = [after - before for before, after in zip(self.time_s, self.time_s[1:], strict=False)]
-        rising = sorted(step for step in steps if step > 0)
-        if not rising:
-            return []
-        usual = rising[len(rising) // 2]
-        leaps = [(place + 1, step) for place, step in enumerate(steps) if step > HOLE * usual]
-        return [
-            {"after_samples": after, "after_time": self.time_s[after - 1], "samples_about": round(step / usual) - 1}
-            for after, step in leaps
-        ]
-
-    @property
-    def backward(self) -> int:
-        """How often the device's time stands or falls back."""
-        return sum(after <= before for before, after in zip(self.time_s, self.time_s[1:], strict=False))
-
-
-def read_lines(data: bytes, columns: tuple[str, ...] = ()) -> Table:
-    """Table of a text log; without `columns` its first header names them. Never raises, whatever the bytes.
-
-    What stands before the first line's end is no sample: the port may have been opened in the middle of a line, and
-    half a number looks like a number. Empty lines and comments (#) are passed over.
+    A header is a line of names that is followed by lines of as many numbers. A later one that names the same columns in
+    another order puts the fields back into the first one's; one that names others ends what can be read, until the
+    first comes again. Greetings, banners and messages are passed over and counted, wherever they stand.
     """
-    *lines, tail = data.split(b"\n")
-    table = Table(columns, tail_bytes=len(tail))
-    time_at: int | None = None
-    for number, line in enumerate(lines, 1):
+
+    columns: tuple[str, ...] = ()
+    good: int = 0
+    text: int = 0  # lines of words
+    bad: int = 0  # lines that are neither words nor a sample
+    count: int = 0
+    bad_lines: list[int] = field(default_factory=list)
+    greetings: list[str] = field(default_factory=list)
+    decimal_commas: int = 0
+    swapped: int = 0  # headers with the columns in another order
+    others: int = 0  # headers with other columns
+    last: list[str] = field(default_factory=list)  # the last sample
+    wrong: tuple[int, str, str] = (0, "", "")  # the last line of numbers that is none: how many, between them, the line
+
+    def __post_init__(self) -> None:
+        self.given = bool(self.columns)
+        self.headers: list[tuple[tuple[str, ...], str]] = []  # lines that can be
+        self._printed: tuple[str, ...] = ()
+        self._order: list[int] | None = None
+        self._foreign = False
+
+    @property
+    def time_at(self) -> int:
+        """Which column is the device's time, -1 if none is."""
+        return next((at for at, name in enumerate(self.columns) if TIME.fullmatch(name)), -1)
+
+    def take(self, line: bytes) -> list[str] | None:
+        """The fields of a sample, in the order of the columns and with decimal points, if the next line is one."""
+        self.count += 1
         if not line.strip() or line.lstrip().startswith(b"#"):
-            continue
-        header = names(line)
-        if header and table.columns in ((), header):
-            table.columns = header
-            continue
-        if number == 1 or not table.columns:
-            continue
-        parts = fields(line)
-        numbers = _numbers(parts) if len(parts) == len(table.columns) else None
-        if numbers is None:
-            table.bad += 1
-            table.bad_lines += [number] if len(table.bad_lines) < LISTED else []
-            continue
-        if time_at is None:
-            time_at = next((at for at, name in enumerate(table.columns) if TIME.fullmatch(name)), -1)
-        table.rows.append(parts)
-        table.time_s += [numbers[time_at]] if time_at >= 0 else []
-    return table
+            return None
+        parts, between = fields(line)
+        header = names_of(parts)
+        if header:
+            self._header(header, between, line)
+            return None
+        row = points(parts)
+        if numbers(row) is None:
+            self._pass_over(line)
+            return None
+        if self.count == 1:
+            return None  # perhaps the second half of a line: half a number looks like a number
+        if not self.columns or (self.given and not self._printed):
+            self._find_header(len(row), between)
+        if len(row) != len(self.columns) or self._foreign:
+            self.wrong = (len(row), between, line[:60].decode("ascii", "replace").strip())
+            self._bad()
+            return None
+        self.good += 1
+        self.decimal_commas += row != parts
+        self.last = row if self._order is None else [row[at] for at in self._order]
+        return self.last
+
+    def _header(self, header: tuple[str, ...], between: str, line: bytes) -> None:
+        if not self._printed:
+            self.headers = [*self.headers, (header, between)][-REMEMBERED:]
+            self._pass_over(line)
+        elif set(header) == set(self._printed):
+            self._order = None if header == self._printed else [header.index(name) for name in self._printed]
+            self._foreign = False
+            self.swapped += self._order is not None
+        elif set(header) & set(self._printed) and not self.given:
+            self._foreign = True
+            self.others += 1
+        else:
+            self._pass_over(line)
+
+    def _find_header(self, count: int, between: str) -> None:
+        """The last line of names that the first line of numbers fits: as many, and not just words of a greeting."""
+        for header, its in reversed(self.headers):
+            if len(header) == count and (is_known(header) or its == between != " "):
+                self._printed = header
+                self.columns = self.columns or header
+                self.text -= sum(one == header for one, _ in self.headers)
+                said = between.join(header)
+                self.greetings = [one for one in self.greetings if re.sub(r"\s", "", one) != re.sub(r"\s", "", said)]
+                return
+
+    def _pass_over(self, line: bytes) -> None:
+        if not TEXT.match(line) or len(line) > MAX_LINE:
+            self._bad()
+            return
+        self.text += 1
+        if len(self.greetings) < GREETINGS:
+            said = line[:80].decode("ascii", "replace").strip()
+            self.greetings.append("".join(one if one.isprintable() else "?" for one in said))
+
+    def _bad(self) -> None:
+        self.bad += 1
+        self.bad_lines += [self.count] if len(self.bad_lines) < LISTED else []
+
+    def reading(self) -> str:
+        """What is read as what, by the last sample, and how many lines are not."""
+        values = [f"{name} = {value}" for name, value in zip(self.columns, self.last, strict=False)]
+        more = f" and {len(values) - 3} more" if len(values) > 3 else ""
+        commas = ", its decimal commas as points" if self.decimal_commas else ""
+        return f"reads {', '.join(values[:3])}{more}{commas}; {self.counts()}"
+
+    def counts(self) -> str:
+        """How many lines are samples, and how many are not."""
+        return f"{self.good} lines are read, {self.text + self.bad} are not ({self.text} of text, {self.bad} bad)"
+
+    def problem(self) -> tuple[str, str]:
+        """Why no line is read, and the mend."""
+        count, between, line = self.wrong
+        mend = "name them, as many as a line has numbers: --columns time_ms,motor_turns,displacement_mm"
+        if not count:
+            return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
+        if self._foreign:
+            return "the rig has named other columns since", "reset it, or end the run and begin another"
+        columns = self.columns or next((header for header, _ in reversed(self.headers) if is_known(header)), ())
+        if not columns:
+            return f"no line names the columns of lines of {count} numbers like {line!r}", mend
+        if between == "," and count > len(columns):
+            mend = "if these are decimal commas, print decimal points or put ; between the numbers; else " + mend
+        return f"lines like {line!r} have {count} numbers, and the columns are {', '.join(columns)}", mend

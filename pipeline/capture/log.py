@@ -1,13 +1,18 @@
 """A recording while it grows: append only, never over another one, on the disk at most a second late."""
 
-import fcntl
 import os
+import shutil
 import time
 from pathlib import Path
 
 from pipeline.errors import BadInput
 from pipeline.run_yaml import RUN_NAME
 from pipeline.runs import RECORDINGS
+
+try:
+    import fcntl
+except ImportError:  # no POSIX system: nothing tells that another program is recording
+    fcntl = None  # type: ignore[assignment]
 
 NAME = "recording.frames"
 LINES = "recording.lines"  # of a rig that prints text
@@ -16,17 +21,19 @@ SYNC_S = 1.0
 
 def check_folder(folder: Path) -> None:
     """Raise BadInput for a folder whose name is no run's, or which holds a recording already."""
-    name = folder.resolve().name
-    if not RUN_NAME.fullmatch(name):
-        mend = "use lower-case letters, digits and -, as in uhmwpe-20261121-01"
-        raise BadInput(folder, "RUN_DIR", f"{name!r} is no name of a run", mend)
+    for name in (folder.name, folder.resolve().name):  # "..", whose name would be that of another folder
+        if not RUN_NAME.fullmatch(name):
+            mend = "use lower-case letters, digits and -, as in uhmwpe-20261121-01"
+            raise BadInput(folder, "RUN_DIR", f"{name!r} is no name of a run", mend)
     for there in (*RECORDINGS, LINES, "capture.json"):
         if (folder / there).exists():
             raise BadInput(folder, there, "is there already and is never overwritten", "choose a new run name")
 
 
 def sync_folder(folder: Path) -> None:
-    """Put a folder's entries on the disk."""
+    """Put a folder's entries on the disk, where the system lets a folder be opened."""
+    if not hasattr(os, "O_DIRECTORY"):
+        return
     descriptor = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(descriptor)
@@ -38,7 +45,8 @@ class Log:
     """The recording of a new run: made on opening, locked while open; raises BadInput when it cannot be made."""
 
     def __init__(self, folder: Path, name: str = NAME) -> None:
-        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | getattr(os, "O_BINARY", 0)
+        self._folder = folder
         try:
             folder.mkdir(parents=True, exist_ok=True)
             self._file = os.open(folder / name, flags, 0o644)
@@ -47,7 +55,8 @@ class Log:
         except OSError as error:
             mend = "make room there, or choose a folder in which you may write"
             raise BadInput(folder, name, f"cannot be made ({error.strerror})", mend) from None
-        fcntl.flock(self._file, fcntl.LOCK_EX)
+        if fcntl is not None:
+            fcntl.flock(self._file, fcntl.LOCK_EX)
         sync_folder(folder)
         self._synced_s = time.monotonic()
 
@@ -60,14 +69,13 @@ class Log:
 
     def sync(self) -> None:
         """Put everything written so far on the disk."""
-        os.fdatasync(self._file)
+        getattr(os, "fdatasync", os.fsync)(self._file)
         self._synced_s = time.monotonic()
 
     @property
     def free_bytes(self) -> int:
         """Room on its disk."""
-        state = os.fstatvfs(self._file)
-        return state.f_bavail * state.f_frsize
+        return shutil.disk_usage(self._folder).free
 
     def close(self) -> None:
         """Release it."""
@@ -76,6 +84,8 @@ class Log:
 
 def in_use(path: Path) -> bool:
     """Whether a capture program is still writing to a recording."""
+    if fcntl is None:
+        return False
     descriptor = os.open(path, os.O_RDONLY)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)

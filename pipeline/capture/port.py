@@ -2,17 +2,21 @@
 
 import contextlib
 import errno
-import termios
 from types import TracebackType
 
 import serial
 
 from pipeline.errors import BadInput
 
+try:
+    import termios
+except ImportError:  # no POSIX system
+    termios = None  # type: ignore[assignment]
+
 CHUNK = 4096
 WAIT_S = 0.05
 # pyserial lets termios.error, which is no OSError, and TypeError, from a port closed under it, through
-_GONE = (serial.SerialException, OSError, termios.error, TypeError)
+_GONE = (serial.SerialException, OSError, TypeError, *([termios.error] if termios is not None else []))
 
 
 class Unplugged(Exception):

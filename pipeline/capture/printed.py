@@ -1,123 +1,143 @@
-"""A rig that prints lines of numbers: PORT → recording.lines as it came, then recording.csv and capture.json."""
+"""A rig that prints lines of numbers: PORT → recording.lines as it came; what is read as what is said while it runs."""
 
-import hashlib
+import math
 import time
 from collections.abc import Callable
-from contextlib import suppress
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.capture.commit import opening, seal
-from pipeline.capture.lines import LISTED, MAX_LINE, names, read_lines
-from pipeline.capture.log import LINES, Log, in_use
+from pipeline.capture.fields import MAX_LINE, is_known
+from pipeline.capture.lines import Lines, Splitter
+from pipeline.capture.log import Log
 from pipeline.capture.port import Port, Unplugged
+from pipeline.capture.screen import Screen, clock
 from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
 
 HEADER_S = 5.0  # a board that was reset by opening its port needs some of them
 SILENCE_S = 3.0
+SOON_S = 1.0  # after so long it says what is read as what, or why nothing is
 
 
 def await_header(port: Port, name: str, columns: tuple[str, ...]) -> bytes:
-    """First bytes of the recording: with `columns` none, else up to the rig's header; raises BadInput without one."""
+    """First bytes of the recording: with `columns` none, else up to the first sample or a header; raises BadInput."""
     heard, until_s = b"", time.monotonic() + HEADER_S
-    while not columns and time.monotonic() < until_s:
+    lines, splitter = Lines(), Splitter()
+    while not columns and time.monotonic() < until_s and len(heard) <= 64 * MAX_LINE:
         try:
-            heard += port.read()
+            chunk = port.read()
         except Unplugged as error:
             raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
-        if any(names(line) for line in heard.split(b"\n")[:-1]):
+        heard += chunk
+        for line in splitter.feed(chunk):
+            lines.take(line)
+        if lines.good or any(between != " " and is_known(header) for header, between in lines.headers):
             return heard
-        if len(heard) > 64 * MAX_LINE:
-            break
     if columns:
         return b""
     if not heard:
         mend = "check the cable, the power and that this is the rig's port"
         raise BadInput(name, "device", f"said nothing for {HEADER_S:g} s", mend)
-    problem = f"sent {len(heard)} bytes and no line that names the columns"
-    raise BadInput(name, "device", problem, "name them: --columns time_ms,motor_turns,displacement_mm; check --baud")
+    if lines.headers and not lines.bad:
+        return heard  # it waits for something: a person, a button
+    problem, mend = lines.problem()
+    raise BadInput(name, "device", f"sent {len(heard)} bytes and no sample: {problem}", mend)
 
 
-def follow(port: Port, log: Log, stops: Callable[[], int]) -> Outcome:
-    """Record until the person ends it or nothing more comes; what came is on the disk afterwards."""
-    heard_s = shown_s = time.monotonic()
-    lines = 0
+class Telling:
+    """What the person sees while it records."""
+
+    def __init__(self, lines: Lines) -> None:
+        self.lines, self.screen = lines, Screen()
+        self._began_s = self._looked_s = time.monotonic()
+        self._told = ""
+        self._read = self._not_read = 0
+
+    def show(self) -> None:
+        """Say what is read as what as soon as it is known, why nothing is, and renew the line."""
+        lines, now_s = self.lines, time.monotonic()
+        if now_s - self._looked_s >= SOON_S:
+            self._looked_s = now_s
+            read, not_read = lines.good, lines.text + lines.bad
+            if lines.good and self._told != "reads":
+                self._say("reads", lines.reading())
+            elif not lines.good and not_read:
+                problem, mend = lines.problem()
+                self._say("nothing", f"warning: no line is read: {problem}. Mend: {mend}")
+            elif read - self._read < not_read - self._not_read and lines.bad:
+                _, problem, mend = "", *lines.problem()
+                self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
+            self._read, self._not_read = read, not_read
+        if self.screen.due:
+            self.screen.show(self._parts())
+
+    def close(self) -> None:
+        """The last line."""
+        if self.lines.good and self._told != "reads":
+            self.screen.say(self.lines.reading())
+        self.screen.close(self._parts())
+
+    def _parts(self) -> list[str]:
+        values = [f"{name} = {value}" for name, value in zip(self.lines.columns, self.lines.last, strict=False)]
+        return [f"{clock(time.monotonic() - self._began_s)} recorded", self.lines.counts(), *values]
+
+    def _say(self, what: str, sentence: str) -> None:
+        if what != self._told:
+            self.screen.say(sentence)
+        self._told = what
+
+
+def follow(
+    port: Port,
+    log: Log,
+    stops: Callable[[], int],
+    columns: tuple[str, ...] = (),
+    beginning: bytes = b"",
+    longest_s: float = math.inf,
+) -> Outcome:
+    """Record until the person ends it, time is over or nothing more comes; what came is on the disk afterwards."""
+    began_s = heard_s = time.monotonic()
+    lines, splitter = Lines(columns), Splitter()
+    telling = Telling(lines)
     outcome: Outcome | None = None
+    chunk = beginning
+    log.append(beginning)
     while outcome is None:
-        try:
-            chunk = port.read()
-        except Unplugged as error:
-            outcome = Outcome("fault", f"the port went away ({error})")
-            break
-        log.append(chunk)
-        lines += chunk.count(b"\n")
+        for line in splitter.feed(chunk):
+            lines.take(line)
+        telling.show()
         now_s = time.monotonic()
         heard_s = now_s if chunk else heard_s
-        if now_s - shown_s >= 1.0:
-            shown_s = now_s
-            with suppress(OSError):
-                print(f"{lines} lines recorded", flush=True)
         if stops():
             outcome = Outcome("ended")
+        elif now_s - began_s > longest_s:
+            outcome = Outcome("ended", f"ended by --longest after {longest_s:g} s")
         elif now_s - heard_s > SILENCE_S:
-            outcome = Outcome(
-                "ended", f"the rig said nothing for {SILENCE_S:g} s; whether it was done, text cannot say"
-            )
+            silence = f"the rig said nothing for {SILENCE_S:g} s; whether it was done, text cannot say"
+            outcome = Outcome("ended", silence)
+        else:
+            try:
+                chunk = port.read()
+            except Unplugged as error:
+                outcome = Outcome("fault", f"the port went away ({error})")
+            else:
+                log.append(chunk)
     log.sync()
+    telling.close()
     return outcome
-
-
-def commit_lines(
-    folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome
-) -> dict[str, Any]:
-    """Account for `recording.lines`, write the good ones as recording.csv, and commit; returns capture.json's content.
-
-    Raises BadInput when no line names the columns, or the files cannot be written.
-    """
-    data = (folder / LINES).read_bytes()
-    table = read_lines(data, columns)
-    if not table.columns:
-        mend = "name them: --columns time_ms,motor_turns,displacement_mm"
-        raise BadInput(folder / LINES, "header", "no line names the columns", mend)
-    csv, holes = table.csv, table.holes()
-    info = {
-        **opening(len(data), hashlib.sha256(data).hexdigest(), began, ended, outcome),
-        "csv_sha256": hashlib.sha256(csv.encode()).hexdigest(),
-        "columns": list(table.columns),
-        "samples": {"sent": None, "received": len(table.rows)},
-        "lines": {
-            "bad": table.bad,
-            "bad_at": table.bad_lines,
-            "tail_bytes": table.tail_bytes,
-            "device_time": bool(table.time_s),
-            "time_backward": table.backward,
-            "holes": len(holes),
-        },
-        "holes": holes[:LISTED],
-    }
-    return seal(folder, LINES, info, csv)
-
-
-def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
-    """Commit a text recording whose capture program was killed, as `recovered`; raises BadInput.
-
-    Nothing tells when it began: its end, the file's last change, stands for that too.
-    """
-    path = folder / LINES
-    if (folder / "capture.json").exists():
-        raise BadInput(folder, "capture.json", "is there, so the run is finished", "there is nothing to recover")
-    if in_use(path):
-        raise BadInput(path, LINES, "is still being captured", "wait for that program, or end it")
-    ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
-    return commit_lines(folder, columns, ended, ended, Outcome("recovered"))
 
 
 def tell_lines(info: dict[str, Any], folder: Path) -> None:
     """Say what was recorded, what was no line of numbers and where samples seem to be missing."""
     lines = info["lines"]
-    print(f"{folder}: {info['exit_status']}, {info['samples']['received']} samples, {lines['bad']} bad lines")
+    text = f", {lines['text']} lines of text passed over" if lines["text"] else ""
+    print(f"{folder}: {info['exit_status']}, {info['samples']['received']} samples, {lines['bad']} bad lines{text}")
+    print(f"{folder}: the columns are {', '.join(info['columns'])}; if not, --recover {folder} --columns names them")
+    if lines["swapped_headers"]:
+        again = f"named the columns in another order {lines['swapped_headers']} times"
+        print(f"{folder}: the rig {again}; the fields are put back into the first one's")
+    if lines["other_headers"]:
+        print(f"{folder}: the rig named other columns {lines['other_headers']} times; lines after that are bad ones")
     if not lines["device_time"]:
         print(f"{folder}: the rig prints no time, so lost lines cannot be seen; print millis() first in every line")
     for hole in info["holes"][:5]:

@@ -1,75 +1,82 @@
-"""What the person at the rig sees while it records."""
+"""How a recording of frames gets on: what came, what is lost, what the sensors say, and how long it will take."""
 
-import contextlib
 import time
 
+from pipeline.capture.left import Left
+from pipeline.capture.screen import Screen, clock
 from pipeline.capture.watch import Watch
-from pipeline.wire import Frame, Hello, Kind
-from pipeline.wire.frames import EVENT, Event
+from pipeline.wire import Event, Frame, Hello, Kind
+from pipeline.wire.belief import LATE, Numbers
+from pipeline.wire.frames import EVENT
 
-EVERY_S = 1.0
-LATE = 1000  # so many missing frames may still come late and be no loss
-SHOWN = {"displacement_mm": "mm", "load_n": "N"}
-
-
-def say(line: str) -> None:
-    """Print a line."""
-    with contextlib.suppress(OSError):  # nobody reads it any more: no reason to stop recording
-        print(line, flush=True)
+SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}
 
 
 class Progress:
-    """Counts what comes and says so once a second; what is wrong it says at once."""
+    """Counts what comes and shows it; what is wrong it says at once."""
 
     def __init__(self, hello: Hello) -> None:
         self.hello = hello
-        self.samples = self.done = self.lost = self.bad = 0
-        self.watch = Watch(hello)
-        self._top = 0  # highest number of a frame
+        self.samples = self.lost = self.bad = 0
+        self.screen, self.watch, self.left = Screen(), Watch(hello), Left(hello.strokes)
+        self.numbers = Numbers(hello.rate_hz)
+        self._stroke = 0  # the one under way
         self._missing: set[int] = set()
-        self._shown_s = self._began_s = time.monotonic()
-        self._shown_samples = self._shown_bad = 0
+        self._began_s = self._looked_s = time.monotonic()
+        self._looked_samples = self._looked_bad = 0
 
-    def count(self, frame: Frame) -> None:
-        """Take note of one frame."""
-        ahead = (frame.seq - self._top) % 2**32
-        if 0 < ahead < 2**31:
-            self.lost += ahead - 1
-            if 1 < ahead <= LATE and len(self._missing) < LATE:
-                self._missing.update((self._top + step) % 2**32 for step in range(1, ahead))
-            self._top = frame.seq
-        elif frame.seq in self._missing:
-            self._missing.remove(frame.seq)
+    def count(self, frame: Frame) -> bool:
+        """Take note of one frame; whether its number can be true."""
+        high, number = self.numbers.high, self.numbers.of(frame.seq)
+        if not self.numbers.believe(frame.kind, number, frame.payload):
+            return False
+        if number > high:
+            self.lost += number - high - 1
+            if number - high <= LATE and len(self._missing) < LATE:
+                self._missing.update(range(high + 1, number))
+        elif number in self._missing:
+            self._missing.remove(number)
             self.lost -= 1
         if frame.kind == Kind.SAMPLE:
             self.samples += 1
             wrong = self.watch.look(frame)
             if wrong:
-                say(f"warning: {wrong}")
+                self.screen.say(f"warning: {wrong}")
         elif frame.kind == Kind.EVENT and len(frame.payload) == EVENT.size:
-            _, code, _ = EVENT.unpack(frame.payload)
-            self.done += code == Event.STROKE_END
+            _, code, value = EVENT.unpack(frame.payload)
+            passed_s = time.monotonic() - self._began_s
+            if code == Event.STROKE_START:
+                self._stroke = value
+                self.left.starts(passed_s)
+            elif code == Event.STROKE_END:
+                self._stroke = 0
+                self.left.ends(passed_s)
+        return True
 
-    def show(self, free_bytes: int = 0, last: bool = False) -> None:
-        """Print the line, if it is time for it."""
-        now_s = time.monotonic()
-        if not last and now_s - self._shown_s < EVERY_S:
-            return
-        passed_s = now_s - self._began_s
+    def parts(self, free_bytes: int = 0) -> list[str]:
+        """What the line says, the most important first."""
+        passed_s = time.monotonic() - self._began_s
         of = f" of {self.hello.strokes}" if self.hello.strokes else ""
-        parts = [
-            f"{self.samples / self.hello.rate_hz:7.1f} s recorded",
-            f"{self.done}{of} strokes done",
+        left_s = self.left.at(passed_s)
+        return [
+            f"{clock(self.samples / self.hello.rate_hz)} recorded",
+            f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} strokes done",
+            *([f"about {clock(left_s)} left"] if left_s is not None else []),
+            f"{self.lost} frames lost",
+            *(f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now),
             f"{self.samples} samples",
             f"{self.samples / max(passed_s, 1e-3):.0f} samples/s",
-            *(f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now),
-            f"{self.lost} frames lost",
+            *([f"{free_bytes / 1e9:.1f} GB free"] if free_bytes else []),
         ]
-        if free_bytes:
-            parts.append(f"{free_bytes / 1e9:.1f} GB free")
-        if 0 < self.done < self.hello.strokes and not last:
-            parts.append(f"about {passed_s / self.done * (self.hello.strokes - self.done):.0f} s left")
-        say(", ".join(parts))
-        if self.bad - self._shown_bad > self.samples - self._shown_samples:
-            say("warning: most of what comes is damaged: check the cable, the ground and the baud rate")
-        self._shown_s, self._shown_samples, self._shown_bad = now_s, self.samples, self.bad
+
+    def show(self, free_bytes: int = 0, last: bool = False) -> None:
+        """Renew the line, if it is time for it; the last one stays."""
+        if last:
+            self.screen.close(self.parts())
+        elif self.screen.due:
+            self.screen.show(self.parts(free_bytes))
+        now_s = time.monotonic()
+        if last or now_s - self._looked_s >= 1.0:
+            if self.bad - self._looked_bad > self.samples - self._looked_samples:
+                self.screen.say("warning: most of what comes is damaged: check the cable, the ground and the baud rate")
+            self._looked_s, self._looked_samples, self._looked_bad = now_s, self.samples, self.bad

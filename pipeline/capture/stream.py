@@ -1,5 +1,6 @@
 """The recording itself: bytes from the port to the log until the device says END, or nothing more."""
 
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -7,75 +8,112 @@ from dataclasses import dataclass
 from pipeline.capture.log import Log
 from pipeline.capture.port import Port, Unplugged
 from pipeline.capture.progress import Progress
-from pipeline.wire import Decoder, Hello, Kind, Reason, encode
+from pipeline.wire import Decoder, Frame, Hello, Kind, Reason, encode
 from pipeline.wire.frames import END
 
 SILENCE_S = 3.0
+STOP_S = 5.0  # so long may a device go on that was told to stop
+IDLE_S = 60.0  # so long may bytes come and no new frame
+WRONG_ENDS = 3  # an END that cannot be true is a fault when it comes again and again
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How it ended: complete, aborted or fault, and for a fault a sentence."""
+    """How it ended: complete, aborted, recovered or fault; `fault` is a sentence where there is more to say."""
 
     status: str
     fault: str | None = None
 
 
-def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int]) -> Outcome:
+class Listener:
+    """Looks at what comes: whether it ends the recording, and how many of its bytes belong to it."""
+
+    def __init__(self, hello: Hello) -> None:
+        self.hello, self.decoder, self.progress = hello, Decoder(hello.protocol), Progress(hello)
+        self.end_seq: int | None = None  # of an END that is to be acknowledged
+        self._wrong_ends = 0
+
+    def look(self, chunk: bytes) -> tuple[Outcome | None, int]:
+        """An outcome if a chunk ends the recording, and its bytes that belong to it."""
+        for heard in self.decoder.feed(chunk):
+            outcome = self._take(heard.frame)
+            if outcome is not None:
+                return outcome, heard.end
+        self.progress.bad = self.decoder.bad
+        return None, len(chunk)
+
+    def _take(self, frame: Frame) -> Outcome | None:
+        believed = self.progress.count(frame)
+        if frame.kind == Kind.HELLO and not _same(frame.payload, self.hello):
+            return Outcome("fault", "the device was reset")
+        if frame.kind != Kind.END:
+            return None
+        if len(frame.payload) != END.size or not believed:
+            wrong = f"its number {frame.seq} cannot be: the last frame was {self.progress.numbers.high}"
+            if len(frame.payload) != END.size:
+                wrong = f"it has {len(frame.payload)} bytes and not {END.size}"
+            self._wrong_ends += 1
+            return Outcome("fault", f"the device's END is none: {wrong}") if self._wrong_ends == WRONG_ENDS else None
+        self.end_seq = frame.seq
+        _, reason = END.unpack(frame.payload)
+        if reason == Reason.FAULT:
+            return Outcome("fault", "the device reported a fault")
+        return Outcome("complete" if reason == Reason.COMPLETE else "aborted")
+
+
+def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest_s: float = math.inf) -> Outcome:
     """Record from START to END; what is in the log afterwards is on the disk, and then the END is acknowledged.
 
-    `stops` says how often the person has asked to stop: once sends STOP and waits for the END, twice ends it.
+    `stops` says how often the person has asked to stop: once, or `longest_s` over, sends STOP and waits for the END;
+    twice ends it.
     """
-    decoder, progress = Decoder(), Progress(hello)
-    silence_s = max(SILENCE_S, 5.0 / hello.rate_hz)
-    heard_s, sequence, stopped = time.monotonic(), 0, False
+    listener = Listener(hello)
+    progress = listener.progress
+    silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
+    began_s = heard_s = new_s = time.monotonic()
+    stopped_s, newest = math.inf, 0
+    over: str | None = None  # why it was stopped, if nobody asked
     outcome: Outcome | None = None
     try:
-        port.write(encode(Kind.START, sequence))
+        port.write(encode(Kind.START, 0, protocol=hello.protocol))
         while outcome is None:
             chunk = port.read()
-            outcome, used, end_seq = _look(decoder, progress, hello, chunk, stopped)
+            outcome, used = listener.look(chunk)
             log.append(chunk[:used])
-            progress.bad = decoder.bad
-            progress.show(log.free_bytes)
+            progress.show(log.free_bytes if progress.screen.due else 0)
             now_s = time.monotonic()
             heard_s = now_s if chunk else heard_s
+            new_s, newest = (now_s, progress.numbers.high) if progress.numbers.high > newest else (new_s, newest)
             if outcome is not None:
                 log.sync()
-                if end_seq is not None:
-                    port.write(encode(Kind.ACK, end_seq))
+                if listener.end_seq is not None:
+                    port.write(encode(Kind.ACK, listener.end_seq, protocol=hello.protocol))
             elif stops() > 1:
                 outcome = Outcome("aborted")
-            elif stops() and not stopped:
-                stopped, sequence = True, sequence + 1
-                port.write(encode(Kind.STOP, sequence))
+            elif math.isinf(stopped_s) and (stops() or now_s - began_s > longest_s):
+                over = None if stops() else f"ended by --longest after {longest_s:g} s"
+                stopped_s = now_s
+                port.write(encode(Kind.STOP, 1, protocol=hello.protocol))
             elif now_s - heard_s > silence_s:
                 fault = f"the device said nothing for {silence_s:g} s"
-                outcome = Outcome("aborted" if stopped else "fault", fault)
+                outcome = Outcome("fault" if math.isinf(stopped_s) else "aborted", fault)
+            elif now_s - stopped_s > STOP_S:
+                outcome = Outcome("fault", "the device went on though it was told to stop")
+            elif now_s - new_s > idle_s:
+                outcome = Outcome("fault", f"bytes came, but no new frame for {idle_s:g} s")
     except Unplugged as error:
         # a device that goes away as soon as it has read the ACK takes nothing from the outcome
-        outcome = outcome or Outcome("aborted" if stopped else "fault", f"the port went away ({error})")
+        gone = Outcome("fault" if math.isinf(stopped_s) else "aborted", f"the port went away ({error})")
+        outcome = outcome or gone
     log.sync()
     progress.show(last=True)
-    return outcome
+    return _told(outcome, not math.isinf(stopped_s), over)
 
 
-def _look(
-    decoder: Decoder, progress: Progress, hello: Hello, chunk: bytes, stopped: bool
-) -> tuple[Outcome | None, int, int | None]:
-    """What a chunk means: an outcome if it ends the recording, its bytes that belong to it, and the END's number."""
-    for heard in decoder.feed(chunk):
-        frame = heard.frame
-        progress.count(frame)
-        if frame.kind == Kind.END and len(frame.payload) == END.size:
-            _, reason = END.unpack(frame.payload)
-            if reason == Reason.FAULT:
-                return Outcome("fault", "the device reported a fault"), heard.end, frame.seq
-            complete = reason == Reason.COMPLETE and not stopped
-            return Outcome("complete" if complete else "aborted"), heard.end, frame.seq
-        if frame.kind == Kind.HELLO and not _same(frame.payload, hello):
-            return Outcome("fault", "the device was reset"), len(chunk), None
-    return None, len(chunk), None
+def _told(outcome: Outcome, stopped: bool, over: str | None) -> Outcome:
+    """The outcome of a recording that was perhaps stopped, with the word that says why."""
+    status = "aborted" if stopped and outcome.status == "complete" else outcome.status
+    return Outcome(status, "; ".join(filter(None, (over, outcome.fault))) or None)
 
 
 def _same(payload: bytes, hello: Hello) -> bool:

@@ -10,6 +10,7 @@ LOOKS_HZ = 50.0  # so many samples a second are looked at
 WINDOW_S = 3.0
 LEAST_TURNS = 3.0  # near the untwisted string a turn contracts less than a sensor can see
 WRONG_QUANTA = 5.0  # a displacement that moves less is noise
+STANDS = 10  # so many looks in a row at which a clock has not gone on
 
 
 class Watch:
@@ -20,7 +21,8 @@ class Watch:
         self.now: dict[str, float] = {}
         self._layout = struct.Struct("<I" + "".join(CODES[channel.type] for channel in hello.channels))
         self._every = max(1, round(hello.rate_hz / LOOKS_HZ))
-        self._seen = 0
+        self._seen = self._stands = 0
+        self._t_us: int | None = None
         size = max(2, round(WINDOW_S * hello.rate_hz / self._every))
         self._past: deque[tuple[float, float]] = deque(maxlen=size)  # turns, mm
         self._travel = 0.0  # turns since the displacement last changed
@@ -34,7 +36,10 @@ class Watch:
             return self._say("size", "samples are not of the size that HELLO declares, so they cannot be read")
         if self._seen % self._every:
             return None
-        _, *numbers = self._layout.unpack(frame.payload)
+        t_us, *numbers = self._layout.unpack(frame.payload)
+        clock = self._clock(t_us)
+        if clock:
+            return clock
         channels = self.hello.channels
         self.now = {c.name: c.scale * n + c.offset for c, n in zip(channels, numbers, strict=True)}
         turns, measured_mm = self.now.get("motor_turns"), self.now.get("displacement_mm")
@@ -51,6 +56,16 @@ class Watch:
             mend = "contraction is positive: swap the sensor's sign in the firmware, or set scale to -1 in run.yaml"
             return self._say("reversed", f"displacement_mm falls while the motor winds; {mend}")
         return None
+
+    def _clock(self, t_us: int) -> str | None:
+        """A sentence when the device's clock stands or runs backwards."""
+        went_us = STANDS if self._t_us is None else (t_us - self._t_us + 2**31) % 2**32 - 2**31
+        self._t_us = t_us
+        self._stands = self._stands + 1 if went_us <= 0 else 0
+        if self._stands < STANDS:
+            return None
+        how = "stands" if went_us == 0 else "runs backwards"
+        return self._say("clock", f"the device's clock (t_us) {how}: nobody will know when samples were taken")
 
     def _wrong_way(self) -> bool:
         """Whether the displacement fell from the least to the most twisted of the last seconds, by more than noise."""

@@ -1,8 +1,6 @@
-"""Serve one recording of a synthetic rig over a pseudo-terminal, as fast as the host reads it."""
+"""Be a synthetic rig behind a pseudo-terminal: one recording after another, at a pace that a person can watch."""
 
 import argparse
-import math
-import sys
 from pathlib import Path
 
 from pipeline.errors import program
@@ -11,28 +9,36 @@ from pipeline.rig.line import line, serve
 from pipeline.rig.setup import names, read_setup
 from pipeline.rig.simulate import simulate
 
+PACE = 5.0  # the paper's nine strokes in a minute
+
 
 @program
 def main() -> int:
-    """Make the link, then serve; exit 1 when nobody acknowledges the recording."""
+    """Make the link, then serve until Ctrl-C, or so many recordings; exit 1 when nobody acknowledges the last one."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.rig", description=__doc__)
     parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
     parser.add_argument("--link", type=Path, required=True, help="name of the serial port that is made")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--pace", type=float, default=math.inf, help="times real time (default: as fast as it goes)")
+    parser.add_argument("--pace", type=float, default=PACE, help=f"times real time, inf for no waiting ({PACE:g})")
+    parser.add_argument("--recordings", type=int, default=0, help="so many, then end (default: until Ctrl-C)")
     arguments = parser.parse_args()
-    if arguments.seed < 0 or not arguments.pace > 0:
-        parser.error("--seed must be 0 or more, --pace above 0")
-    device = Device(simulate(read_setup(arguments.setup), arguments.seed))
+    if arguments.seed < 0 or not arguments.pace > 0 or arguments.recordings < 0:
+        parser.error("--seed and --recordings must be 0 or more, --pace above 0")
+    setup = read_setup(arguments.setup)
+    device, number = Device(simulate(setup, arguments.seed)), 1
     with line(arguments.link) as end:
-        print(f"rig: {arguments.setup} is at {arguments.link}", flush=True)
+        print(f"rig: {arguments.setup} is at {arguments.link}, at {arguments.pace:g} times real time", flush=True)
         try:
-            served = serve(end, device, arguments.pace)
+            while True:
+                served = serve(end, device, arguments.pace)
+                said = "is recorded" if served else "ended, and the host did not acknowledge it"
+                print(f"rig: recording {number} {said}", flush=True)
+                if number == arguments.recordings:
+                    return 0 if served else 1
+                number += 1
+                device = Device(simulate(setup, arguments.seed + number - 1))
         except KeyboardInterrupt:
             return 130
-    if not served:
-        print("rig: the host did not acknowledge the end of the recording", file=sys.stderr)
-    return 0 if served else 1
 
 
 if __name__ == "__main__":

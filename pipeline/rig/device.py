@@ -16,7 +16,7 @@ class Device:
 
     def __init__(self, simulated: Simulated) -> None:
         self.simulated = simulated
-        self.heard = Decoder()
+        self.heard = Decoder(simulated.hello.protocol)
         self.acknowledged = False
         self._answer = b""
         self._end: bytes | None = None  # the END that waits for its ACK

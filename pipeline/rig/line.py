@@ -2,16 +2,20 @@
 
 import math
 import os
-import pty
 import select
 import time
-import tty
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from pipeline.errors import BadInput
 from pipeline.rig.device import Device
+
+try:
+    import pty
+    import tty
+except ImportError:  # no POSIX system
+    pty = tty = None  # type: ignore[assignment]
 
 REPEAT_END_S = 0.2
 FORGET_END_S = 10.0
@@ -21,8 +25,10 @@ FORGET_END_S = 10.0
 def line(link: Path) -> Iterator[int]:
     """Open a pseudo-terminal, yield the device's end of it and name the host's end `link`; both go afterwards.
 
-    Raises BadInput when `link` is taken by something that is no link.
+    Raises BadInput when `link` is taken by something that is no link, or the system has no pseudo-terminals.
     """
+    if pty is None:
+        raise BadInput(link, "--link", "needs a pseudo-terminal, which this system does not have", "use Linux or macOS")
     if link.exists() and not link.is_symlink():
         raise BadInput(link, "--link", "is there and is no link", "choose a path that is free")
     ours, theirs = pty.openpty()

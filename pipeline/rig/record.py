@@ -35,6 +35,7 @@ def record(which: str, folder: Path, seed: int) -> int:
     with tempfile.TemporaryDirectory(prefix="rig-") as place:
         link = Path(place) / "port"
         command = [sys.executable, "-m", "pipeline.rig", which, "--link", str(link), "--seed", str(seed)]
+        command += ["--pace", "inf", "--recordings", "1"]
         # a session of its own: Ctrl-C is for the capture program, which then stops the rig in good order
         rig = subprocess.Popen(command, env=environment, start_new_session=True, stdout=subprocess.DEVNULL)
         try:

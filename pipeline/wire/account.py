@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from pipeline.wire.stamps import no_clock
+
 
 @dataclass(frozen=True)
 class End:
@@ -47,6 +49,8 @@ class Account:
     samples: int = 0  # among those received
     out_of_order: int = 0  # times that a sample came after one with a greater number
     resets: int = 0
+    backward_stamps: int = 0  # samples whose time stamp is before that of the sample before it
+    repeated_stamps: int = 0
     gaps: tuple[Gap, ...] = ()
     events: tuple[Event, ...] = ()
     last_s: float = 0.0  # time of the last sample since the first
@@ -57,3 +61,8 @@ class Account:
     def samples_sent(self) -> int | None:
         """Samples that the device says it sent, or None without an END."""
         return self.end.samples if self.end else None
+
+    @property
+    def no_clock(self) -> bool:
+        """Whether the device's clock stands or runs backwards throughout."""
+        return no_clock(self.samples, self.backward_stamps, self.repeated_stamps)

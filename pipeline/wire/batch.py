@@ -1,20 +1,25 @@
 """Many frames at once: the frames of a whole byte log as numpy arrays, short ones decoded side by side."""
 
+import zlib
 from binascii import crc_hqx
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.wire.frames import CRC, HEAD, MAX_STUFFED, decode
+from pipeline.wire.check import CRC, PROTOCOL
+from pipeline.wire.counters import Whole
+from pipeline.wire.frames import HEAD, MAX_STUFFED, Kind, decode
+from pipeline.wire.hello import Hello
 
 Bytes = NDArray[np.uint8]
-Whole = NDArray[np.int64]
 
 LONGEST_SHORT = 254  # stuffed bytes; up to here COBS has no group of 254 and needs no special case
 ROWS = 1 << 16  # decoded side by side: what the processor's cache holds
-_TABLE = np.array([crc_hqx(bytes([byte]), 0) for byte in range(256)], np.uint16)
+_TABLE_16 = np.array([crc_hqx(bytes([byte]), 0) for byte in range(256)], np.uint16)
+_TABLE_32 = ~np.array([zlib.crc32(bytes([byte]), 0xFFFFFFFF) for byte in range(256)], np.uint32)
 
 
 @dataclass(frozen=True)
@@ -61,40 +66,46 @@ def unstuff_rows(rows: Bytes) -> tuple[Bytes, NDArray[np.bool_]]:
     return data, code_at == length
 
 
-def checksum_rows(rows: Bytes) -> NDArray[np.uint16]:
-    """CRC-16/CCITT-FALSE of every row: shape (n, length) → (n,)."""
-    crc = np.full(len(rows), 0xFFFF, np.uint16)
+def checksum_rows(rows: Bytes, protocol: int = PROTOCOL) -> NDArray[np.unsignedinteger[Any]]:
+    """A protocol's check of every row: shape (n, length) → (n,)."""
+    if protocol == 1:
+        short = np.full(len(rows), 0xFFFF, np.uint16)
+        for column in range(rows.shape[1]):
+            short = (short << 8) ^ _TABLE_16[(short >> 8) ^ rows[:, column]]
+        return short
+    crc = np.full(len(rows), 0xFFFFFFFF, np.uint32)
     for column in range(rows.shape[1]):
-        crc = (crc << 8) ^ _TABLE[(crc >> 8) ^ rows[:, column]]
-    return crc
+        crc = (crc >> 8) ^ _TABLE_32[(crc & 0xFF) ^ rows[:, column]]
+    return ~crc
 
 
-def _short(log: Bytes, start: Whole, length: int) -> Iterator[tuple[Whole, Bytes, NDArray[np.bool_]]]:
-    """Positions, frames without their checksum, and which are good, for stuffed frames of one length."""
+def _short(log: Bytes, start: Whole, length: int, protocol: int) -> Iterator[tuple[Whole, Bytes, NDArray[np.bool_]]]:
+    """Positions, frames without their check, and which are good, for stuffed frames of one length."""
+    size = CRC[protocol].size
     for first in range(0, len(start), ROWS):
         block = start[first : first + ROWS]
         body, good = unstuff_rows(log[block[:, None] + np.arange(length)])
-        data, crc = body[:, : -CRC.size], body[:, -CRC.size :]
-        sent = crc[:, 0].astype(np.uint16) | (crc[:, 1].astype(np.uint16) << 8)
-        yield block, data, good & (checksum_rows(data) == sent)
+        data, check = body[:, :-size], np.ascontiguousarray(body[:, -size:])
+        yield block, data, good & (checksum_rows(data, protocol) == check.view(f"<u{size}")[:, 0])
 
 
-def read_batch(data: bytes) -> Batch:
-    """All frames of a byte log; never raises, whatever the bytes."""
+def read_batch(data: bytes, protocol: int = PROTOCOL) -> Batch:
+    """All frames of a byte log in one version of the protocol; never raises, whatever the bytes."""
+    least = HEAD.size + CRC[protocol].size
     log = np.frombuffer(data, np.uint8)
     zeros = np.flatnonzero(log == 0).astype(np.int64)
     starts = np.concatenate([[0], zeros[:-1] + 1]).astype(np.int64) if len(zeros) else zeros
     lengths = zeros - starts
-    bad = [starts[(lengths > MAX_STUFFED) | ((lengths > 0) & (lengths <= HEAD.size + CRC.size))]]
+    bad = [starts[(lengths > MAX_STUFFED) | ((lengths > 0) & (lengths <= least))]]
     found: list[tuple[Whole, Bytes]] = []  # positions, and whole frames as rows
     lone: list[tuple[int, int, int, bytes]] = []
-    for length in np.unique(lengths[(lengths > HEAD.size + CRC.size) & (lengths <= LONGEST_SHORT)]).tolist():
-        for block, rows, good in _short(log, starts[lengths == length], length):
+    for length in np.unique(lengths[(lengths > least) & (lengths <= LONGEST_SHORT)]).tolist():
+        for block, rows, good in _short(log, starts[lengths == length], length, protocol):
             bad.append(block[~good])
             found.append((block[good], rows[good]))
     for number in np.flatnonzero((lengths > LONGEST_SHORT) & (lengths <= MAX_STUFFED)).tolist():
         at = int(starts[number])
-        frame = decode(data[at : int(zeros[number])])
+        frame = decode(data[at : int(zeros[number])], protocol)
         if frame is None:
             bad.append(np.array([at], np.int64))
         else:
@@ -114,3 +125,21 @@ def read_batch(data: bytes) -> Batch:
     long = {int(np.searchsorted(start, one[0])): one[3] for one in lone}
     tail = len(data) - (int(zeros[-1]) + 1 if len(zeros) else 0)
     return Batch(kind[order], seq[order], start, ends, np.sort(np.concatenate(bad)), matrices, long, tail)
+
+
+def samples_of(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArray[np.void]]:
+    """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type."""
+    layout = np.dtype(hello.sample_type)
+    as_they_came = np.argsort(frames, kind="stable")
+    came = frames[as_they_came]
+    places, found = [np.zeros(0, np.int64)], [np.zeros(0, layout)]
+    for members, payloads in batch.matrices:  # several, if there are many frames
+        if payloads.shape[1] != layout.itemsize:
+            continue
+        at = np.minimum(np.searchsorted(came, members), len(came) - 1)
+        there = (came[at] == members) & (batch.kind[members] == Kind.SAMPLE)
+        places.append(as_they_came[at[there]])
+        found.append(np.ascontiguousarray(payloads[there]).view(layout)[:, 0])
+    place, samples = np.concatenate(places), np.concatenate(found)
+    order = np.argsort(place, kind="stable")
+    return place[order], samples[order]

@@ -1,16 +1,15 @@
-"""One frame: COBS(kind u8, seq u32, payload, CRC-16 u16) and a zero byte; all numbers little-endian."""
+"""One frame: COBS(kind u8, seq u32, payload, check) and a zero byte; all numbers little-endian."""
 
 import struct
-from binascii import crc_hqx
 from dataclasses import dataclass, field
 from enum import IntEnum
 
+from pipeline.wire.check import CRC, MAX_PAYLOAD, PROTOCOL, VERSIONS, checksum
 from pipeline.wire.cobs import stuff, unstuff
+from pipeline.wire.hello import Hello
 
 HEAD = struct.Struct("<BI")
-CRC = struct.Struct("<H")
-MAX_PAYLOAD = 2048
-MAX_STUFFED = (HEAD.size + MAX_PAYLOAD + CRC.size) * 255 // 254 + 1  # what a frame can be without its zero byte
+MAX_STUFFED = (HEAD.size + MAX_PAYLOAD + CRC[2].size) * 255 // 254 + 1  # what a frame can be without its zero byte
 
 
 class Kind(IntEnum):
@@ -48,35 +47,44 @@ END = struct.Struct("<IB")  # samples sent, reason
 
 @dataclass(frozen=True)
 class Frame:
-    """A frame whose checksum was right; `kind` is a Kind, or a number that a later protocol may know."""
+    """A frame whose check was right; `kind` is a Kind, or a number that a later protocol may know."""
 
     kind: int
     seq: int
     payload: bytes = b""
+    protocol: int = PROTOCOL
 
 
-def checksum(data: bytes) -> int:
-    """CRC-16/CCITT-FALSE: polynomial 0x1021, start 0xFFFF, not reflected."""
-    return crc_hqx(data, 0xFFFF)
-
-
-def encode(kind: int, seq: int, payload: bytes = b"") -> bytes:
+def encode(kind: int, seq: int, payload: bytes = b"", protocol: int = PROTOCOL) -> bytes:
     """Bytes of a frame on the wire, its ending zero included; raises ValueError for a payload that is too long."""
     if len(payload) > MAX_PAYLOAD:
         raise ValueError(f"a payload of {len(payload)} bytes is longer than {MAX_PAYLOAD}")
     body = HEAD.pack(kind, seq & 0xFFFFFFFF) + payload
-    return stuff(body + CRC.pack(checksum(body))) + b"\0"
+    return stuff(body + CRC[protocol].pack(checksum(body, protocol))) + b"\0"
 
 
-def decode(stuffed: bytes) -> Frame | None:
-    """The frame in the bytes between two zeros, or None when it is damaged."""
+def decode(stuffed: bytes, protocol: int | None = PROTOCOL) -> Frame | None:
+    """The frame in the bytes between two zeros, or None when it is damaged; by either version's check if None."""
     body = unstuff(stuffed) if len(stuffed) <= MAX_STUFFED else None
-    if body is None or len(body) < HEAD.size + CRC.size:
+    for version in VERSIONS if protocol is None else (protocol,):
+        crc = CRC[version]
+        if body is None or len(body) < HEAD.size + crc.size:
+            continue
+        if checksum(body[: -crc.size], version) == crc.unpack(body[-crc.size :])[0]:
+            kind, seq = HEAD.unpack_from(body)
+            return Frame(kind, seq, body[HEAD.size : -crc.size], version)
+    return None
+
+
+def greeting(frame: Frame | None) -> Hello | None:
+    """The HELLO that a frame holds, if it does and speaks of the version under whose check it came."""
+    if frame is None or frame.kind != Kind.HELLO:
         return None
-    if checksum(body[: -CRC.size]) != CRC.unpack(body[-CRC.size :])[0]:
+    try:
+        hello = Hello.unpack(frame.payload)
+    except ValueError:
         return None
-    kind, seq = HEAD.unpack_from(body)
-    return Frame(kind, seq, body[HEAD.size : -CRC.size])
+    return hello if hello.protocol == frame.protocol else None
 
 
 @dataclass(frozen=True)
@@ -92,9 +100,11 @@ class Heard:
 class Decoder:
     """Frames out of chunks of any size; after garbage the next zero byte puts it right.
 
-    `bad` counts what stood between two zeros and was no frame. It holds at most one frame's bytes.
+    `bad` counts what stood between two zeros and was no frame. It holds at most one frame's bytes. Without a
+    `protocol` it takes frames of either version until a HELLO says which one is spoken, and from there on no other.
     """
 
+    protocol: int | None = None
     bad: int = 0
     _rest: bytearray = field(default_factory=bytearray)
     _overlong: bool = False
@@ -111,8 +121,10 @@ class Decoder:
         while (zero := chunk.find(b"\0", at)) >= 0:
             self._keep(chunk[at:zero])
             at = zero + 1
-            frame = None if self._overlong else decode(bytes(self._rest))
+            frame = None if self._overlong else decode(bytes(self._rest), self.protocol)
             if frame is not None:
+                if self.protocol is None and greeting(frame) is not None:
+                    self.protocol = frame.protocol
                 frames.append(Heard(frame, bytes(self._rest) + b"\0", at))
             elif self._rest or self._overlong:
                 self.bad += 1

@@ -6,9 +6,8 @@ import re
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from pipeline.wire.frames import MAX_PAYLOAD
+from pipeline.wire.check import CRC, MAX_PAYLOAD, PROTOCOL
 
-PROTOCOL = 1
 MAX_CHANNELS = 16
 RATES_HZ = (1.0, 100_000.0)
 MOST_STROKES = 1_000_000
@@ -59,8 +58,9 @@ class Hello:
         if not isinstance(content, dict):
             raise ValueError("is not an object")
         protocol = _get(content, "protocol", int)
-        if protocol != PROTOCOL:
-            raise ValueError(f"protocol: is version {protocol}, which is not the version {PROTOCOL} known here")
+        if protocol not in CRC:
+            known = " and ".join(map(str, CRC))
+            raise ValueError(f"protocol: is version {protocol}, and only the versions {known} are known here")
         channels = _get(content, "channels", list)
         if not 1 <= len(channels) <= MAX_CHANNELS:
             raise ValueError(f"channels: must be 1 to {MAX_CHANNELS}")
@@ -71,6 +71,7 @@ class Hello:
             rate_hz=_number(content, "rate_hz"),
             strokes=_get(content, "strokes", int),
             channels=tuple(_channel(channel) for channel in channels),
+            protocol=protocol,
         )
         if not RATES_HZ[0] <= hello.rate_hz <= RATES_HZ[1]:
             raise ValueError(f"rate_hz: must be from {RATES_HZ[0]:g} to {RATES_HZ[1]:g}")

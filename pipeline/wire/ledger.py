@@ -6,10 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.wire.account import Account, End
-from pipeline.wire.batch import Batch, Whole, read_batch
-from pipeline.wire.frames import END, EVENT, MAX_STUFFED, Kind
+from pipeline.wire.batch import Batch, read_batch, samples_of
+from pipeline.wire.belief import LATE, Numbers
+from pipeline.wire.counters import Whole, from_one, steps_of
+from pipeline.wire.frames import END, EVENT, MAX_STUFFED, Kind, decode, greeting
 from pipeline.wire.hello import Hello
-from pipeline.wire.timeline import FIRST, Timeline, steps_of
+from pipeline.wire.timeline import FIRST, Timeline
 
 NONE: Whole = np.zeros(0, np.int64)
 
@@ -18,7 +20,8 @@ NONE: Whole = np.zeros(0, np.int64)
 class Ledger:
     """Feed it a byte log in chunks of any size; it never raises, whatever the bytes.
 
-    Only what the device sent between its first HELLO and a reset is entered. Frames that came twice count once.
+    Only what the device sent between its first HELLO and a reset is entered. Frames that came twice count once, and
+    those whose number cannot be true not at all.
     """
 
     hello: Hello | None = None
@@ -27,9 +30,12 @@ class Ledger:
     _bad: int = 0
     _good: int = 0
     _resets: int = 0
-    _number: int = 0  # of the frame that came last
+    _numbers: Numbers = field(default_factory=lambda: Numbers(0.0))
     _sample: int = -1  # number of the sample that came last
     _out_of_order: int = 0
+    _stamp: tuple[int, int] = (-1, 0)  # number and t_us of the last sample that came in order
+    _backward: int = 0
+    _repeated: int = 0
     _low: Whole = field(default_factory=lambda: NONE)  # numbers that came are low..high of one of these
     _high: Whole = field(default_factory=lambda: NONE)
     _runs: list[Whole] = field(default_factory=list)
@@ -42,45 +48,81 @@ class Ledger:
         whole, rest = (self._rest + chunk[:zero], chunk[zero:]) if zero else (b"", self._rest + chunk)
         self._cut = (0 if zero else self._cut) + max(len(rest) - MAX_STUFFED - 1, 0)
         self._rest = rest[: MAX_STUFFED + 1]
-        return self._enter(read_batch(whole)) if whole else None
+        if self.hello is None and whole:
+            whole = self._from_hello(whole)
+        return self._enter(read_batch(whole, self.hello.protocol)) if self.hello and whole else None
+
+    def _from_hello(self, whole: bytes) -> bytes:
+        """What begins with the device's HELLO, which says which version it speaks, if it is among whole frames."""
+        at = 0
+        while (zero := whole.find(b"\0", at)) >= 0:
+            frame = decode(whole[at:zero], None)
+            self.hello = greeting(frame)
+            if self.hello is not None:
+                self._numbers.rate_hz = self.hello.rate_hz
+                return whole[at:]
+            self._bad += frame is None and zero > at
+            at = zero + 1
+        return b""
 
     def _enter(self, batch: Batch) -> tuple[Whole, NDArray[np.void]] | None:
         self._bad += len(batch.bad_at)
-        begin, stop = self._bounds(batch)
-        if self.hello is None or begin >= stop:
-            return None
-        frames = np.arange(begin, stop)
+        assert self.hello is not None
+        frames = np.arange(self._stop(batch, self.hello))
         self._good += len(frames)
-        numbers = self._number + np.cumsum(steps_of(batch.seq[frames].astype(np.uint32), self._number))
-        self._number = int(numbers[-1])
+        numbers = self._numbers.high + from_one(batch.seq[frames].astype(np.uint32), self._numbers.high)
+        believed = self._believed(batch, numbers)
+        numbers, frames = numbers[believed], frames[believed]
         numbers, once = np.unique(numbers, return_index=True)
-        new = (numbers >= 0) & ~self._covered(numbers)
+        new = ~self._covered(numbers)
         numbers, frames = numbers[new], frames[once[new]]
         if not len(numbers):
             return None
-        place, samples = _samples(batch, self.hello, frames)
+        place, samples = samples_of(batch, self.hello, frames)
         came = numbers[place][np.argsort(frames[place], kind="stable")]
         if len(came):
             self._out_of_order += int(np.count_nonzero(np.diff(came, prepend=max(self._sample, 0)) < 0))
             self._sample = int(came[-1])
+            self._clock(numbers[place], samples["t_us"])
         self._others(batch, frames, numbers)
         self._cover(self._run(numbers, place, samples["t_us"]))
         return numbers[place], samples
 
-    def _bounds(self, batch: Batch) -> tuple[int, int]:
-        """The piece's first frame of the recording, and the one behind its last."""
-        begin, stop = (len(batch.kind) if self.hello is None else 0), (0 if self._resets else len(batch.kind))
+    def _stop(self, batch: Batch, hello: Hello) -> int:
+        """The frame behind the piece's last one of the recording: none after a reset, which a new HELLO tells."""
+        stop = 0 if self._resets else len(batch.kind)
         for frame in np.flatnonzero(batch.kind == Kind.HELLO).tolist():
             try:
                 found = Hello.unpack(batch.payload(frame))
             except ValueError:
                 continue
-            if self.hello is None:
-                self.hello, begin = found, frame
-            elif found.nonce != self.hello.nonce:
+            if found.nonce != hello.nonce:
                 stop = min(stop, frame)
                 self._resets += 1
-        return begin, stop
+        return stop
+
+    def _believed(self, batch: Batch, numbers: Whole) -> NDArray[np.bool_]:
+        """Which numbers can be true; asked frame by frame only where one leaps far ahead, or an END is among them."""
+        high = np.maximum.accumulate(np.append(self._numbers.high, numbers))
+        kinds = batch.kind[: len(numbers)]
+        if len(numbers) and not (np.diff(high) > LATE).any() and (numbers >= 0).all() and not (kinds == Kind.END).any():
+            self._numbers.high = int(high[-1])
+            self._numbers.others += int((kinds != Kind.SAMPLE).sum())
+            samples = np.flatnonzero(kinds == Kind.SAMPLE)
+            if len(samples):
+                last = int(samples[-1])
+                self._numbers.believe(Kind.SAMPLE, int(numbers[last]), batch.payload(last))
+            return np.ones(len(numbers), bool)
+        each = zip(kinds.tolist(), numbers.tolist(), range(len(numbers)), strict=True)
+        return np.array([self._numbers.believe(kind, number, batch.payload(at)) for kind, number, at in each], bool)
+
+    def _clock(self, numbers: Whole, t_us: NDArray[np.uint32]) -> None:
+        """Count the stamps that stand or fall back, between samples whose numbers rise."""
+        number, before = self._stamp
+        steps = steps_of(t_us, before)[0 if 0 <= number < numbers[0] else 1 :]
+        self._backward += int((steps < 0).sum())
+        self._repeated += int((steps == 0).sum())
+        self._stamp = max(self._stamp, (int(numbers[-1]), int(t_us[-1])))
 
     def _covered(self, numbers: Whole) -> NDArray[np.bool_]:
         at = np.searchsorted(self._low, numbers, side="right") - 1
@@ -140,27 +182,11 @@ class Ledger:
             samples=int(line.samples[-1]),
             out_of_order=self._out_of_order,
             resets=self._resets,
+            backward_stamps=self._backward,
+            repeated_stamps=self._repeated,
             gaps=tuple(line.gap(*one) for one in zip(before.tolist(), missing.tolist(), strict=True) if one[1] > 0),
             events=tuple(line.event(*one) for one in sorted(self._events) if one[0] <= last),
             last_s=line.time_s(len(runs) - 1, line.end_us) or 0.0,
             tail_bytes=tail_bytes,
             end=self._end,
         )
-
-
-def _samples(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArray[np.void]]:
-    """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type."""
-    layout = np.dtype(hello.sample_type)
-    as_they_came = np.argsort(frames, kind="stable")
-    came = frames[as_they_came]
-    places, found = [NONE], [np.zeros(0, layout)]
-    for members, payloads in batch.matrices:  # several, if there are many frames
-        if payloads.shape[1] != layout.itemsize:
-            continue
-        at = np.minimum(np.searchsorted(came, members), len(came) - 1)
-        there = (came[at] == members) & (batch.kind[members] == Kind.SAMPLE)
-        places.append(as_they_came[at[there]])
-        found.append(np.ascontiguousarray(payloads[there]).view(layout)[:, 0])
-    place, samples = np.concatenate(places), np.concatenate(found)
-    order = np.argsort(place, kind="stable")
-    return place[order], samples[order]

@@ -1,18 +1,16 @@
 """A recording's bytes as samples, with the account of every frame: what came, what is lost, and where."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pipeline.wire.account import Account, Event
-from pipeline.wire.batch import Whole
+from pipeline.wire.counters import Whole
 from pipeline.wire.hello import Hello
 from pipeline.wire.ledger import Ledger
-from pipeline.wire.timeline import steps_of
+from pipeline.wire.stamps import Array, mend, unwrap_us
 
-Array = NDArray[np.float64]
 PIECE = 1 << 20  # bytes that are decoded at once
 
 
@@ -21,20 +19,16 @@ class Recording:
     """What a byte log holds, by the frames' numbers; without a readable HELLO nothing, and `hello` is None."""
 
     hello: Hello | None
-    time_s: Array  # since the first sample, (samples,)
+    time_s: Array  # since the first sample, by stamps that are mended where a few of them cannot be, (samples,)
     channels: dict[str, Array]  # by the HELLO's names, in its units, each (samples,)
     seq: Whole  # of every sample's frame
     account: Account
+    mended: dict[str, int] = field(default_factory=dict)  # how often each rule of stamps.mend was needed
 
     @property
     def events(self) -> tuple[Event, ...]:
         """EVENT frames."""
         return self.account.events
-
-
-def unwrap_us(t_us: NDArray[np.uint32], first_us: int) -> Whole:
-    """Microseconds since `first_us` of a 32-bit clock that wraps every 71.6 min, for stamps < 35 min apart."""
-    return np.cumsum(steps_of(t_us, first_us))
 
 
 def read_account(chunks: Iterable[bytes]) -> tuple[Hello | None, Account]:
@@ -64,6 +58,6 @@ def read_recording(data: bytes) -> Recording:
         numbers, raw = numbers[order], raw[order]
     there = int(np.searchsorted(numbers, account.sent))
     numbers, raw = numbers[:there], raw[:there]
-    time_s: Array = unwrap_us(raw["t_us"], int(raw["t_us"][0]) if len(raw) else 0).astype(np.float64) * 1e-6
+    time_us, mended = mend(unwrap_us(raw["t_us"], int(raw["t_us"][0]) if len(raw) else 0), numbers)
     channels = {c.name: raw[c.name] * c.scale + c.offset for c in hello.channels}
-    return Recording(hello, time_s, channels, numbers, account)
+    return Recording(hello, time_us * 1e-6, channels, numbers, account, mended)

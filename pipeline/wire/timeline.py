@@ -3,20 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pipeline.wire.account import Event, Gap
-
-Whole = NDArray[np.int64]
+from pipeline.wire.counters import Whole
 
 # a run: frames whose numbers follow each other, all of them samples but for the last one, perhaps
 FIRST, SAMPLES, FIRST_US, LAST_US, SPAN_US = range(5)
-
-
-def steps_of(stamps: NDArray[np.uint32], first: int) -> Whole:
-    """Steps from each stamp of a wrapping 32-bit counter to the next, the first one's from `first`; (stamps,)."""
-    steps = np.diff(stamps, prepend=np.uint32(first % 2**32)).astype(np.uint32)
-    return steps.view(np.int32).astype(np.int64)
 
 
 @dataclass(frozen=True)

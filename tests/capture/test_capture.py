@@ -11,6 +11,7 @@ import sys
 import threading
 import time
 import tty
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -25,10 +26,11 @@ from pipeline.errors import BadInput
 from pipeline.rig.device import Device
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
-from pipeline.wire import Decoder, Frame, Hello, Kind, encode, read_recording
+from pipeline.wire import Channel, Decoder, Frame, Hello, Kind, encode, read_recording
 from pipeline.wire.frames import END
 
 SEED = 3
+SMALL = Hello("a rig", "1", "1", 50.0, 2, (Channel("motor_turns", "turns", "i32", 0.25),))
 
 
 @pytest.fixture(scope="module")
@@ -118,7 +120,9 @@ def test_capture_json_accounts_for_every_frame(recorded, simulated):
     frames = said["frames"]
     assert frames["sent"] == frames["received"] == len(simulated.samples) + len(simulated.events) + 2
     assert frames["lost"] == frames["bad"] == 0
-    assert said["samples"] == {"sent": (count := len(simulated.samples)), "received": count, "out_of_order": 0}
+    count = len(simulated.samples)
+    nothing_wrong = {"out_of_order": 0, "backward_time_stamps": 0, "repeated_time_stamps": 0}
+    assert said["samples"] == {"sent": count, "received": count, **nothing_wrong}
     assert said["hello"]["device"] == "twistbench synthetic rig"
     assert said["started_utc"] <= said["ended_utc"]
 
@@ -176,7 +180,11 @@ def answering(end: int, hello: bytes) -> threading.Thread:
 
 @pytest.mark.parametrize(
     ("payload", "said"),
-    [(b'{"protocol":2}', "HELLO.protocol: is version 2"), (b"hello", "HELLO: is not JSON")],
+    [
+        (b'{"protocol":3}', "HELLO.protocol: is version 3"),
+        (b"hello", "HELLO: is not JSON"),
+        (replace(SMALL, protocol=1).pack(), "HELLO.protocol: is version 1, under the check of version 2"),
+    ],
 )
 def test_another_protocol_is_refused(payload, said, line, tmp_path):
     thread = answering(line[0], encode(Kind.HELLO, 0, payload))

@@ -4,18 +4,23 @@ import hashlib
 import json
 import os
 import pty
+import re
+import select
 import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 import tty
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.capture.lines import names, read_lines
-from pipeline.capture.printed import recover_lines
+from pipeline.capture.fields import MAX_LINE, fields, names
+from pipeline.capture.holes import Steps, find
+from pipeline.capture.lines import Lines, Splitter
+from pipeline.capture.table import recover_lines
 from pipeline.errors import BadInput
 from pipeline.recording import check_lines, read_recording
 from pipeline.run_yaml import parse_run
@@ -30,11 +35,25 @@ def line(number: int) -> bytes:
 LINES = [line(number) for number in range(50)]
 
 
+class Read:
+    """What is read of bytes that were printed."""
+
+    def __init__(self, data: bytes, columns: tuple[str, ...] = (), piece: int = 1 << 20) -> None:
+        self.lines, self.steps, splitter = Lines(columns), Steps(), Splitter()
+        split = [line for at in range(0, len(data), piece) for line in splitter.feed(data[at : at + piece])]
+        self.rows = [row for row in map(self.lines.take, split) if row is not None]
+        self.tail_bytes = splitter.tail_bytes
+        times = [float(row[self.lines.time_at]) for row in self.rows] if self.lines.time_at >= 0 else []
+        for one in times:
+            self.steps.take(one)
+        self.holes = find(times, self.steps.usual)
+
+
 def test_lines_become_rows_as_they_were_printed():
-    table = read_lines(HEADER + b"".join(LINES))
-    assert table.columns == ("time_ms", "motor_turns", "displacement_mm")
-    assert table.rows == [one.decode().strip().split(",") for one in LINES]
-    assert (table.bad, table.backward, table.holes(), table.tail_bytes) == (0, 0, [], 0)
+    read = Read(HEADER + b"".join(LINES))
+    assert read.lines.columns == ("time_ms", "motor_turns", "displacement_mm")
+    assert read.rows == [one.decode().strip().split(",") for one in LINES]
+    assert (read.lines.bad, read.steps.backward, read.holes, read.tail_bytes) == (0, 0, (0, []), 0)
 
 
 @pytest.mark.parametrize(
@@ -42,46 +61,114 @@ def test_lines_become_rows_as_they_were_printed():
     [b"1,2\n", b"1,2,3,4\n", b"1,x,3\n", b"1,nan,3\n", b"1,1_0,3\n", b"1,\xff,3\n", b"1,2,3" + b"0" * 2000 + b"\n"],
 )
 def test_what_is_no_line_of_numbers_is_counted_by_its_place(broken):
-    table = read_lines(b"".join([HEADER, *LINES[:10], broken, *LINES[10:]]))
-    assert len(table.rows) == 50 and table.bad_lines == [12]
+    read = Read(b"".join([HEADER, *LINES[:10], broken, *LINES[10:]]))
+    assert len(read.rows) == 50 and read.lines.bad_lines == [12] and read.lines.text == 0
 
 
 def test_the_half_line_at_the_beginning_is_no_sample_though_it_looks_like_one():
-    table = read_lines(LINES[30][1:] + b"".join(LINES[31:]), ("time_ms", "motor_turns", "displacement_mm"))
-    assert len(table.rows) == 19 and table.rows[0][0] == "620"
+    read = Read(LINES[30][1:] + b"".join(LINES[31:]), ("time_ms", "motor_turns", "displacement_mm"))
+    assert len(read.rows) == 19 and read.rows[0][0] == "620"
 
 
 def test_the_half_line_at_the_end_is_none_either():
-    table = read_lines(HEADER + b"".join(LINES)[:-4])
-    assert len(table.rows) == 49 and table.tail_bytes == len(LINES[-1]) - 4
+    read = Read(HEADER + b"".join(LINES)[:-4])
+    assert len(read.rows) == 49 and read.tail_bytes == len(LINES[-1]) - 4
 
 
 def test_missing_lines_show_in_the_devices_time():
-    table = read_lines(b"".join([HEADER, *LINES[:10], *LINES[13:]]))
-    assert table.holes() == [{"after_samples": 10, "after_time": 180.0, "samples_about": 3}]
+    read = Read(b"".join([HEADER, *LINES[:10], *LINES[13:]]))
+    assert read.holes == (1, [{"after_samples": 10, "after_time": 180.0, "samples_about": 3}])
 
 
 def test_a_reset_shows_in_the_devices_time():
-    table = read_lines(b"".join([HEADER, *LINES[:30], b"\n# ready\n", HEADER, *LINES[:10]]))
-    assert table.backward == 1 and table.bad == 0 and len(table.rows) == 40
+    read = Read(b"".join([HEADER, *LINES[:30], b"\n# ready\n", HEADER, *LINES[:10]]))
+    assert read.steps.backward == 1 and read.lines.bad == 0 and len(read.rows) == 40
 
 
-@pytest.mark.parametrize("text", [b"1;2;3\n", b"1 2 3\n", b"1\t2\t3\n", b" 1, 2 ,3\n"])
+@pytest.mark.parametrize("text", [b"1;2;3\n", b"1 2 3\n", b"1\t2\t3\n", b" 1, 2 ,3\n", b"1, 2, 3\n"])
 def test_separators_are_understood(text):
-    assert read_lines(HEADER + text).rows == [["1", "2", "3"]]
+    assert Read(HEADER + text).rows == [["1", "2", "3"]]
 
 
-def test_a_decimal_comma_is_no_separator():
-    assert read_lines(b"a;b\n" + b"1,5;2,5\n").bad == 1
+BOOT = (b"ets Jul 29 2019\r\n", b"TSA rig v2 ready\r\n", b"Hello, string world\r\n", b"> calibrating ...\r\n")
 
 
-@given(st.binary(max_size=600), st.binary(max_size=300))
-def test_no_bytes_make_it_raise(garbage, more):
+@pytest.mark.parametrize("header", [b"time_ms,motor_turns,displacement_mm\n", b"t;theta;x\n", b"time turns mm\n"])
+def test_greetings_and_messages_are_passed_over_wherever_they_stand(header):
+    printed = [*BOOT, header, *BOOT, *LINES[:20], b"debug: temp 25\n", *LINES[20:], b"done, bye now\n"]
+    read = Read(b"".join(printed))
+    assert len(read.rows) == 50 and len(read.lines.columns) == 3 and read.lines.columns[0].startswith("t")
+    assert (read.lines.text, read.lines.bad) == (2 * len(BOOT) + 2, 0)
+    assert read.lines.greetings[:2] == ["ets Jul 29 2019", "TSA rig v2 ready"]
+
+
+def test_a_banner_of_as_many_words_as_there_are_columns_names_none():
+    read = Read(b"TSA rig v2 ready\n" + b"1 2 3 4\n" * 5)
+    assert not read.rows and read.lines.columns == () and read.lines.bad == 5
+    assert "no line names the columns of lines of 4 numbers like '1 2 3 4'" in read.lines.problem()[0]
+
+
+@pytest.mark.parametrize("between", [";", " ", "\t", " ; "])
+def test_decimal_commas_are_read_where_they_can_be_told(between):
+    body = "".join(between.join((f"{n}", f"{n},25", f"-{n},5e-1")) + "\n" for n in range(3))
+    read = Read(b"time_ms;motor_turns;displacement_mm\n" + body.encode())
+    assert read.rows == [[f"{n}", f"{n}.25", f"-{n}.5e-1"] for n in range(3)] and read.lines.decimal_commas == 3
+
+
+def test_decimal_commas_between_commas_are_refused_in_words():
+    read = Read(HEADER + b"20,0,25,0,1\n" * 300)
+    problem, mend = read.lines.problem()
+    assert read.lines.bad == 300 and not read.rows
+    assert problem.endswith("'20,0,25,0,1' have 5 numbers, and the columns are time_ms, motor_turns, displacement_mm")
+    assert "print decimal points or put ; between" in mend and "--columns" in mend
+
+
+def test_a_second_header_with_swapped_columns_puts_the_fields_back():
+    swapped = [
+        b"displacement_mm,time_ms,motor_turns\n",
+        *(b"%.2f,%d,%.2f\n" % (n * 0.1, n * 20, n * 0.25) for n in range(50, 60)),
+    ]
+    read = Read(b"".join([HEADER, *LINES, *swapped, HEADER, line(60)]))
+    assert [row[0] for row in read.rows] == [str(20 * n) for n in range(61)]
+    assert read.rows[55] == ["1100", "13.75", "5.50"] and read.lines.swapped == 1
+
+
+def test_a_second_header_that_names_other_columns_ends_what_is_read_until_the_first_comes_again():
+    read = Read(
+        b"".join([HEADER, *LINES[:10], b"time_ms,load_n,displacement_mm\n", *LINES[10:20], HEADER, *LINES[20:]])
+    )
+    assert len(read.rows) == 40 and read.lines.bad == 10 and read.lines.others == 1
+
+
+def test_given_columns_win_over_what_the_rig_calls_them():
+    read = Read(HEADER + b"".join(LINES), ("time_ms", "theta", "x_mm"))
+    assert read.lines.columns == ("time_ms", "theta", "x_mm") and len(read.rows) == 50 and read.lines.bad == 0
+
+
+def test_what_is_read_as_what_is_a_sentence():
+    read = Read(b"".join([*BOOT, HEADER, *LINES[:5], b"1,2\n"]))
+    said = (
+        "reads time_ms = 80, motor_turns = 1.00, displacement_mm = 0.40; 5 lines are read, 5 are not (4 of text, 1 bad)"
+    )
+    assert read.lines.reading() == said
+
+
+@given(st.binary(max_size=600), st.binary(max_size=300), st.integers(1, 50))
+def test_no_bytes_make_it_raise(garbage, more, piece):
     for data in (garbage, HEADER + garbage, garbage + b"\n" + HEADER + more):
-        table = read_lines(data)
-        assert all(len(row) == len(table.columns) for row in table.rows)
-        table.holes()
-        assert table.csv
+        read = Read(data)
+        assert all(len(row) == len(read.lines.columns) for row in read.rows)
+        assert read.rows == Read(data, piece=piece).rows
+        read.lines.problem()
+
+
+def test_a_line_without_an_end_takes_no_memory():
+    splitter = Splitter()
+    for _ in range(100):
+        assert splitter.feed(b"1" * 100_000) == []
+        assert len(splitter._rest) <= MAX_LINE + 2
+    (line,) = splitter.feed(b"\n")
+    assert fields(line) == ([], "") and splitter.tail_bytes == 0
 
 
 @pytest.mark.parametrize("text", [b"", b"1,2", b"time", b"a,a", b"a,=cmd()", b"\xff,b"])
@@ -113,7 +200,7 @@ def rig(tmp_path):
 
 
 def until(condition, process) -> None:
-    until_s = time.monotonic() + 20
+    until_s = time.monotonic() + 60
     while not condition():
         assert time.monotonic() < until_s and process.poll() is None, process.stdout.read()
         time.sleep(0.02)
@@ -141,7 +228,7 @@ def test_a_rig_that_prints_is_recorded_byte_for_byte(rig, tmp_path):
     until(lambda: (folder / "recording.lines").read_bytes().endswith(body), process)
     assert not (folder / "recording.csv").exists()
     process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=20)
+    said, _ = process.communicate(timeout=60)
     assert process.returncode == 0 and "45 samples, 1 bad lines" in said and "about 5 samples missing" in said
     info = json.loads((folder / "capture.json").read_text())
     csv = (folder / "recording.csv").read_bytes()
@@ -161,8 +248,8 @@ def test_a_killed_text_capture_is_recovered(rig, tmp_path):
     process.kill()
     process.wait()
     refusal = start("--recover", str(folder))
-    assert refusal.wait(20) == 2 and "no line names the columns" in refusal.stdout.read()
-    assert start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm").wait(20) == 0
+    assert refusal.wait(60) == 2 and "no line names the columns" in refusal.stdout.read()
+    assert start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm").wait(60) == 0
     assert json.loads((folder / "capture.json").read_text())["exit_status"] == "recovered"
     assert (folder / "recording.csv").read_text().count("\n") == 50
     assert (folder / "recording.lines").read_bytes() == body
@@ -184,8 +271,6 @@ def test_a_table_that_was_changed_is_refused_and_made_again_from_what_was_printe
     table.write_bytes(table.read_bytes().replace(b"4.90", b"9.90"))
     with pytest.raises(BadInput, match=r"recording\.csv: csv_sha256: its bytes are not .* --recover .*run-1;"):
         read_recording(run, folder)
-    for name in ("recording.csv", "capture.json"):  # what it says to do
-        (folder / name).unlink()
     recover_lines(folder, ())
     assert read_recording(run, folder).equals(good)
 
@@ -204,9 +289,103 @@ def test_a_table_beside_printed_lines_needs_its_hash(tmp_path):
 def test_a_rig_that_prints_no_names_is_refused_with_the_mend(rig, tmp_path):
     ours, start = rig
     process = start()
-    until_s = time.monotonic() + 20
+    until_s = time.monotonic() + 60
     while process.poll() is None and time.monotonic() < until_s:
         os.write(ours, LINES[1])
         time.sleep(0.1)
     assert process.returncode == 2 and "--columns" in process.stdout.read()
     assert not (tmp_path / "run-1").exists()
+
+
+def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
+    ours, start = rig
+    process, folder = start(), tmp_path / "run-1"
+    os.write(ours, b"".join(BOOT))
+    print_header(ours, folder, process)
+    said = ""
+    for number in range(2000):
+        os.write(ours, line(number) + (b"moving on\r\n" if number % 50 == 0 else b""))
+        ready, _, _ = select.select([process.stdout], [], [], 0.02)
+        if ready:
+            said = process.stdout.readline()
+            break
+    assert re.fullmatch(
+        r"reads time_ms = \d+, motor_turns = [\d.]+, displacement_mm = [\d.]+; "
+        r"\d+ lines are read, \d+ are not \(\d+ of text, 0 bad\)\n",
+        said,
+    ), said
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 0, said
+    info = json.loads((folder / "capture.json").read_text())
+    assert info["samples"]["received"] > 10 and info["lines"]["bad"] == 0 and info["lines"]["text"] >= 1
+
+
+def test_a_rig_that_prints_for_ever_is_ended_by_longest(rig, tmp_path):
+    ours, start = rig
+    process, folder = start("--columns", "time_ms,motor_turns,displacement_mm", "--longest", "1"), tmp_path / "run-1"
+    until((folder / "recording.lines").exists, process)
+    number = 0
+    while process.poll() is None:
+        os.write(ours, line(number))
+        number += 1
+        time.sleep(0.02)
+    assert process.returncode == 0 and "ended by --longest after 1 s" in process.stdout.read()
+    assert json.loads((folder / "capture.json").read_text())["samples"]["received"] > 3
+
+
+COMMAS = b"".join(b"%d,%d,25,%d,1\r\n" % (number * 20, number, number) for number in range(300))
+
+
+def test_a_run_without_a_sample_is_no_success_and_says_so_while_it_records(rig, tmp_path):
+    ours, start = rig
+    process, folder = start(), tmp_path / "run-1"
+    print_header(ours, folder, process)
+    for at in range(0, len(COMMAS), 100):
+        os.write(ours, COMMAS[at : at + 100])
+        time.sleep(0.04)
+    until(lambda: (folder / "recording.lines").read_bytes().endswith(COMMAS), process)
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 2 and "warning: no line is read: " in said.splitlines()[0], said
+    assert "--recover" in said.splitlines()[-1] and "Traceback" not in said
+    assert (folder / "recording.lines").exists() and not (folder / "capture.json").exists()
+    assert not (folder / "recording.csv").exists()
+    five = "time_ms,turns,turns_fraction,mm,mm_fraction"
+    assert start("--recover", str(folder), "--columns", five).wait(60) == 0
+    assert json.loads((folder / "capture.json").read_text())["samples"]["received"] == 300
+
+
+def test_columns_that_were_guessed_wrongly_are_named_anew_by_recover(tmp_path):
+    folder = tmp_path / "run-1"
+    folder.mkdir()
+    data = b"Real time rig\n" + b"".join(LINES).replace(b",", b" ")
+    (folder / "recording.lines").write_bytes(data)
+    before = recover_lines(folder, ())
+    assert before["columns"] == ["Real", "time", "rig"]
+    with pytest.raises(BadInput, match=r"there is nothing to recover; .* --columns"):
+        recover_lines(folder, ())
+    after = recover_lines(folder, ("time_ms", "motor_turns", "displacement_mm"))
+    assert after["columns"] == ["time_ms", "motor_turns", "displacement_mm"]
+    assert (after["started_utc"], after["sha256"]) == (before["started_utc"], before["sha256"])
+    assert json.loads((folder / "capture.json").read_text()) == after
+    assert (folder / "recording.csv").read_bytes().startswith(HEADER.replace(b"\r", b""))
+    check_lines(folder / "recording.csv")
+    assert (folder / "recording.lines").read_bytes() == data
+
+
+def test_the_commit_of_a_long_text_run_takes_no_more_memory_than_of_a_short_one(tmp_path):
+    def peak(count: int) -> int:
+        folder = tmp_path / f"run-{count}"
+        folder.mkdir()
+        with (folder / "recording.lines").open("wb") as file:
+            file.write(HEADER)
+            file.writelines(map(line, range(count)))
+        tracemalloc.start()
+        assert recover_lines(folder, ())["samples"]["received"] == count
+        used = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return used
+
+    peak(100)  # what is made once
+    assert peak(240_000) < 1.2 * peak(60_000)

@@ -100,8 +100,13 @@ def second_capture(bench: Bench) -> Row:
     rig.begin(said)
     rig.say(*said[1:31])
     second = bench.capture(rig.name, bench.run(2))
+    rest = b"".join(said[31:])
+    while second.process.poll() is None:  # the first goes on: it must not think the rig silent
+        rig.say(rest[:1])
+        rest = rest[1:]
+        time.sleep(0.1)
     assert second.wait() == 2 and not bench.run(2).exists()
-    rig.say(*said[31:])
+    rig.say(rest)
     rig.hear(Kind.ACK)
     assert host.wait() == 0
     check(bench, said)
@@ -138,6 +143,45 @@ def disk_full_at_the_end(bench: Bench) -> Row:
     assert recovery.wait() == 0
     check(bench, said)
     return row(bench, host, recovery)
+
+
+def killed_after_ack(bench: Bench) -> Row:
+    """The program is killed when it has acknowledged the END and not yet written capture.json."""
+    said = frames()
+    rig = bench.rig()
+    host = bench.capture(rig.name, bench.run())
+    rig.begin(said)
+    rig.say(*said[1:])
+    rig.hear(Kind.ACK)
+    host.process.kill()
+    host.wait()
+    (bench.run() / "capture.json").unlink(missing_ok=True)  # if it was as quick as that
+    recovery = bench.capture("--recover", bench.run())
+    assert recovery.wait() == 0
+    info = check(bench, said)
+    assert info["exit_status"] == "complete" and info["recovered"] and bench.recorded() == b"".join(said)
+    return row(bench, recovery)
+
+
+def into_the_parent(bench: Bench) -> Row:
+    """RUN_DIR is `..`, whose real name would do."""
+    bench.run().mkdir(parents=True)
+    host = bench.capture(bench.rig().name, f"{bench.run()}/..")
+    assert host.wait() == 2 and "Traceback" not in host.said
+    assert not list(bench.folder.glob("**/recording.*"))
+    bench.run().rmdir()
+    return refused(bench, host, arrived="nothing")
+
+
+def bare_system(bench: Bench) -> Row:
+    """The system has no fcntl, no termios, no pseudo-terminals of its own, no fdatasync."""
+    said = frames()
+    rig = bench.rig()
+    host = bench.capture(rig.name, bench.run(), bare=True)
+    assert complete(bench, rig, host, said, said[1:]) == 0
+    check(bench, said)
+    assert bench.recorded() == b"".join(said)
+    return row(bench, host)
 
 
 def port_forbidden(bench: Bench) -> Row:
@@ -213,7 +257,7 @@ def a_day(bench: Bench) -> Row:
     rig.hear(Kind.ACK)
     assert host.wait(120) == 0
     info = check(bench, said)
-    assert info["samples"] == {"sent": count, "received": count, "out_of_order": 0}
+    assert (info["samples"]["sent"], info["samples"]["received"]) == (count, count)
     assert info["frames"]["received"] == count + len(MARKS) + 2 and info["bytes"] == len(said[0]) + len(body)
     shutil.rmtree(bench.run())
     return Row(f"{info['frames']['received']} of {info['frames']['sent']} frames", "complete", "nothing")
@@ -231,6 +275,9 @@ FAULTS = {
     "second capture on the same port": second_capture,
     "disk full in the run": disk_full,
     "disk full at the end": disk_full_at_the_end,
+    "killed when END was acknowledged": killed_after_ack,
+    "RUN_DIR is `..`": into_the_parent,
+    "a system without fcntl, termios and fdatasync": bare_system,
     "port without permission": port_forbidden,
     "folder without permission": folder_forbidden,
     "recording truncated": truncated,

@@ -227,9 +227,9 @@ def wrong_version(bench: Bench) -> Row:
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
     rig.hear(Kind.GREET)
-    rig.say(encode(Kind.HELLO, 0, hello().pack().replace(b'"protocol":1', b'"protocol":2')))
+    rig.say(encode(Kind.HELLO, 0, hello().pack().replace(b'"protocol":2', b'"protocol":3')))
     assert host.wait() == 2
-    return refused(bench, host, arrived="a HELLO of version 2")
+    return refused(bench, host, arrived="a HELLO of version 3")
 
 
 FAULTS = {

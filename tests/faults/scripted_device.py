@@ -20,26 +20,37 @@ SAMPLES = 60
 MARKS = {5: (Event.STROKE_START, 1), 28: (Event.STROKE_END, 1), 32: (Event.STROKE_START, 2), 55: (Event.STROKE_END, 2)}
 
 
-def hello(nonce: str = "00000001", rate_hz: float = RATE_HZ) -> Hello:
+def hello(nonce: str = "00000001", protocol: int = 2, channels: tuple[Channel, ...] = CHANNELS) -> Hello:
     """What this rig says of itself."""
-    return Hello("scripted rig", "1.0", nonce, rate_hz, 2, CHANNELS)
+    return Hello("scripted rig", "1.0", nonce, RATE_HZ, 2, channels, protocol)
 
 
 def frames(
-    count: int = SAMPLES, first_us: int = 0, step_us: int = STEP_US, nonce: str = "00000001", rise: int = 7
+    count: int = SAMPLES,
+    first_us: int = 0,
+    step_us: int = STEP_US,
+    nonce: str = "00000001",
+    rise: int = 7,
+    protocol: int = 2,
+    stamps: dict[int, int] | None = None,
 ) -> list[bytes]:
-    """A whole recording: HELLO, `count` samples, an EVENT before each sample of MARKS, END; by their numbers."""
-    said = [encode(Kind.HELLO, 0, hello(nonce).pack())]
+    """A whole recording: HELLO, `count` samples, an EVENT before each sample of MARKS, END; by their numbers.
+
+    `stamps` has those of some samples in us, instead of what a clock says.
+    """
+    said = [encode(Kind.HELLO, 0, hello(nonce, protocol).pack(), protocol)]
     samples = np.zeros(count, hello().sample_type)
-    samples["t_us"] = (first_us + np.arange(count, dtype=np.int64) * step_us) % 2**32
+    times_us = first_us + np.arange(count, dtype=np.int64) * step_us
+    times_us[list(stamps or {})] = list((stamps or {}).values())
+    samples["t_us"] = times_us % 2**32
     samples["motor_turns"] = np.arange(count)
     samples["displacement_mm"] = np.arange(count) * rise % 30_000 if rise > 0 else np.arange(count) * rise
-    stamps, payloads, size = samples["t_us"].tolist(), samples.tobytes(), samples.itemsize
+    t_us, payloads, size = samples["t_us"].tolist(), samples.tobytes(), samples.itemsize
     for number in range(count):
         if number in MARKS:
-            said.append(encode(Kind.EVENT, len(said), EVENT.pack(stamps[number], *MARKS[number])))
-        said.append(encode(Kind.SAMPLE, len(said), payloads[number * size : (number + 1) * size]))
-    return [*said, encode(Kind.END, len(said), END.pack(count, Reason.COMPLETE))]
+            said.append(encode(Kind.EVENT, len(said), EVENT.pack(t_us[number], *MARKS[number]), protocol))
+        said.append(encode(Kind.SAMPLE, len(said), payloads[number * size : (number + 1) * size], protocol))
+    return [*said, encode(Kind.END, len(said), END.pack(count, Reason.COMPLETE), protocol)]
 
 
 def received(data: bytes, faster: int) -> bytes:
@@ -80,6 +91,13 @@ class Rig:
             if left_s <= 0 or not select.select([self._ours], [], [], left_s)[0]:
                 raise TimeoutError(f"the host sent no {kind.name}")
             self._heard += [one.frame for one in self._decoder.feed(os.read(self._ours, 4096))]
+
+    def unheard(self) -> list[Frame]:
+        """Frames of the host's that came and were not waited for."""
+        while select.select([self._ours], [], [], 0)[0]:
+            self._heard += [one.frame for one in self._decoder.feed(os.read(self._ours, 4096))]
+        found, self._heard = self._heard, []
+        return found
 
     def say(self, *said: bytes) -> None:
         """Send bytes, waiting for the host to take them."""

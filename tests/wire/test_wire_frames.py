@@ -1,6 +1,7 @@
 """Frames survive any chunking and garbage, and damage is noticed."""
 
 import struct
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -8,10 +9,12 @@ from cobs import cobs
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.wire import Decoder, Frame, encode
+from pipeline.wire import Channel, Decoder, Frame, Hello, Kind, encode
+from pipeline.wire.check import CRC, MAX_PAYLOAD, checksum
 from pipeline.wire.cobs import stuff, unstuff
-from pipeline.wire.frames import MAX_PAYLOAD, MAX_STUFFED, checksum, decode
+from pipeline.wire.frames import MAX_STUFFED, decode
 
+HELLO = Hello("a rig", "1.0", "00000001", 50.0, 2, (Channel("motor_turns", "turns", "i32", 0.25),))
 payloads = st.binary(max_size=64) | st.binary(min_size=240, max_size=520)
 frames = st.builds(Frame, st.integers(0, 255), st.integers(0, 2**32 - 1), payloads)
 
@@ -21,12 +24,45 @@ def sent(frame: Frame) -> bytes:
 
 
 def heard(chunks: list[bytes]) -> list[Frame]:
-    decoder = Decoder()
+    decoder = Decoder(2)
     return [heard.frame for chunk in chunks for heard in decoder.feed(chunk)]
 
 
-def test_the_checksum_is_crc_16_ccitt_false():
-    assert checksum(b"123456789") == 0x29B1
+def test_the_checks_are_crc_16_ccitt_false_and_crc_32():
+    assert checksum(b"123456789", 1) == 0x29B1
+    assert checksum(b"123456789", 2) == 0xCBF43926
+
+
+@given(payloads)
+def test_each_version_reads_its_own_frames_and_whoever_knows_neither_reads_both(payload):
+    one, two = (encode(2, 7, payload, protocol) for protocol in (1, 2))
+    assert len(two) - len(one) in (2, 3)
+    for protocol, stream in ((1, one), (2, two)):
+        assert decode(stream[:-1], protocol) == decode(stream[:-1], None) == Frame(2, 7, payload, protocol)
+        other = decode(stream[:-1], 3 - protocol)
+        assert other is None or protocol == 2  # 16 bits agree once in 65,536
+
+
+def test_what_a_device_says_first_decides_which_check_its_frames_must_have():
+    for protocol in (1, 2):
+        decoder = Decoder()
+        said = encode(1, 0, replace(HELLO, protocol=protocol).pack(), protocol)
+        found = decoder.feed(encode(2, 9, b"before", 3 - protocol) + said + encode(2, 1, b"after", 3 - protocol))
+        assert found[0].frame.payload == b"before" and len(found) == 2
+        assert (decoder.protocol, decoder.bad) == (protocol, 1)
+
+
+def test_a_hello_under_another_versions_check_decides_nothing():
+    decoder = Decoder()
+    assert len(decoder.feed(encode(1, 0, replace(HELLO, protocol=2).pack(), 1))) == 1
+    assert decoder.protocol is None
+
+
+@pytest.mark.parametrize("kind", [kind for kind in Kind if kind >= Kind.GREET])
+def test_no_command_of_one_version_is_one_of_the_other(kind):
+    for seq in range(100):
+        assert decode(encode(kind, seq, b"", 1)[:-1], 2) is None
+        assert decode(encode(kind, seq, b"", 2)[:-1], 1) is None
 
 
 @given(st.binary(max_size=1000) | st.binary().map(lambda data: data * 300).filter(lambda data: len(data) < 4000))
@@ -59,16 +95,20 @@ def test_a_decoder_returns_the_exact_bytes_and_where_they_end(frame):
     assert one.end == 1 + len(one.raw)
 
 
+@pytest.mark.parametrize("protocol", [1, 2])
 @given(frames, st.data())
-def test_a_single_burst_of_up_to_16_bits_is_caught(frame, data):
+def test_a_single_burst_as_long_as_the_check_is_caught(protocol, frame, data):
+    bits = 8 * CRC[protocol].size
     body = bytearray(struct.pack("<BI", frame.kind, frame.seq) + frame.payload)
-    body += struct.pack("<H", checksum(bytes(body)))
-    burst = data.draw(st.integers(1, 0xFFFF)) << data.draw(st.integers(0, 8 * len(body) - 16))
-    # the checksum is little-endian on the wire: a burst is one of neighbouring bits of what the CRC runs over
-    end = len(body) - 2
-    flipped = bytes(a ^ b for a, b in zip(body[:end], burst.to_bytes(len(body), "big")[:end], strict=True))
+    body += CRC[protocol].pack(checksum(bytes(body), protocol))
+    burst = data.draw(st.integers(1, 2**bits - 1)) << data.draw(st.integers(0, 8 * len(body) - bits))
+    # a burst is one of neighbouring bits of what the CRC runs over: the first bit of a byte is its highest in CRC-16
+    # and its lowest in CRC-32
+    order = "big" if protocol == 1 else "little"
+    end = len(body) - CRC[protocol].size
+    flipped = bytes(a ^ b for a, b in zip(body[:end], burst.to_bytes(len(body), order)[:end], strict=True))
     damaged = stuff(flipped + bytes(body[end:]))
-    assert flipped == body[:end] or decode(damaged) is None
+    assert flipped == body[:end] or decode(damaged, protocol) is None
 
 
 @given(frames, st.data())

@@ -207,7 +207,7 @@ def test_without_a_hello_there_is_nothing(data):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"protocol": 2}, "protocol"),
+        ({"protocol": 3}, "protocol"),
         ({"rate_hz": 0}, "rate_hz"),
         ({"rate_hz": 1e308}, "rate_hz"),
         ({"rate_hz": 1e-308}, "rate_hz"),

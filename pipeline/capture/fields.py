@@ -1,0 +1,61 @@
+"""One printed line: its fields, its numbers, or the names that it gives to columns."""
+
+import math
+import re
+
+NAME = re.compile(r"[A-Za-z_][\w .()/%°-]{0,63}")
+KNOWN = re.compile(  # what somebody calls a column of such a rig, and hardly a word of a greeting
+    r"(^|[_\W])(t|time|millis|micros|theta|phi|angle|turns?|rev|rad|deg|x|mm|ms|us|n|load|force|torque|temp\w*|"
+    r"current|motor_\w+|displacement|disp|pos|position|contraction|length)($|[_\W])",
+    re.IGNORECASE,
+)
+TIME = re.compile(r"(t|time|millis|micros)(_?(s|ms|us))?", re.IGNORECASE)
+DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
+WHOLE_OR_COMMA = re.compile(r"[+-]?\d+(,\d+)?([eE][+-]?\d+)?")
+MAX_LINE = 1024  # bytes; what is longer is no line of numbers
+
+
+def fields(line: bytes) -> tuple[list[str], str]:
+    """Fields of a line and what stands between them, ";", "," or " "; none for what is no text or too long."""
+    if len(line) > MAX_LINE or not line.isascii():
+        return [], ""
+    text = line.decode("ascii").strip()
+    if ";" in text:
+        return [part.strip() for part in text.split(";")], ";"
+    if "," not in text:
+        return text.split(), " "
+    apart = text.split()
+    if len(apart) > 1 and all(WHOLE_OR_COMMA.fullmatch(part) for part in apart):
+        return apart, " "  # "12,5 3,4": every comma stands inside a number
+    return [part.strip() for part in text.split(",")], ","
+
+
+def names(line: bytes) -> tuple[str, ...]:
+    """Names of the columns if a line can be a header, else nothing."""
+    return names_of(fields(line)[0])
+
+
+def names_of(parts: list[str]) -> tuple[str, ...]:
+    """The fields of a line if they can be names of columns, else nothing."""
+    good = len(parts) > 1 and len(set(parts)) == len(parts) and all(NAME.fullmatch(part) for part in parts)
+    return tuple(parts) if good else ()
+
+
+def is_known(header: tuple[str, ...]) -> bool:
+    """Whether one of the names is what a column of a rig is called."""
+    return any(KNOWN.search(name) for name in header)
+
+
+def points(parts: list[str]) -> list[str]:
+    """The fields with decimal points where they have decimal commas."""
+    return [part.replace(",", ".") if DECIMAL_COMMA.fullmatch(part) else part for part in parts]
+
+
+def numbers(parts: list[str]) -> list[float] | None:
+    """The fields as numbers, None unless all of them are finite ones."""
+    try:
+        found = [float(part) for part in parts]
+    except ValueError:
+        return None
+    good = bool(found) and all(map(math.isfinite, found)) and not any("_" in part for part in parts)
+    return found if good else None

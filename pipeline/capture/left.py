@@ -1,0 +1,32 @@
+"""How long a recording will still take, by the strokes that are done: a time that never rises."""
+
+import math
+
+
+class Left:
+    """Tell it when strokes start and end; times are in s since the recording began."""
+
+    def __init__(self, strokes: int) -> None:
+        self.strokes = strokes
+        self.done = 0
+        self._rest_s: float | None = None  # before the first stroke
+        self._first_s = self._ends_s = 0.0
+        self._shown_s = math.inf
+
+    def starts(self, at_s: float) -> None:
+        """A stroke starts."""
+        self._rest_s = at_s if self._rest_s is None else self._rest_s
+
+    def ends(self, at_s: float) -> None:
+        """A stroke ends: the others will take as long as those before, with the rest that was before the first."""
+        self.done += 1
+        self._first_s = at_s if self.done == 1 else self._first_s
+        each_s = at_s if self.done == 1 else (at_s - self._first_s) / (self.done - 1)
+        self._ends_s = at_s + each_s * max(self.strokes - self.done, 0) + (self._rest_s or 0.0)
+
+    def at(self, now_s: float) -> float | None:
+        """Time left in s, or None while nothing tells; it stands still where a stroke takes longer than expected."""
+        if not self.strokes or not self.done:
+            return None
+        self._shown_s = min(self._shown_s, max(0.0, self._ends_s - now_s))
+        return self._shown_s

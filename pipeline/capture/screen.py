@@ -1,0 +1,57 @@
+"""What the person at the rig sees: on a terminal one line that renews itself, in a log file a line a minute."""
+
+import contextlib
+import shutil
+import sys
+import time
+
+RENEW_S = 0.25
+LOG_S = 60.0
+CLEAR = "\r\x1b[K"
+
+
+class Screen:
+    """Standard output while a recording grows; nobody reading it any more is no reason to stop recording."""
+
+    def __init__(self) -> None:
+        self.live = sys.stdout.isatty()
+        self._shown_s = time.monotonic()
+        self._open = False  # whether the line that renews itself stands there
+
+    @property
+    def due(self) -> bool:
+        """Whether it is time for the next line."""
+        return time.monotonic() - self._shown_s >= (RENEW_S if self.live else LOG_S)
+
+    def say(self, sentence: str) -> None:
+        """A sentence that stays."""
+        self._write((CLEAR if self._open else "") + sentence + "\n")
+        self._open = False
+
+    def show(self, parts: list[str]) -> None:
+        """The line that renews itself: as many of its parts, the first ones first, as the terminal is wide for."""
+        self._shown_s = time.monotonic()
+        if not self.live:
+            self._write(", ".join(parts) + "\n")
+            return
+        width = shutil.get_terminal_size().columns - 1
+        while len(parts) > 1 and len(", ".join(parts)) > width:
+            parts = parts[:-1]
+        self._write(CLEAR + ", ".join(parts)[:width])
+        self._open = True
+
+    def close(self, parts: list[str]) -> None:
+        """The last line, whole."""
+        self.say(", ".join(parts))
+
+    def _write(self, text: str) -> None:
+        with contextlib.suppress(OSError):
+            sys.stdout.write(text)
+            sys.stdout.flush()
+
+
+def clock(seconds: float) -> str:
+    """Minutes and seconds, and hours where there are any: 1:05, 2:00:00."""
+    whole = int(seconds)
+    hours, minutes, rest = whole // 3600, whole // 60 % 60, whole % 60
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

@@ -1,0 +1,142 @@
+"""recording.lines → recording.csv and capture.json, line by line, however long it is; also a second time."""
+
+import hashlib
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from pipeline.capture import holes
+from pipeline.capture.commit import PIECE, committed, opening, seal, unwritten
+from pipeline.capture.lines import Lines, Splitter
+from pipeline.capture.log import LINES, in_use
+from pipeline.capture.stream import Outcome
+from pipeline.errors import BadInput
+from pipeline.files import whole
+
+CSV = "recording.csv"
+
+
+class Printed:
+    """A text recording read from its beginning, once: `rows` gives its samples; what is said of it is whole then."""
+
+    def __init__(self, path: Path, columns: tuple[str, ...]) -> None:
+        self.path, self.lines, self.steps = path, Lines(columns), holes.Steps()
+        self.size, self.tail_bytes = 0, 0
+        self._digest = hashlib.sha256()
+
+    def rows(self) -> Iterator[list[str]]:
+        """The samples, each as many texts as there are columns."""
+        splitter = Splitter()
+        time_at: int | None = None
+        with open(self.path, "rb") as file:
+            while piece := file.read(PIECE):
+                self._digest.update(piece)
+                self.size += len(piece)
+                for line in splitter.feed(piece):
+                    row = self.lines.take(line)
+                    if row is not None:
+                        time_at = self.lines.time_at if time_at is None else time_at
+                        if time_at >= 0:
+                            self.steps.take(float(row[time_at]))
+                        yield row
+        self.tail_bytes = splitter.tail_bytes
+
+    @property
+    def sha256(self) -> str:
+        """Of the bytes that were read."""
+        return self._digest.hexdigest()
+
+
+def _times(path: Path, time_at: int) -> Iterator[float]:
+    with open(path, encoding="ascii") as file:
+        next(file)
+        for row in file:
+            yield float(row.split(",")[time_at])
+
+
+def _write(printed: Printed, path: Path) -> str:
+    """Write the table; its SHA-256."""
+    digest = hashlib.sha256()
+    with open(path, "wb") as file:
+        for row in printed.rows():
+            head = ",".join(printed.lines.columns) + "\n" if printed.lines.good == 1 else ""
+            text = f"{head}{','.join(row)}\n".encode("ascii")
+            digest.update(text)
+            file.write(text)
+    return digest.hexdigest()
+
+
+def commit_lines(
+    folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome
+) -> dict[str, Any]:
+    """Account for `recording.lines`, write the good ones as recording.csv, and commit; returns capture.json's content.
+
+    Raises BadInput when no line is a sample, or the files cannot be written; what was printed is kept in any case.
+    """
+    printed = Printed(folder / LINES, columns)
+    lines = printed.lines
+    try:
+        with whole(folder / CSV) as temporary:
+            csv_sha256 = _write(printed, temporary)
+            if not lines.good:
+                problem, mend = lines.problem()
+                again = mend.replace("--columns", f"python -m pipeline.capture --recover {folder} --columns")
+                raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", again)
+            times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
+            hole_count, found = holes.find(times, printed.steps.usual)
+    except OSError as error:
+        raise unwritten(folder, CSV, error) from None
+    info = {
+        **opening(printed.size, printed.sha256, began, ended, outcome),
+        "csv_sha256": csv_sha256,
+        "columns": list(lines.columns),
+        "columns_given": lines.given,
+        "samples": {"sent": None, "received": lines.good},
+        "lines": {
+            "bad": lines.bad,
+            "bad_at": lines.bad_lines,
+            "text": lines.text,
+            "text_first": lines.greetings,
+            "tail_bytes": printed.tail_bytes,
+            "device_time": lines.time_at >= 0,
+            "time_backward": printed.steps.backward,
+            "holes": hole_count,
+            "decimal_commas": lines.decimal_commas,
+            "swapped_headers": lines.swapped,
+            "other_headers": lines.others,
+        },
+        "holes": found,
+    }
+    return seal(folder, LINES, info)
+
+
+def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
+    """Commit a text recording whose capture program was killed, as `recovered`, or one whose columns had other names.
+
+    Nothing tells when a killed one began: its end, the file's last change, stands for that too. Raises BadInput.
+    """
+    path, info = folder / LINES, committed(folder)
+    if in_use(path):
+        raise BadInput(path, LINES, "is still being captured", "wait for that program, or end it")
+    if not info:
+        ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
+        return commit_lines(folder, columns, ended, ended, Outcome("recovered"))
+    digests = [_sha256(folder / name) for name in (LINES, CSV)]
+    if digests[0] != info.get("sha256"):
+        mend = "restore it from a copy; a recording is never edited"
+        raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
+    before = tuple(info.get("columns", ()))
+    if digests[1] == info.get("csv_sha256") and columns in ((), before):
+        mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
+        raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
+    columns = columns or (before if info.get("columns_given") else ())
+    began, ended = (datetime.fromisoformat(info[key]) for key in ("started_utc", "ended_utc"))
+    return commit_lines(folder, columns, began, ended, Outcome(info["exit_status"], info["fault"]))
+
+
+def _sha256(path: Path) -> str | None:
+    if not path.is_file():
+        return None
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
