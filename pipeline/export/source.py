@@ -1,5 +1,6 @@
 """A saved model as the exporters want it: loaded, with its inputs, and refused in one line where it cannot be."""
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -53,7 +54,7 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
 
     Raises BadInput where the file holds no such model, or a model that cannot be exported.
     """
-    name = name or file.resolve().parent.name
+    name = name or Path(os.path.realpath(file)).parent.name
     if name not in READS:
         known = ", ".join(sorted(READS))
         raise BadInput(file, "model", f'"{name}" cannot be exported', f"choose one of {known}, or say --model NAME")

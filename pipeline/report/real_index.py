@@ -2,6 +2,7 @@
 
 import argparse
 import html
+import io
 from pathlib import Path
 
 import pandas as pd
@@ -9,9 +10,12 @@ import pandas as pd
 from pipeline.errors import BadInput, program
 from pipeline.files import whole, write_text
 from pipeline.real.rigs import Rig, read_rigs
+from pipeline.regular_file import read_regular
 from pipeline.report.real import WIDE, sizes, table
 from pipeline.report.real_results import BLACK_BOXES, CARRIED, ELSEWHERE, OTHERS, TITLES
 from pipeline.report.web.page import STYLE, link
+
+LARGEST = 10_000_000  # bytes of a rig's table
 
 BLOCKS = (("", list(TITLES)), (ELSEWHERE, CARRIED), (OTHERS, CARRIED))
 INTRODUCTION = """\
@@ -107,7 +111,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--table", type=Path, required=True)
     told = parser.parse_args()
-    rows = pd.concat([pd.read_csv(path) for path in told.tables], ignore_index=True)
+    rows = pd.concat([pd.read_csv(io.BytesIO(read_regular(path, LARGEST))) for path in told.tables], ignore_index=True)
     texts = ["verdict", "named", "expected", "unit", "doubt", "why"]
     missing = [name for name in texts if name not in rows]
     if missing:
