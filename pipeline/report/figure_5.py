@@ -17,16 +17,19 @@ from pipeline.report.winding import strokes_of, winding
 MEASURED: dict[str, Any] = {"color": "0.72", "lw": 4.0, "solid_capstyle": "butt"}
 TRADITIONAL: dict[str, Any] = {"color": "#0072b2", "ls": "--", "lw": 1.2}
 LEARNED: tuple[dict[str, Any], ...] = (
-    {"color": "#d55e00", "ls": "", "marker": ".", "ms": 4.0, "mew": 0},
+    {"color": "#d55e00", "ls": "", "marker": ".", "ms": 4.0, "mew": 0, "zorder": 3},
     {"color": "#00684c", "ls": "", "marker": "x", "ms": 3.0, "mew": 0.7},
 )
+MOST = 0.9  # of the learned errors lie within the decade above the straight part of their axis
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 
 def straight_up_to(errors: list[np.ndarray]) -> float:
-    """Where the error's axis turns from straight to logarithmic: the decade below the largest of the learned errors."""
-    largest = max((float(np.nanmax(np.abs(error), initial=0.0)) for error in errors), default=0.0)
-    return float(10.0 ** np.floor(np.log10(largest))) if largest > 0.0 else 1.0
+    """Where the error's axis turns from straight to logarithmic: the decade below most of the learned errors."""
+    sizes = np.abs(np.concatenate([np.empty(0), *errors]))
+    sizes = sizes[np.isfinite(sizes)]
+    large = float(np.quantile(sizes, MOST)) if len(sizes) else 0.0
+    return float(10.0 ** np.floor(np.log10(large))) if large > 0.0 else 1.0
 
 
 def _scale(axes: Axes, straight: float) -> None:
