@@ -34,9 +34,9 @@ def mend(time_us: Whole, numbers: Whole) -> tuple[Array, dict[str, int]]:
     """
     steps = np.diff(time_us).astype(np.float64)
     backward, repeated = int((steps < 0).sum()), int((steps == 0).sum())
-    time = time_us.astype(np.float64)
-    if len(steps) < 2 or not (steps > 0).any() or no_clock(len(time), backward, repeated):
-        return time, {}
+    stamps = time_us.astype(np.float64)
+    if len(steps) < 2 or not (steps > 0).any() or no_clock(len(stamps), backward, repeated):
+        return stamps, {}
     apart = np.diff(numbers).astype(np.float64)
     apart[apart <= 2] = 1.0  # an EVENT between two samples takes a number and no time
     rising = steps > 0  # a clock that ticks at every fifth sample has steps five times too long
@@ -56,7 +56,7 @@ def mend(time_us: Whole, numbers: Whole) -> tuple[Array, dict[str, int]]:
         "leaping_time_stamps": leaping,
     }
     mended = {rule: times for rule, times in counted.items() if times}
-    return (time[0] + np.append(0.0, np.cumsum(steps)) if mended else time), mended
+    return (stamps[0] + np.append(0.0, np.cumsum(steps)) if mended else stamps), mended
 
 
 def _mend_one(steps: Array, expected: Array, at: int) -> None:
