@@ -48,5 +48,12 @@ def line(name: str, row: Row) -> str:
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
 
 
+def parts(text: str) -> tuple[str, str]:
+    """The page's part that is written here, and the rest, which is not."""
+    table, mark, rest = text.partition("\n## ")
+    return table, mark + rest
+
+
 if __name__ == "__main__":
-    PAGE.write_text(HEAD + "".join(line(name, play(fault)) for name, fault in FAULTS.items()))
+    table = HEAD + "".join(line(name, play(fault)) for name, fault in FAULTS.items())
+    PAGE.write_text(table + parts(PAGE.read_text())[1])

@@ -1,7 +1,9 @@
 """Whatever goes wrong: nothing received is lost, nothing wrong passes as good, and docs/faults.md says what happens."""
 
+import re
+
 import pytest
-from fault_table import FAULTS, HEAD, PAGE, line, play
+from fault_table import FAULTS, HEAD, PAGE, ROOT, line, parts, play
 
 
 @pytest.mark.parametrize("name", FAULTS)
@@ -10,6 +12,16 @@ def test_a_fault_does_what_the_table_says(name):
 
 
 def test_the_table_has_a_line_for_every_fault_and_no_other():
-    text = PAGE.read_text()
+    text, _ = parts(PAGE.read_text())
     assert text.startswith(HEAD)
     assert [one.split(" | ")[0].removeprefix("| ") for one in text.removeprefix(HEAD).splitlines()] == list(FAULTS)
+
+
+def test_every_other_fault_names_a_test_that_is_there():
+    _, rest = parts(PAGE.read_text())
+    rows = [row for row in rest.splitlines() if row.startswith("| ") and not row.startswith("| what goes wrong")]
+    assert len(rows) > 60
+    for row in rows:
+        path, _, name = re.split(r"(?<!\\)\|", row)[-2].strip().strip("`").partition("::")
+        assert (ROOT / path).is_file(), row
+        assert re.search(rf"^def {name}\(", (ROOT / path).read_text(), re.M) if name else path.endswith(".py"), row
