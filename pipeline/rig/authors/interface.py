@@ -38,7 +38,11 @@ class Asked:
 
 @dataclass(frozen=True)
 class Made:
-    """One recording: the content of its run.yaml without `run`, its table, and the answer that stays sealed."""
+    """One recording: the content of its run.yaml without `run`, its table, and the answer that stays sealed.
+
+    `truth` holds `effects`, a list with one entry for each effect asked, in that order: `id`, `law`, `parameters`,
+    `rms_mm` (of the effect on the reading), `kappa` (reached); and `noise_floor_mm` and `heldout_noise_mm`.
+    """
 
     content: dict[str, Any]
     table: pd.DataFrame
