@@ -2,9 +2,16 @@ from pipeline.proof.plan import batches, written
 
 BATCHES = batches(config["proof"])
 PROOF = "processed/proof"
-PROOF_FILES = ["cases.csv", "sizes.csv", "scores.csv", "beside.csv", "proof.md", "sizes.png"] + expand(
-    "{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf")
-)
+PROOF_FILES = [
+    "authors.csv",
+    "laws.csv",
+    "cases.csv",
+    "sizes.csv",
+    "scores.csv",
+    "beside.csv",
+    "proof.md",
+    "sizes.png",
+] + expand("{figure}.{suffix}", figure=("confusion", "dose_response"), suffix=("png", "pdf"))
 
 
 def cases_of(wildcards):
@@ -17,6 +24,13 @@ def compared(batch):
 
 def compared_of(wildcards):
     return compared(wildcards.batch)
+
+
+def code_of_concealed(wildcards):
+    author = BATCHES[wildcards.batch][0].author
+    return fingerprint(
+        "pipeline.proof.conceal_batch", f"pipeline.rig.authors.{author}.*" if author else "pipeline.rig.effects.*"
+    )
 
 
 def without(wildcards):
@@ -32,7 +46,7 @@ rule conceal:
         f"{PROOF}/logs/conceal-{{batch}}.log",
     params:
         cases=cases_of,
-        code=fingerprint("pipeline.proof.conceal_batch", "pipeline.rig.effects.*"),
+        code=code_of_concealed,
     message:
         "conceal {wildcards.batch}"
     shell:
