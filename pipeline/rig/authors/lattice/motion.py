@@ -35,7 +35,7 @@ def plan(rng: Rng, protocol: str, top_turns: float, load_n: float) -> list[Plan]
     """The strokes of a protocol, about as long in all as a bench session of 3 to 10 minutes."""
     least, most = {"rich": (9, 16), "usual": (9, 12), "poor": (6, 10)}[protocol]
     count = int(rng.integers(least, most + 1))
-    total_s = rng.uniform(*{"rich": (330, 560), "usual": (220, 480), "poor": (190, 330)}[protocol])
+    total_s = rng.uniform(*{"rich": (300, 510), "usual": (220, 480), "poor": (190, 330)}[protocol])
     if protocol == "poor":
         rate = 2.0 * top_turns * count / total_s
         return [Plan(top_turns, rate, load_n, 0.0, 0.0)] * count
@@ -51,7 +51,7 @@ def plan(rng: Rng, protocol: str, top_turns: float, load_n: float) -> list[Plan]
         heights[1:] = rng.choice([1.0, rng.uniform(0.78, 0.92), rng.uniform(0.5, 0.7)], count - 1, p=[0.5, 0.25, 0.25])
     moving_s = (1.0 - waiting) * total_s
     rate = float(np.sum(2.0 * top_turns * heights / faster) / moving_s)
-    pauses = rng.dirichlet(np.full(2 * count, 2.5 if protocol == "rich" else 8.0)) * waiting * total_s
+    pauses = rng.dirichlet(np.full(2 * count, 1.5 if protocol == "rich" else 8.0)) * waiting * total_s
     return [
         Plan(float(top_turns * heights[i]), float(rate * faster[i]), float(borne[i]), pauses[2 * i], pauses[2 * i + 1])
         for i in range(count)

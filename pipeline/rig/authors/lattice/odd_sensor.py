@@ -8,14 +8,13 @@ from pipeline.rig.authors.lattice.world import World
 
 
 def _draw_sag(rng: Rng, world: World) -> Params:
-    return {"running_share": float(rng.uniform(0.3, 0.7)), "pace": float(np.percentile(np.abs(world.rate), 90))}
+    return {"pace": float(np.percentile(np.abs(world.rate), 90)), "settles_s": float(rng.uniform(0.03, 0.3))}
 
 
 def _act_sag(world: World, reading_mm: Array, p: Params) -> Array:
-    """The motor's current pulls the sensor's supply down, and with it the scale of the reading."""
-    current = p["running_share"] * np.minimum(np.abs(world.rate) / p["pace"], 2.0)
-    current = current + (1.0 - p["running_share"]) * world.torque * (world.rate > 0.01 * p["pace"])
-    return np.asarray(reading_mm * (1.0 - p["sag_share"] * relaxed(current, world.step_s, 0.05, 0.0)))
+    """The running motor pulls the sensor's supply down, either way, and with it the scale of the reading."""
+    current = np.minimum(np.abs(world.rate) / p["pace"], 2.0)
+    return np.asarray(reading_mm * (1.0 - p["sag_share"] * relaxed(current, world.step_s, p["settles_s"], 0.0)))
 
 
 def _draw_bow(rng: Rng, world: World) -> Params:
@@ -41,19 +40,20 @@ def _act_speckle(world: World, reading_mm: Array, p: Params) -> Array:
 
 
 def _draw_gain(rng: Rng, world: World) -> Params:
-    sign = float(rng.choice([-1.0, 1.0]))
-    return {"sign": sign, "tau_s": float(world.time_s[-1] * rng.uniform(0.15, 0.6))}
+    period_s = float(world.time_s[-1] * rng.uniform(0.09, 0.25))
+    return {"period_s": period_s, "phase": float(rng.uniform()), "on_share": float(rng.uniform(0.3, 0.6))}
 
 
 def _act_gain(world: World, reading_mm: Array, p: Params) -> Array:
-    """An amplifier that warms up: the scale of the reading settles, its zero stays."""
-    settled = -np.expm1(-world.time_s / p["tau_s"])
-    return np.asarray(reading_mm * (1.0 + p["sign"] * p["gain_share"] * settled))
+    """A thermostat warms and cools the amplifier in turns: the scale of the reading saws, its zero stays."""
+    warming = np.mod(world.time_s / p["period_s"] + p["phase"], 1.0) < p["on_share"]
+    heated = relaxed(warming.astype(float), world.step_s, 0.25 * p["period_s"], p["on_share"])
+    return np.asarray(reading_mm * (1.0 + p["gain_share"] * (heated - heated[0])))
 
 
 LAWS = (
     Law("x_supply_sag", "ratiometric", "reading", "sag_share", 0.2, _draw_sag, _act_sag),
     Law("x_transducer_bow", "waves", "reading", "error_mm", 3.0, _draw_bow, _act_bow),
     Law("x_speckle", "rough_target", "reading", "rough_mm", 2.0, _draw_speckle, _act_speckle),
-    Law("x_gain_warm_up", "settling", "reading", "gain_share", 0.2, _draw_gain, _act_gain),
+    Law("x_gain_cycle", "thermostat", "reading", "gain_share", 0.2, _draw_gain, _act_gain),
 )

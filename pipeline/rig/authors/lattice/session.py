@@ -42,7 +42,7 @@ def session(rng: np.random.Generator, protocol: str) -> Session:
         time_s,
         moved.turns,
         moved.load_n,
-        ambient - ambient[0],
+        np.asarray(ambient - ambient[0], float),
         1.0 + 0.03 * wandering(rng, count, moved.step_s, 40.0),
         moved.stroke,
     )

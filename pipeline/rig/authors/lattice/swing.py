@@ -22,7 +22,7 @@ def _rung(world: World, frequency_hz: float, damping: float, drag_per_mm: float)
 
 
 def _draw_linear(rng: Rng, _world: World) -> Params:
-    return {"frequency_hz": log_uniform(rng, 0.8, 3.0), "damping": log_uniform(rng, 0.01, 0.06)}
+    return {"frequency_hz": log_uniform(rng, 0.5, 2.0), "damping": log_uniform(rng, 0.01, 0.06)}
 
 
 def _act_linear(world: World, contraction_mm: Array, p: Params) -> Array:
@@ -30,7 +30,7 @@ def _act_linear(world: World, contraction_mm: Array, p: Params) -> Array:
 
 
 def _draw_drag(rng: Rng, _world: World) -> Params:
-    base = {"frequency_hz": log_uniform(rng, 0.8, 2.5), "damping": log_uniform(rng, 0.004, 0.012)}
+    base = {"frequency_hz": log_uniform(rng, 0.5, 1.6), "damping": log_uniform(rng, 0.004, 0.012)}
     return {**base, "drag_per_mm": log_uniform(rng, 0.1, 0.8)}
 
 

@@ -32,8 +32,9 @@ def _draw_motor(rng: Rng, world: World) -> Params:
 
 
 def _act_motor(world: World, contraction_mm: Array, p: Params) -> Array:
-    """Copper loss, the square of the torque, warms one node; it holds on while the motor holds."""
-    heat = np.square(world.torque) * world.wander
+    """A motor that draws its current whenever it turns, however fast, warms the mount that it sits on."""
+    turning = np.abs(world.rate) > 0.02 * np.abs(world.rate).max()
+    heat = turning * world.wander
     return _longer(contraction_mm, relaxed(heat, world.step_s, p["tau_s"], 0.0), p)
 
 
@@ -51,6 +52,6 @@ def _act_nodes(world: World, contraction_mm: Array, p: Params) -> Array:
 
 LAWS = (
     Law(EFFECT, "ambient_node", "length", "range_mm", LIMIT, _draw_ambient, _act_ambient),
-    Law(EFFECT, "copper_loss", "length", "range_mm", LIMIT, _draw_motor, _act_motor),
+    Law(EFFECT, "running_motor", "length", "range_mm", LIMIT, _draw_motor, _act_motor),
     Law(EFFECT, "two_nodes", "length", "range_mm", LIMIT, _draw_nodes, _act_nodes),
 )
