@@ -37,11 +37,8 @@ def _act_packing(world: World, share: Array, p: Params) -> Array:
 
 
 def _draw_two(rng: Rng, _world: World) -> Params:
-    return {
-        "first_at": rng.uniform(0.08, 0.2),
-        "second_at": rng.uniform(0.5, 0.7),
-        "first_share": rng.uniform(0.3, 0.6),
-    }
+    onsets = {"first_at": float(rng.uniform(0.08, 0.2)), "second_at": float(rng.uniform(0.5, 0.7))}
+    return {**onsets, "first_share": float(rng.uniform(0.3, 0.6))}
 
 
 def _act_two(world: World, share: Array, p: Params) -> Array:

@@ -33,9 +33,8 @@ def _draw_pair(rng: Rng, _world: World) -> Params:
 def _act_pair(world: World, contraction_mm: Array, p: Params) -> Array:
     stress = _stress(world, p)
     first, second = (_kelvin(world, stress, p[tau]) for tau in ("tau_1_s", "tau_2_s"))
-    return np.asarray(
-        contraction_mm - p["compliance_mm"] * (p["first_share"] * first + (1 - p["first_share"]) * second)
-    )
+    strain = p["first_share"] * first + (1.0 - p["first_share"]) * second
+    return np.asarray(contraction_mm - p["compliance_mm"] * strain)
 
 
 def _draw_findley(rng: Rng, _world: World) -> Params:

@@ -61,11 +61,8 @@ def plan(rng: Rng, protocol: str, top_turns: float, load_n: float) -> list[Plan]
 def _levels(rng: Rng, protocol: str, load_n: float) -> tuple[list[float], list[float]]:
     """Relative rates and loads of a protocol."""
     if protocol == "rich":
-        return [1.0, rng.uniform(1.7, 2.4), rng.uniform(0.4, 0.6)], [
-            load_n,
-            load_n * rng.uniform(1.5, 1.9),
-            load_n * 0.6,
-        ]
+        rates = [1.0, float(rng.uniform(1.7, 2.4)), float(rng.uniform(0.4, 0.6))]
+        return rates, [load_n, float(load_n * rng.uniform(1.5, 1.9)), float(load_n * rng.uniform(0.5, 0.7))]
     rates = [1.0] if rng.random() < 0.4 else [1.0, float(rng.uniform(1.6, 2.4))]
     loads = [load_n] if rng.random() < 0.5 else [load_n, float(load_n * rng.uniform(1.4, 2.0))]
     return rates, loads

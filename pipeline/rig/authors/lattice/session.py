@@ -33,7 +33,7 @@ def session(rng: np.random.Generator, protocol: str) -> Session:
     substeps = int(np.ceil(200.0 / rate_hz)) if rate_hz < 67.0 else 3
     moved = carried_out(rng, strokes, 1.0 / (rate_hz * substeps))
     count = len(moved.turns)
-    time_s = np.arange(count) * moved.step_s
+    time_s = np.arange(count, dtype=float) * moved.step_s
     swing = rng.uniform(0.2, 2.5) * (1.0 - np.cos(2.0 * np.pi * time_s / rng.uniform(250.0, 900.0)))
     ambient = swing * rng.choice([-1.0, 1.0]) + 0.15 * wandering(rng, count, moved.step_s, 60.0)
     world = World(
@@ -42,7 +42,7 @@ def session(rng: np.random.Generator, protocol: str) -> Session:
         time_s,
         moved.turns,
         moved.load_n,
-        np.asarray(ambient - ambient[0], float),
+        ambient - ambient[0],
         1.0 + 0.03 * wandering(rng, count, moved.step_s, 40.0),
         moved.stroke,
     )

@@ -42,10 +42,8 @@ def _act_drag(world: World, contraction_mm: Array, p: Params) -> Array:
 
 def _draw_two(rng: Rng, world: World) -> Params:
     first = _draw_linear(rng, world)
-    second = {
-        "second_hz": first["frequency_hz"] * rng.uniform(1.4, 2.2),
-        "second_damping": log_uniform(rng, 0.01, 0.05),
-    }
+    second_hz = float(first["frequency_hz"] * rng.uniform(1.4, 2.2))
+    second = {"second_hz": second_hz, "second_damping": log_uniform(rng, 0.01, 0.05)}
     return {**first, **second, "second_share": float(rng.uniform(0.5, 1.0))}
 
 

@@ -40,14 +40,15 @@ def _act_motor(world: World, contraction_mm: Array, p: Params) -> Array:
 
 def _draw_nodes(rng: Rng, world: World) -> Params:
     taus = {"tau_1_s": float(rng.uniform(10.0, 40.0)), "tau_2_s": float(world.time_s[-1] * rng.uniform(0.15, 0.5))}
-    return {"sign": _sign(rng), **taus}
+    return {"sign": _sign(rng), **taus, "mount_share": float(rng.uniform(0.3, 0.6))}
 
 
 def _act_nodes(world: World, contraction_mm: Array, p: Params) -> Array:
-    """Friction heat, torque times rate, warms the string, which warms its mount in turn."""
+    """Friction heat, torque times rate, warms the string, which warms its mount in turn; both grow longer."""
     heat = world.torque * np.abs(world.rate) / world.top_turns * world.wander
     string = relaxed(heat, world.step_s, p["tau_1_s"], 0.0)
-    return _longer(contraction_mm, relaxed(string, world.step_s, p["tau_2_s"], 0.0), p)
+    mount = relaxed(string, world.step_s, p["tau_2_s"], 0.0)
+    return _longer(contraction_mm, (1.0 - p["mount_share"]) * string + p["mount_share"] * mount, p)
 
 
 LAWS = (

@@ -32,7 +32,11 @@ def _act_power(world: World, contraction_mm: Array, p: Params) -> Array:
 
 
 def _draw_carreau(rng: Rng, world: World) -> Params:
-    return {"pace": _pace(world), "knee": float(_pace(world) * rng.uniform(0.15, 0.5)), "power": rng.uniform(0.4, 0.7)}
+    return {
+        "pace": _pace(world),
+        "knee": float(_pace(world) * rng.uniform(0.15, 0.5)),
+        "power": float(rng.uniform(0.4, 0.7)),
+    }
 
 
 def _act_carreau(world: World, contraction_mm: Array, p: Params) -> Array:
