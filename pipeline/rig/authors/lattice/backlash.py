@@ -28,7 +28,7 @@ def _act_worn(world: World, turns: Array, p: Params) -> Array:
 
 
 def _draw_late(rng: Rng, _world: World) -> Params:
-    return {"abruptness": float(rng.uniform(5.0, 12.0))}
+    return {"abruptness": float(rng.uniform(2.5, 6.0))}
 
 
 @stepped

@@ -63,8 +63,8 @@ def _act_burgers(world: World, contraction_mm: Array, p: Params) -> Array:
 
 
 def _draw_eyring(rng: Rng, _world: World) -> Params:
-    eyring = {"untwisted_share": _share(rng), "activation": log_uniform(rng, 0.08, 0.25)}
-    return {**eyring, "tau_s": log_uniform(rng, 120.0, 900.0)}
+    eyring = {"untwisted_share": _share(rng), "activation": log_uniform(rng, 0.25, 0.8)}
+    return {**eyring, "tau_s": log_uniform(rng, 25.0, 160.0)}
 
 
 @stepped

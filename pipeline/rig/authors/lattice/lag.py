@@ -15,7 +15,7 @@ def _act_pole(world: World, reading_mm: Array, p: Params) -> Array:
 
 
 def _draw_second(rng: Rng, _world: World) -> Params:
-    return {"damping": float(rng.uniform(0.75, 1.3))}
+    return {"damping": float(rng.uniform(0.6, 1.0))}
 
 
 @stepped
