@@ -27,12 +27,15 @@ def _draw_hertz(rng: Rng, world: World) -> Params:
 def _act_hertz(world: World, contraction_mm: Array, p: Params) -> Array:
     """K (g − δ) = H δ^1.5 for a gap g that the string would overrun, by Newton in √δ from above."""
     beyond = _beyond(world, contraction_mm, p)
-    stiffness, contact = world.true.stiffness_n_per_mm, p["contact_n_per_mm_1_5"]
-    root = np.sqrt(beyond)
-    for _ in range(30):
-        rest = contact * root**3 + stiffness * (root**2 - beyond)
+    touching = beyond > 0.0
+    over, stiffness, contact = beyond[touching], world.true.stiffness_n_per_mm, p["contact_n_per_mm_1_5"]
+    root = np.sqrt(over)
+    for _ in range(20):
+        rest = contact * root**3 + stiffness * (root**2 - over)
         root -= rest / (3.0 * contact * root**2 + 2.0 * stiffness * root + 1e-12)
-    return np.asarray(contraction_mm - beyond + np.square(root))
+    pressed = np.zeros_like(beyond)
+    pressed[touching] = np.square(root)
+    return np.asarray(contraction_mm - beyond + pressed)
 
 
 def _draw_foam(rng: Rng, world: World) -> Params:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.rig.authors.lattice.kernels import Array, play, stepped
+from pipeline.rig.authors.lattice.kernels import Array, play, relaxed, stepped
 from pipeline.rig.authors.lattice.law import Law, Params, Rng
 from pipeline.rig.authors.lattice.world import World
 
@@ -24,23 +24,25 @@ def _act_late(world: World, contraction_mm: Array, p: Params) -> Array:
 
 
 @stepped
-def _coils(turns: Array, step_s: float, nucleate: Array, melt: Array, scatter: Array, tau_s: float) -> Array:
-    """Mean state of coils, each a relay with its own nucleation and melting twist, snapping within `tau_s`."""
+def _coils(turns: Array, nucleate: Array, melt: Array, scatter: Array) -> Array:
+    """Share of the coils that are there, each a relay with its own nucleation and melting twist."""
     out = np.zeros_like(turns)
-    on, state = np.zeros(nucleate.size), np.zeros(nucleate.size)
-    kept = np.exp(-step_s / tau_s)
-    times = 0
+    on = np.zeros(nucleate.size)
+    lowest, times, there = nucleate.min() + scatter.min(), 0, 0
     for i in range(turns.size):
+        if there == 0 and turns[i] < lowest:
+            continue
         for j in range(nucleate.size):
             shift = scatter[(times + 7 * j) % scatter.size]
             if on[j] == 0.0 and turns[i] > nucleate[j] + shift:
                 on[j] = 1.0
                 times += 1
+                there += 1
             elif on[j] == 1.0 and turns[i] < melt[j] + shift:
                 on[j] = 0.0
                 times += 1
-            state[j] = on[j] + (state[j] - on[j]) * kept
-            out[i] += state[j] / nucleate.size
+                there -= 1
+        out[i] = there / nucleate.size
     return out
 
 
@@ -53,7 +55,8 @@ def _act_relays(world: World, contraction_mm: Array, p: Params) -> Array:
     beyond = world.top_turns - p["critical_turns"]
     nucleate = p["critical_turns"] + beyond * (np.arange(COILS) + 0.5) / COILS
     scatter = p["scatter_turns"] * np.random.default_rng(p["seed"]).normal(size=997)
-    state = _coils(world.turns, world.step_s, nucleate, nucleate - p["loop_turns"], scatter, 0.08)
+    there = _coils(world.turns, nucleate, nucleate - p["loop_turns"], scatter)
+    state = relaxed(there, world.step_s, 0.08, 0.0)  # a coil snaps within a tenth of a second
     return np.asarray(contraction_mm + p["mm_per_turn"] * beyond * state)
 
 

@@ -16,7 +16,8 @@ SIGMAS = 3.0
 GAIN, ANGLE_ZERO_TURNS = 0.005, 0.05  # one sigma of the sensor's scale and of the encoder's zero
 POINTS = 1200  # samples that the recalibration is fitted on
 CLOSE = 0.015  # how near to the size that was asked the search stops
-TRIES = 26
+TRIES, PROPORTIONAL = 26, 6  # trials in all, and those that suppose an effect in proportion to its strength
+FAR = 0.08  # how far from it no strength may be the best
 
 
 class Ruler:
@@ -64,20 +65,24 @@ class Ruler:
 def strength_for(asked_mm: float, left_mm: Callable[[float], float], limit: float) -> float:
     """The least strength that leaves `asked_mm` after recalibration; OutOfReach when `limit` leaves less.
 
-    Searched by bisection of the logarithm; where the effect jumps with its strength, the closest strength met.
+    Searched as if the effect grew with its strength, by bisection where it does not; where it jumps with its
+    strength, the closest strength met is taken.
     """
-    if left_mm(limit) < asked_mm:
+    at_limit = left_mm(limit)
+    if at_limit < asked_mm:
         raise OutOfReach(f"the strongest effect that a bench would show leaves less than {asked_mm:.3f} mm")
     low, high = np.log(limit * 1e-5), np.log(limit)
-    closest, best = limit, np.inf
-    for _ in range(TRIES):
-        middle = 0.5 * (low + high)
-        ratio = left_mm(float(np.exp(middle))) / asked_mm
-        if abs(ratio - 1.0) < best:
-            closest, best = float(np.exp(middle)), abs(ratio - 1.0)
+    guess, closest, best = high - np.log(at_limit / asked_mm), limit, at_limit / asked_mm - 1.0
+    for step in range(TRIES):
         if best < CLOSE:
             break
-        low, high = (middle, high) if ratio < 1.0 else (low, middle)
-    if best > 0.08:
+        if step >= PROPORTIONAL or not low < guess < high:
+            guess = 0.5 * (low + high)
+        ratio = max(left_mm(float(np.exp(guess))) / asked_mm, 1e-9)
+        if abs(ratio - 1.0) < best:
+            closest, best = float(np.exp(guess)), abs(ratio - 1.0)
+        low, high = (guess, high) if ratio < 1.0 else (low, guess)
+        guess -= float(np.log(ratio))
+    if best > FAR:
         raise OutOfReach(f"no strength leaves {asked_mm:.3f} mm")
     return closest

@@ -17,7 +17,7 @@ def _slider(pulled: Array, step_s: float, force: Array, a: float, b: float, stea
     """
     out = np.empty_like(pulled)
     at, age, w = pulled[0], dc / v0 * 50.0, 0.0
-    drag_s = 0.02
+    drag_s = 0.002
     for i in range(pulled.size):
         psi = (steady + b * np.log(v0 * age / dc)) / a
         psi = min(max(psi, 1.0), 60.0)

@@ -21,7 +21,7 @@ def _draw_hardening(rng: Rng, _world: World) -> Params:
 def _act_hardening(world: World, turns: Array, p: Params) -> Array:
     """Torque = φ + c φ³, solved by Newton from above, where the cubic is convex."""
     angle = world.torque.copy()
-    for _ in range(25):
+    for _ in range(12):
         angle -= (angle + p["cubic_share"] * angle**3 - world.torque) / (1.0 + 3.0 * p["cubic_share"] * angle**2)
     return np.asarray(turns - p["turns_at_top"] * angle / angle.max())
 
