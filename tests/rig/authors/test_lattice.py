@@ -1,5 +1,6 @@
 """The author `lattice`: its recordings are whole, hide what was asked at the size asked, and nothing else."""
 
+import json
 from itertools import combinations
 
 import numpy as np
@@ -61,6 +62,7 @@ def test_every_law_makes_a_recording_of_the_size_asked(law, tmp_path):
     floor_mm = made.truth["noise_floor_mm"]
     assert np.sqrt(rms(left_mm(made)) ** 2 - floor_mm**2) / floor_mm == pytest.approx(KAPPA, rel=0.1)
     assert effect["kappa"] == pytest.approx(KAPPA, rel=0.1)
+    json.dumps(made.truth, allow_nan=False)
     again = [reading_mm(BENCH.world, [(law, effect["parameters"])]) for _ in range(2)]
     assert np.array_equal(*again)
 
