@@ -44,7 +44,7 @@ wildcard_constraints:
     model="|".join(config["models"]),
     split="within|later",
     seed="[0-9]+",
-    batch="batch-[0-9]+|without-[a-z_]+",
+    batch="batch-[0-9]+|by_[a-z_]+-[0-9]+|without-[a-z_]+",
 
 
 for stage in STAGES.split():

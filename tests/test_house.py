@@ -110,6 +110,37 @@ def test_nobody_outside_the_rig_knows_its_effects():
             assert not [name for name in imports(module) if name.startswith("pipeline.rig")], module
 
 
+AUTHORS = "pipeline.rig.authors"
+INTERFACE = f"{AUTHORS}.interface"
+
+
+def author_of(module):
+    """Name of the author whose package a module belongs to, or nothing."""
+    name = module.removeprefix(f"{AUTHORS}.").split(".")[0]
+    path = ROOT / "pipeline" / "rig" / "authors" / name / "__init__.py"
+    return name if module.startswith(f"{AUTHORS}.") and path.is_file() else ""
+
+
+def test_an_author_of_concealed_physics_knows_nobody_of_us():
+    shared = {"pipeline.kinematics", "pipeline.errors", INTERFACE}
+    for module in filter(author_of, MODULES):
+        own = {name for name in imports(module) if author_of(name) == author_of(module)}
+        assert imports(module) - own <= shared, module
+        tree = ast.parse(MODULES[module].read_text())
+        assert not [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.level], module
+        assert not {"importlib", "runpy", "__import__"} & set(re.findall(r"\w+", MODULES[module].read_text())), module
+    ours = {name for name in imports(INTERFACE) | imports(AUTHORS)}
+    assert ours == {INTERFACE}, "an author would reach more of us through what it shares"
+
+
+def test_nobody_but_the_proof_imports_an_author():
+    for module in MODULES:
+        if part(module) != "proof" and not module.startswith(AUTHORS):
+            assert not [name for name in reach(module) if name.startswith(AUTHORS)], module
+        if not author_of(module):
+            assert not [name for name in imports(module) if author_of(name)], module
+
+
 def test_imports_have_no_loops():
     for module in MODULES:
         assert module not in reach(module), module

@@ -8,6 +8,7 @@ from typing import Any, cast
 
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
+from pipeline.proof import authored
 from pipeline.proof.case import Case, Stratum, answer, draw_case, performed
 from pipeline.proof.conceal import plain, write_run
 from pipeline.proof.plan import Planned, read
@@ -25,8 +26,12 @@ def concealed(planned: Planned, runs: Path) -> dict[str, Any]:
     """Write one case's run folder and return its answer; what cannot be made is an answer too, with its reason."""
     asked = {"run": planned.run, "asked": asdict(planned)}
     try:
+        if planned.author:
+            made = authored.made(planned)
+            write_run({"run": planned.run, **made.content}, made.table, runs / planned.run)
+            return asked | authored.answer(planned, made)
         case = drawn(planned)
-    except OutOfReach as error:
+    except (OutOfReach, authored.OutOfReach) as error:
         return asked | {"skipped": str(error)}
     recorded = performed(case)
     write_run(case.bench.described(planned.run, not case.load_cell), recorded.table, runs / planned.run)

@@ -21,7 +21,7 @@ def named_beside(verdict: dict[str, Any], truth: tuple[str, ...]) -> list[str]:
 
 def left(planned: Planned, path: Path) -> dict[str, float]:
     """By effect: noise floors that its best copy of a single hidden effect leaves, calibration free."""
-    if planned.stratum != "single" or not path.is_file():
+    if planned.stratum != "single" or planned.author or not path.is_file():  # the rig's effects copy the rig's alone
         return {}
     names = named_beside(json.loads(path.read_text(encoding="utf-8")), planned.effects)
     if not names:

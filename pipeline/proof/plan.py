@@ -1,5 +1,6 @@
 """Which cases the concealed proof is made of: every mix of the configuration, spread over a block of seeds."""
 
+import itertools
 import json
 import random
 from collections.abc import Iterator, Mapping
@@ -24,6 +25,7 @@ class Planned:
     kappas: tuple[float, ...] = ()
     without: str = ""  # the mechanism that the diagnosis must do without
     baselines: bool = False  # whether they are asked as well
+    author: str = ""  # who makes the recording, of `pipeline.rig.authors`; the project's own rig where none is named
 
 
 def effect_names(open_set: bool) -> list[str]:
@@ -35,8 +37,9 @@ def effect_names(open_set: bool) -> list[str]:
 def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
     """Cases of one mix, nameless and seedless: `count` drawn ones, or `each` of every effect at every kappa."""
     bare = Planned("", 0, mix["stratum"], mix["protocol"], baselines=mix.get("baselines", False))
-    for kappa in mix.get("kappas", [None]):
-        sized = bare if kappa is None else replace(bare, kappas=(float(kappa),))
+    sizes = [() if kappa is None else (float(kappa),) for kappa in mix.get("kappas", [None])]
+    for author, kappas in itertools.product(mix.get("authors", [""]), sizes):
+        sized = replace(bare, kappas=kappas, author=author)
         yield from [sized] * mix.get("count", 0)
         if "each" in mix:
             known = effect_names(mix["stratum"] == "open")
@@ -57,12 +60,17 @@ def plan(settings: Mapping[str, Any]) -> list[Planned]:
 
 
 def batches(settings: Mapping[str, Any]) -> dict[str, list[Planned]]:
-    """Cases by batch: what one process makes or diagnoses; those with the same mechanism missing go together."""
+    """Cases by batch: what one process makes or diagnoses.
+
+    Those of one author, and those with the same mechanism missing, go together.
+    """
     found: dict[str, list[Planned]] = {}
-    cases = plan(settings)
-    usual, size = [case for case in cases if not case.without], settings["batch"]
-    for first in range(0, len(usual), size):
-        found[f"batch-{first // size:03d}"] = usual[first : first + size]
+    cases, size = plan(settings), settings["batch"]
+    for author in sorted({case.author for case in cases}):
+        usual = [case for case in cases if case.author == author and not case.without]
+        name = f"by_{author}" if author else "batch"
+        for first in range(0, len(usual), size):
+            found[f"{name}-{first // size:03d}"] = usual[first : first + size]
     for case in cases:
         if case.without:
             found.setdefault(f"without-{case.without}", []).append(case)

@@ -2,7 +2,7 @@ from pipeline.proof.plan import batches, written
 
 BATCHES = batches(config["proof"])
 PROOF = "processed/proof"
-PROOF_TABLES = ["cases", "sizes", "scores", "beside"]
+PROOF_TABLES = ["authors", "laws", "cases", "sizes", "scores", "beside"]
 PROOF_FILES = (
     [f"{table}.csv" for table in PROOF_TABLES]
     + ["proof.md", "sizes.png"]
@@ -22,6 +22,13 @@ def compared_of(wildcards):
     return compared(wildcards.batch)
 
 
+def code_of_concealed(wildcards):
+    author = BATCHES[wildcards.batch][0].author
+    return fingerprint(
+        "pipeline.proof.conceal_batch", f"pipeline.rig.authors.{author}.*" if author else "pipeline.rig.effects.*"
+    )
+
+
 def without(wildcards):
     return wildcards.batch.removeprefix("without-") if wildcards.batch.startswith("without-") else ""
 
@@ -35,7 +42,7 @@ rule conceal:
         f"{PROOF}/logs/conceal-{{batch}}.log",
     params:
         cases=cases_of,
-        code=fingerprint("pipeline.proof.conceal_batch", "pipeline.rig.effects.*"),
+        code=code_of_concealed,
     message:
         "conceal {wildcards.batch}"
     shell:

@@ -8,8 +8,10 @@ import pandas as pd
 from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.proof.score import beside
-from pipeline.proof.score.cases import gather
+from pipeline.proof.score.authors import by_author, by_law
+from pipeline.proof.score.cases import OWN, gather
 from pipeline.proof.score.figures import draw
+from pipeline.proof.score.hands import section
 from pipeline.proof.score.metrics import scores
 from pipeline.proof.score.page import page
 
@@ -24,12 +26,17 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--note", default="", metavar="TEXT", help="which configuration made it, to stand beneath")
     told = parser.parse_args()
-    cases, sizes = gather(told.place, told.batches)
-    besides = beside.gather(cases, told.place, told.batches)
+    everyone, sizes = gather(told.place, told.batches)
+    cases = everyone[everyone["author"] == OWN].reset_index(drop=True)
+    sizes = sizes[sizes["run"].isin(cases["run"])]
+    besides = beside.gather(everyone, told.place, told.batches)
     scored = pd.concat([scores(cases, sizes), beside.scores(besides)], ignore_index=True)
-    for name, table in (("cases", cases), ("sizes", sizes), ("beside", besides), ("scores", scored)):
+    tables = {"cases": everyone, "sizes": sizes, "beside": besides, "scores": scored}
+    tables |= {"authors": by_author(everyone), "laws": by_law(everyone)}
+    for name, table in tables.items():
         write_text(told.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
-    write_text(told.out / "proof.md", page(cases, scored, pd.read_csv(told.twins)) + told.note)
+    hands = section(tables["authors"], tables["laws"])
+    write_text(told.out / "proof.md", page(cases, scored, pd.read_csv(told.twins), hands) + told.note)
     made = cases[cases["skipped"] == ""]
     draw(made, sizes, told.out)
     print(made["outcome"].value_counts().to_string())

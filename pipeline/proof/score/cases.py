@@ -12,6 +12,7 @@ from pipeline.proof.score.overlap import overlap
 
 TIE = 0.2  # noise floors: what copies the truth to less than this cannot be told from it
 DIMENSIONS = {"radius_mm": "radius", "separator_mm": "separator", "torsion_zone_mm": "zone"}
+OWN = "rig"  # the author of what the project's own rig makes
 Row = dict[str, Any]
 
 
@@ -29,11 +30,13 @@ def _told(answer: Mapping[str, Any]) -> Row:
     """What was hidden."""
     asked = answer["asked"]
     row = {"run": answer["run"], "seed": asked["seed"], "stratum": "without" if asked["without"] else asked["stratum"]}
+    row |= {"author": asked.get("author") or OWN}
     row |= {"protocol": asked["protocol"], "kappa": asked["kappas"][0] if asked["kappas"] else None}
     row |= {"effects": "+".join(asked["effects"]), "skipped": answer.get("skipped", "")}
     if "skipped" in answer:
         return row
     row["effects"] = "+".join(one["id"] for one in answer["effects"])
+    row["laws"] = "+".join(one.get("law", OWN) for one in answer["effects"])
     row |= {"raw_mm": answer["together"]["raw_mm"], "hidden_share": answer["together"]["hidden_share"]}
     return row | {"noise_floor_mm": answer["noise_floor_mm"], "heldout_noise_mm": answer["heldout_noise_mm"]}
 
@@ -61,7 +64,7 @@ def _measured(answer: Mapping[str, Any], verdict: Mapping[str, Any], run: Path) 
     row: Row = {}
     for key, short in DIMENSIONS.items():
         found = verdict.get("parameters", {}).get(key)
-        if found:
+        if found and key in answer["dimensions"]:
             row[f"{short}_inside"] = found["low"] <= answer["dimensions"][key]["true"] <= found["high"]
     held = verdict["fit"].get("heldout") or {}
     for key in ("nominal_mm", "calibrated_mm", "explained_mm"):

@@ -110,8 +110,8 @@ def _wrong(cases: pd.DataFrame) -> str:
     return _table(("case", "stratum", "protocol", "hidden", "kappa", "verdict", "named (or)", "that is"), rows)
 
 
-def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame) -> str:
-    """The page as Markdown."""
+def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame, hands: str = "") -> str:
+    """The page as Markdown; `hands` is its first section, the scores by author."""
     made, skipped = cases[cases["skipped"] == ""], cases[cases["skipped"] != ""]
     own = scores[~scores["stratum"].str.contains(": ")]
     everything = [(score["metric"], score["stratum"], *_said(score)) for _, score in own.iterrows()]
@@ -119,6 +119,8 @@ def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame) -> str:
     reasons = [f"- {case['run']}: {case['skipped']}" for _, case in skipped.iterrows()]
     return "\n\n".join([
         "# The concealed proof",
+        *([hands] if hands else []),
+        "## The project's own rig",
         f"{len(made)} concealed recordings of the synthetic rig, diagnosed before any answer was opened. Sizes are in"
         " noise floors after calibration (kappa). Intervals are exact (Clopper and Pearson; order statistics for"
         " medians). `docs/proof.md` says how it is sealed and what each score means.",

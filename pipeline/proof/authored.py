@@ -1,0 +1,47 @@
+"""A concealed case by an author: what the plan leaves open is drawn, and the answer is told as the rig's own is."""
+
+from typing import Any, cast
+
+import numpy as np
+
+from pipeline.proof.plan import Planned
+from pipeline.rig.authors import authors
+from pipeline.rig.authors.interface import Asked, Made, OutOfReach, Protocol
+
+__all__ = ["OutOfReach", "answer", "asked_of", "made"]
+
+HIDES = {"none": 0, "single": 1, "pair": 2, "open": 1}  # effects in a case, by stratum
+
+
+def asked_of(planned: Planned, known: list[str]) -> Asked:
+    """What a plan asks of an author who knows these effects; those that the plan does not name are drawn.
+
+    The contract's effects serve all strata but `open`, for which there are the author's own under `x_`.
+    """
+    count = HIDES[planned.stratum]
+    pool = sorted(name for name in known if name.startswith("x_") == (planned.stratum == "open"))
+    drawn = np.random.default_rng([planned.seed, count]).permutation(np.array(pool, object)).tolist()
+    names = [*planned.effects, *[name for name in drawn if name not in planned.effects]][:count]
+    kappas = [*planned.kappas, *[planned.kappas[-1] if planned.kappas else 1.0] * count][:count]
+    return Asked(planned.seed, tuple(names), tuple(kappas), cast(Protocol, planned.protocol))
+
+
+def made(planned: Planned) -> Made:
+    """The author's recording of a planned case; raises OutOfReach when its rig or protocol cannot show the effect."""
+    author = authors()[planned.author]
+    return author.make(asked_of(planned, list(author.laws)))
+
+
+def answer(planned: Planned, made: Made) -> dict[str, Any]:
+    """The sealed answer, with the keys that the score reads; an author does not tell dimensions and places."""
+    effects = [{**effect, "raw_mm": effect["rms_mm"]} for effect in made.truth["effects"]]
+    raw_mm = float(np.sqrt(sum(effect["raw_mm"] ** 2 for effect in effects)))
+    return {
+        "protocol": planned.protocol,
+        "effects": effects,
+        "together": {"raw_mm": raw_mm, "hidden_share": None},
+        "noise_floor_mm": made.truth["noise_floor_mm"],
+        "heldout_noise_mm": made.truth["heldout_noise_mm"],
+        "location": None,
+        "dimensions": {},
+    }

@@ -1,0 +1,64 @@
+"""Scores by who made the recordings, and by the law that hid in them: a diagnosis that knows one hand is not enough."""
+
+from collections.abc import Iterator
+
+import pandas as pd
+
+from pipeline.proof.score import intervals
+from pipeline.proof.score.metrics import CHANCE, FIRM_WRONG, LARGE
+
+ALL = "all"
+AUTHOR_COLUMNS = ("author", "quantity", "count", "of", "value", "low", "high")
+LAW_COLUMNS = ("effect", "author", "law", "exact", "of", "said")
+Score = tuple[str, str, int, int, float, float, float]
+
+
+def _share(author: str, quantity: str, hits: pd.Series) -> Iterator[Score]:
+    if len(hits):
+        count = int(hits.sum())
+        yield author, quantity, count, len(hits), count / len(hits), *intervals.share(count, len(hits))
+
+
+def _of_author(author: str, cases: pd.DataFrame) -> Iterator[Score]:
+    """Scores of one author's cases, or of all: columns AUTHOR_COLUMNS."""
+    stratum, firm = cases["stratum"], cases["outcome"].isin(FIRM_WRONG)
+    single = cases[(stratum == "single") & (cases["kappa"] >= LARGE) & (cases["protocol"] != "poor")]
+    poor = cases[(stratum == "single") & (cases["kappa"] >= LARGE) & (cases["protocol"] == "poor")]
+    pair, outside = cases[stratum == "pair"], cases[stratum == "open"]
+    control = cases[stratum.isin(["none", "parameters", "noise"])]
+    yield from _share(author, "one effect: exactly", single["outcome"] == "exact")
+    yield from _share(author, "one effect: exactly, or in the set", single["right"])
+    yield from _share(author, "one effect: firm wrong name", firm[single.index])
+    yield from _share(author, "one effect, poor protocol: exactly, or in the set", poor["right"])
+    yield from _share(author, "two effects: exactly both", pair["outcome"] == "exact")
+    yield from _share(author, "two effects: exactly both, or in the set", pair["right"])
+    yield from _share(author, "controls with a name, or unknown", control["outcome"] == "false alarm")
+    yield from _share(author, "outside the library: unknown", outside["outcome"] == "unknown as it should")
+    yield from _share(author, "outside the library: firm name", firm[outside.index])
+    steady = cases[~cases["effects"].str.split("+").map(lambda names: bool({*names} & {*CHANCE}))]
+    ratios = steady["heldout_ratio"].dropna().astype(float).tolist() if "heldout_ratio" in steady else []
+    if ratios:
+        middle = float(pd.Series(ratios).median())
+        yield author, "held out over noise, median", len(ratios), len(ratios), middle, *intervals.median(ratios)
+
+
+def by_author(cases: pd.DataFrame) -> pd.DataFrame:
+    """One row a score and author, `all` first; columns AUTHOR_COLUMNS, with exact 95 % intervals."""
+    made = cases[(cases["skipped"] == "") & (cases["stratum"] != "without")]
+    rows = list(_of_author(ALL, made))
+    for author, some in made.groupby("author"):
+        rows += _of_author(str(author), some)
+    return pd.DataFrame(rows, columns=list(AUTHOR_COLUMNS))
+
+
+def by_law(cases: pd.DataFrame) -> pd.DataFrame:
+    """One row an effect, author and law, of single effects that must be named; columns LAW_COLUMNS."""
+    made = cases[(cases["skipped"] == "") & (cases["stratum"] == "single") & (cases["protocol"] != "poor")]
+    made = made[made["kappa"] >= LARGE]
+    rows = []
+    for (effect, author, law), some in made.groupby(["effects", "author", "laws"]):
+        exact = some["outcome"] == "exact"
+        other = some[~exact].fillna({"named": "", "alternatives": ""})
+        said = [f"{case['verdict']} {case['named']}".strip() for _, case in other.iterrows()]
+        rows.append((effect, author, law, int(exact.sum()), len(some), "; ".join(sorted(said))))
+    return pd.DataFrame(rows, columns=list(LAW_COLUMNS))

@@ -1,0 +1,98 @@
+"""The door to the authors: their register, and the program that writes a run folder and its sealed answer."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from pipeline.ingest import read_samples
+from pipeline.rig.authors import authors, names
+from pipeline.rig.authors.interface import Asked
+
+ROOT = Path(__file__).parents[3]
+CONTRACT = {
+    "plastic_elongation", "creep", "stiffening", "axial_elasticity", "thermal", "radius_compaction", "wear",
+    "friction_hysteresis", "viscous_loss", "stick_slip", "backlash", "shaft_windup", "count_slip", "slack", "jam",
+    "overtwist", "sensor_lag", "sensor_drift", "eccentricity", "clamp_slip", "end_stop", "load_swing",
+}  # fmt: skip
+
+
+def program(*given):
+    command = [sys.executable, "-m", "pipeline.rig.authors", *map(str, given)]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=600)
+
+
+def asked(raw, answer, *more):
+    return ("lattice", "--seed", 8, "--protocol", "usual", "--run", "case-001", "--raw", raw, "--answer", answer, *more)
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_author_knows_the_contracts_effects_and_four_of_its_own(name):
+    laws = authors()[name].laws
+    assert set(laws) >= CONTRACT
+    own = set(laws) - CONTRACT
+    assert len(own) >= 4 and all(effect.startswith("x_") for effect in own)
+    assert all(of_one and len(set(of_one)) == len(of_one) for of_one in laws.values())
+
+
+def test_the_program_writes_a_run_that_tells_nothing_and_an_answer_that_tells_all(tmp_path):
+    raw, answer = tmp_path / "raw", tmp_path / "sealed" / "case-001.json"
+    effects = ("--effect", "backlash", "creep", "--kappa", 3, 2)
+    done = program(*asked(raw, answer, *effects))
+    assert done.returncode == 0, done.stderr
+    _, samples = read_samples(raw / "case-001")
+    assert {"time_s", "motor_turns", "displacement_mm"} <= set(samples)
+    told = json.loads(answer.read_text())
+    assert [effect["id"] for effect in told["effects"]] == ["backlash", "creep"]
+    assert (told["author"], told["seed"], told["protocol"], told["run"]) == ("lattice", 8, "usual", "case-001")
+    assert sorted(path.name for path in raw.rglob("*") if path.is_file()) == ["recording.parquet", "run.yaml"]
+    text = (raw / "case-001" / "run.yaml").read_text()
+    recording = (raw / "case-001" / "recording.parquet").read_bytes()
+    for word in ("backlash", "creep", "lattice", *(effect["law"] for effect in told["effects"])):
+        assert word not in text and word.encode() not in recording
+    assert program(*asked(raw, tmp_path / "again.json", *effects)).returncode == 2, "a run is never overwritten"
+    assert not (tmp_path / "again.json").exists()
+    other = program(*asked(tmp_path / "other", tmp_path / "other.json", *effects))
+    assert other.returncode == 0
+    assert (tmp_path / "other" / "case-001" / "recording.parquet").read_bytes() == recording
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        (("--effect", "gremlins", "--kappa", 1), "'gremlins' is not known"),
+        (("--effect", "creep", "--kappa", 1, 2), "give one size for each effect"),
+        (("--effect", "creep", "--kappa", -1), "is not above 0"),
+        (("--effect", "creep", "--kappa", 1e9), "is out of reach"),
+    ],
+)
+def test_what_cannot_be_made_is_said_and_nothing_is_written(tmp_path, more, said):
+    done = program(*asked(tmp_path / "raw", tmp_path / "answer.json", *more))
+    assert done.returncode == 2 and said in done.stderr and "Mend:" in done.stderr
+    assert not [path for path in tmp_path.rglob("*") if path.is_file()]
+
+
+def test_the_answer_never_lies_beside_the_runs(tmp_path):
+    for answer in (tmp_path / "raw" / "answer.json", tmp_path / "sealed" / ".." / "raw" / "case-001" / "answer.json"):
+        done = program(*asked(tmp_path / "raw", answer))
+        assert done.returncode == 2 and "lies inside" in done.stderr
+    kept = tmp_path / "kept.json"
+    kept.write_text("precious")
+    assert program(*asked(tmp_path / "raw", kept)).returncode == 2
+    assert kept.read_text() == "precious" and not (tmp_path / "raw").exists()
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        (("creep",), (), "rich"),
+        (("creep", "creep"), (1.0, 1.0), "rich"),
+        ((), (), "rough"),
+        (("creep",), (0.0,), "poor"),
+    ],
+)
+def test_nonsense_cannot_be_asked(wrong):
+    with pytest.raises(ValueError, match=r"give|ask|use"):
+        Asked(1, *wrong)

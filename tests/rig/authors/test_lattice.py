@@ -1,0 +1,134 @@
+"""The author `lattice`: its recordings are whole, hide what was asked at the size asked, and nothing else."""
+
+import json
+from itertools import combinations
+
+import numpy as np
+import pytest
+import yaml
+from scipy.optimize import least_squares
+
+from pipeline.ingest import read_samples
+from pipeline.kinematics import Geometry
+from pipeline.rig.authors.interface import Asked, OutOfReach
+from pipeline.rig.authors.lattice import LAWS, make
+from pipeline.rig.authors.lattice.catalogue import ALL, BY_EFFECT
+from pipeline.rig.authors.lattice.chain import reading_mm
+from pipeline.rig.authors.lattice.instruments import sampling
+from pipeline.rig.authors.lattice.recording import made_with
+from pipeline.rig.authors.lattice.session import session
+from pipeline.rig.authors.lattice.size import Ruler, strength_for
+
+SEED = 3  # a short session without outliers
+KAPPA = 4.0
+BENCH = session(np.random.default_rng([SEED, 1]), "rich")
+TOLERANCE = np.array([0.03, 1.0, 0.5, 2.0, 0.005, 0.05])  # radius, torsion zone, separator, length, scale, angle zero
+
+
+def left_mm(made):
+    """What a calibration within three sigmas leaves of a recording, written apart from the author's own."""
+    string, rig, table = made.content["string"], made.content["rig"], made.table
+    load_n = table.get("load_n", rig.get("load_n"))
+    turns, shown = table["motor_turns"].to_numpy(), table["displacement_mm"].to_numpy()
+
+    def misfit(sigmas):
+        radius, zone, separator, length, scale, zero = sigmas * TOLERANCE
+        moved = Geometry(
+            "separator", string["radius_mm"] * (1 + radius), string["length_mm"] + length, string["stiffness_n_per_mm"],
+            rig["torsion_zone_mm"] + zone, rig["separator_mm"] + separator,
+        )  # fmt: skip
+        left = shown - (1 + scale) * moved.contraction_mm(turns + zero, load_n)
+        return np.asarray(left - left.mean())
+
+    return misfit(least_squares(misfit, np.zeros(6), bounds=(-3, 3)).x)
+
+
+def rms(values):
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+@pytest.mark.parametrize("law", [pytest.param(law, id=f"{law.effect}-{law.name}") for law in ALL])
+def test_every_law_makes_a_recording_of_the_size_asked(law, tmp_path):
+    asked = Asked(SEED, (law.effect,), (KAPPA,), "rich")
+    made = made_with(asked, [law.name])
+    folder = tmp_path / "run"
+    folder.mkdir()
+    (folder / "run.yaml").write_text(yaml.safe_dump({"run": "run", **made.content}, sort_keys=False))
+    made.table.to_parquet(folder / "recording.parquet", index=False)
+    _, samples = read_samples(folder)
+    assert np.isfinite(samples.to_numpy()).all() and len(samples) <= 25_000
+    (effect,) = made.truth["effects"]
+    assert (effect["id"], effect["law"]) == (law.effect, law.name) and 0 < effect["rms_mm"] < 10
+    floor_mm = made.truth["noise_floor_mm"]
+    assert np.sqrt(rms(left_mm(made)) ** 2 - floor_mm**2) / floor_mm == pytest.approx(KAPPA, rel=0.1)
+    assert effect["kappa"] == pytest.approx(KAPPA, rel=0.1)
+    json.dumps(made.truth, allow_nan=False)
+    again = [reading_mm(BENCH.world, [(law, effect["parameters"])]) for _ in range(2)]
+    assert np.array_equal(*again)
+
+
+@pytest.mark.parametrize("protocol", ["rich", "usual", "poor"])
+@pytest.mark.parametrize("seed", [SEED, 7, 12])
+def test_without_effects_a_calibration_leaves_the_noise(seed, protocol):
+    made = make(Asked(seed, (), (), protocol))
+    left, floor_mm = left_mm(made), made.truth["noise_floor_mm"]
+    inside = np.abs(left) < 6 * floor_mm  # outliers are no part of the floor
+    assert inside.mean() > 0.998
+    assert rms(left[inside]) == pytest.approx(floor_mm, rel=0.03)
+    assert made.truth["heldout_noise_mm"] == pytest.approx(floor_mm, rel=0.15)
+    loads = made.table["load_n"].round(-1).nunique() if "load_n" in made.table else 1
+    assert loads >= 2 if protocol == "rich" else "load_n" in made.table or made.content["rig"]["load_n"] > 0
+    seconds = made.table["time_s"].iloc[-1]
+    assert 170 < seconds < 620 and 24 < len(made.table) / seconds < 101
+
+
+@pytest.mark.parametrize("effect", [effect for effect in LAWS if len(LAWS[effect]) > 1])
+def test_the_laws_of_one_effect_differ(effect):
+    one, ruler = BENCH, Ruler(BENCH, sampling(np.random.default_rng([SEED, 2]), BENCH))
+    seen = {}
+    for law in BY_EFFECT[effect]:
+        shape = law.draw(np.random.default_rng(4), one.world)
+
+        def left(strength, law=law, shape=shape):
+            return ruler.left_mm(reading_mm(one.world, [(law, {**shape, law.strength: strength})]))
+
+        strength = strength_for(
+            0.06 if effect == "load_swing" else 0.3, lambda strength, left=left: rms(left(strength)), law.limit
+        )
+        seen[law.name] = left(strength)
+    for one_law, other in combinations(seen, 2):
+        alike = float(np.dot(seen[one_law], seen[other]) / np.linalg.norm(seen[one_law]) / np.linalg.norm(seen[other]))
+        assert np.sqrt(1 - alike**2) > 0.01, f"{one_law} and {other} are one law"
+
+
+def test_every_law_is_drawn_sooner_or_later():
+    drawn = {make(Asked(seed, ("sensor_drift",), (2.0,), "poor")).truth["effects"][0]["law"] for seed in range(40)}
+    assert drawn == set(LAWS["sensor_drift"])
+
+
+@pytest.mark.parametrize("effects", [("plastic_elongation", "sensor_drift"), ("stick_slip", "x_draught")])
+def test_the_same_seed_makes_the_same_recording_and_another_seed_another(effects):
+    asked = Asked(SEED, effects, (2.0, 2.0), "usual")
+    assert make(asked).table.equals(make(asked).table)
+    assert not make(Asked(SEED + 1, effects, (2.0, 2.0), "usual")).table.equals(make(asked).table)
+
+
+def test_two_effects_have_their_sizes_each_alone():
+    made = make(Asked(SEED, ("backlash", "creep"), (3.0, 1.0), "rich"))
+    sizes = [effect["kappa"] for effect in made.truth["effects"]]
+    assert sizes == pytest.approx([3.0, 1.0], rel=0.1)
+
+
+def test_what_the_protocol_cannot_show_is_out_of_reach():
+    with pytest.raises(OutOfReach):
+        make(Asked(SEED, ("axial_elasticity",), (2.0,), "poor"))
+
+
+def test_neither_run_yaml_nor_the_columns_differ_with_what_is_hidden():
+    plain = make(Asked(SEED, (), (), "usual"))
+    for effect in ("creep", "sensor_lag", "x_leaning"):
+        hiding = make(Asked(SEED, (effect,), (3.0,), "usual"))
+        assert yaml.safe_dump(hiding.content, sort_keys=False) == yaml.safe_dump(plain.content, sort_keys=False)
+        assert list(hiding.table) == list(plain.table)
+        assert not hiding.table["displacement_mm"].equals(plain.table["displacement_mm"])
+        assert hiding.table.drop(columns="displacement_mm").equals(plain.table.drop(columns="displacement_mm"))
