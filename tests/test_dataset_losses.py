@@ -7,9 +7,12 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
+from made_recording import content, recording
 
 from pipeline import schemas
 from pipeline.dataset import touched
+from pipeline.left_out import from_json
+from pipeline.strokes import segment
 
 ROOT = Path(__file__).parent.parent
 STROKES = pd.DataFrame(
@@ -46,7 +49,8 @@ def test_gaps_that_are_no_longer_listed_may_be_anywhere_later():
 
 
 def made(folder, processed, out, *options):
-    command = [sys.executable, "-m", "pipeline.dataset", str(folder), "--processed", str(processed), "--out", str(out)]
+    folders = [str(one) for one in (folder if isinstance(folder, list) else [folder])]
+    command = [sys.executable, "-m", "pipeline.dataset", *folders, "--processed", str(processed), "--out", str(out)]
     done = subprocess.run([*command, *options], capture_output=True, text=True)
     return done, schemas.read(out, schemas.DATASET) if done.returncode == 0 else None
 
@@ -68,6 +72,25 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(
         kept["stroke"]
     )
+
+
+def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_count(make_run, tmp_path):
+    string, processed = {**content("x")["string"], "id": "spool-1"}, tmp_path / "processed"
+    folders = [make_run(name, string=string) for name in ("run-1", "run-2")]
+    for folder in folders:
+        samples = processed / folder.name / "samples.parquet"
+        schemas.write(recording(), schemas.samples(list(recording().columns)), samples)
+        strokes = segment(recording(), "motor_turns", samples)
+        schemas.write(strokes, schemas.STROKES, samples.with_name("strokes.parquet"))
+    gaps = [{"after_samples": int(one) + 3} for one in strokes.loc[strokes["phase"] == "winding", "first_sample"]]
+    (folders[0] / "capture.json").write_text(json.dumps({"gaps": gaps}))
+    more = ["--out-left-out", str(tmp_path / "left.json")]
+    done, _ = made(folders, processed, tmp_path / "d.parquet", *more)
+    assert done.returncode == 2 and "samples are missing in every one" in done.stderr
+    done, points = made(folders, processed, tmp_path / "d.parquet", *more, "--note-refusals")
+    assert done.returncode == 0, done.stderr
+    assert set(points["run"]) == {"run-2"} and set(points["stroke"]) == {4, 5, 6}
+    assert [one.run for one in from_json((tmp_path / "left.json").read_text())] == ["run-1"]
 
 
 @pytest.mark.parametrize(

@@ -63,10 +63,11 @@ class RealPlan:
 
 def slug(text: str) -> str:
     """A text in the letters that a run's name may have, never empty, and cut where a file's name would be too long."""
-    plain = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "unnamed"
-    if len(plain) <= LONGEST_SLUG:
+    plain = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+    if plain and len(plain) <= LONGEST_SLUG:
         return plain
-    return f"{plain[: LONGEST_SLUG - 9].strip('-')}-{hashlib.sha256(text.encode('utf-8', 'replace')).hexdigest()[:8]}"
+    told_apart = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:8]
+    return f"{plain[: LONGEST_SLUG - 9].strip('-') or 'unnamed'}-{told_apart}"
 
 
 def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:

@@ -8,7 +8,7 @@ STORED = [
 ]
 DAMAGED = KNOWN.damaged(STORED)
 REPLACED = [run for run in SYNTHETIC if KNOWN.notes.get(run, CONTENT[run]) != CONTENT[run]]
-AGAIN = {*DAMAGED, *(f"raw/{run}/run.yaml" for run in REPLACED)}
+AGAIN = {*DAMAGED, *(f"raw/{run}/run.yaml" for run in REPLACED), *KNOWN.notes.get("again", [])}
 KNOWN.save()
 
 # Every report that a run or a material asks for, be it bad for now.

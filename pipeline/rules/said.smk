@@ -2,7 +2,10 @@ from pipeline.report.ended import remove_stale, rewrite, unmade
 
 
 # What the workflow does and says when it starts, fails and ends.
-def end():
+def end(rewritten):
+    # What a failure left was written by no job: those jobs run at the next start, whatever their inputs say.
+    made = {str(file) for job in workflow.dag.jobs if workflow.dag.finished(job) for file in job.output}
+    KNOWN.notes["again"] = sorted({*KNOWN.notes.get("again", []), *rewritten} - made)
     KNOWN.notes |= {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in SYNTHETIC}
     KNOWN.save()
 
@@ -20,14 +23,14 @@ onstart:
 onerror:
     jobs = list(workflow.dag.needrun_jobs())
     left = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
-    last = [job.shellcmd for name in ("metrics", "index") for job in jobs if job.rule.name == name]
-    wrong = rewrite(last, left, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
+    last = [job for name in ("metrics", "index") for job in jobs if job.rule.name == name]
+    wrong = rewrite([job.shellcmd for job in last], left, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
     print(summary(Path("reports"), MATERIALS, DIAGNOSED))
     for line in wrong + [one.why for one in left]:
         print(line)
     print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
     KNOWN.forget_intact()
-    end()
+    end([str(file) for job in last for file in job.output])
 
 
 onsuccess:
@@ -36,4 +39,4 @@ onsuccess:
         print("the concealed proof: reports/proof/proof.md")
     if Path("reports/real/index.html").is_file():
         print("public rigs: reports/real/index.html")
-    end()
+    end([])

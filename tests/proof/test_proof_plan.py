@@ -2,8 +2,10 @@
 
 from pathlib import Path
 
+import pytest
 import yaml
 
+from pipeline.errors import BadInput
 from pipeline.proof.draws import NAMED, OPEN_SET
 from pipeline.proof.plan import batches, effect_names, plan, read, written
 
@@ -42,3 +44,9 @@ def test_every_case_is_in_one_batch_and_survives_the_command_line():
     assert sorted(case.run for case in cases) == sorted(case.run for case in plan(CONFIG))
     assert all(len({case.without for case in batch}) == 1 for batch in found.values())
     assert read(written(cases)) == cases
+
+
+def test_an_effect_that_the_rig_has_not_is_refused():
+    mix = {"stratum": "single", "protocol": "rich", "each": 1, "effects": ["../creep"]}
+    with pytest.raises(BadInput, match="is no effect of the rig"):
+        plan({"seed": 1, "batch": 4, "mixes": [mix]})

@@ -10,6 +10,7 @@ from made_recording import content, recording
 
 from pipeline.errors import BadInput
 from pipeline.import_run import read_mapping
+from pipeline.names import run_name
 from pipeline.real.ask import ask
 from pipeline.real.bring import REFUSED, bring, usable
 from pipeline.real.plan import RealPlan, make_real_plan, plan_of
@@ -54,6 +55,15 @@ def test_every_file_of_a_known_rig_becomes_its_runs(downloaded):
     assert plan["emps-data-emps-pulses"].mapping.name == "emps_pulses.yaml"
     assert plan.groups("emps") == {"emps": ["emps-data-emps", "emps-data-emps-pulses"]}
     assert plan.tables(None) == [f"processed/real/table/{rig}.csv" for rig in ("tsa_haptic", "davinci_tool", "emps")]
+
+
+def test_a_name_without_letters_or_without_end_becomes_a_runs_name(downloaded):
+    names = ["$(touch PWNED).csv", "it's {x}.csv", "!!!.csv", "é" * 120 + ".csv"]
+    names += [f"{'a' * 240}{number}.csv" for number in (1, 2)]
+    plan = make_real_plan(downloaded(*names), read_rigs())
+    assert len({one.run for one in plan.recordings}) == 3 * len(names)
+    for one in plan.recordings:
+        assert run_name(one.run) and re.fullmatch("[a-z0-9-]+", one.group)
 
 
 def test_files_of_one_name_are_told_apart_by_their_folder_or_refused(downloaded):

@@ -131,9 +131,8 @@ def test_metrics_are_written_by_the_command_of_its_rule(tmp_path):
         (tmp_path / name).mkdir()
         table = pd.DataFrame([row | {"material": name}]).astype({"seed": "int32"})
         schemas.write(table, schemas.METRICS, tmp_path / name / "metrics.parquet")
-    command = (
-        f"exec {sys.executable} -m pipeline.report.metrics {tmp_path}/nylon/metrics.parquet --out {tmp_path}/x.csv"
-    )
+    table, out = tmp_path / "nylon" / "metrics.parquet", tmp_path / "x.csv"
+    command = f"exec {sys.executable} -m pipeline.report.metrics {table} --out {out}"
     assert ended.rewrite([command + " > log 2>&1"], [], [], str(Path(__file__).parents[2])) == []
     assert out.read_text().splitlines()[1].startswith("nylon,")
     (wrong,) = ended.rewrite([command.replace("nylon", "wool")], [], [], str(Path(__file__).parents[2]))

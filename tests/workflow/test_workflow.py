@@ -2,6 +2,7 @@
 
 import csv
 import hashlib
+import html
 import json
 import os
 import shutil
@@ -82,13 +83,15 @@ def test_the_tables_alone(tmp_path, finished):
     assert not (other.folder / "reports" / "index.html").exists()
 
 
-LATE = dict.fromkeys(("evaluate", "table", "comparison", "models", "figures", "leak_figure", "metrics", "index"), 1)
+LATE = dict.fromkeys(
+    ("evaluate", "table", "comparison", "models", "figures", "leak_figure", "metrics", "index", "all_taken"), 1
+)
 
 
 @pytest.mark.parametrize(
     ("module", "rules"),
     [
-        ("pipeline/report/tables.py", {"table": 1, "index": 1}),
+        ("pipeline/report/tables.py", {"table": 1, "index": 1, "all_taken": 1}),
         ("pipeline/models/mlp.py", {"train": 2, **{rule: 1 for rule in LATE if rule != "figures"}}),
         ("pipeline/import_run.py", {}),
         (
@@ -127,26 +130,93 @@ def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project)
     assert again == {"ingest": 1, "strokes": 1, **fits, **late}
 
 
-BAD = recording(4)
+def fewer_models(project):
+    """Keep two models, one fit each: what these tests look at is the same for any."""
+    for name in ("default", "ci"):
+        path = project.folder / "pipeline" / "config" / f"{name}.yaml"
+        config = yaml.safe_load(path.read_text())
+        config["models"] = {model: one for model, one in config["models"].items() if model in ("inn", "traditional")}
+        for one in config["models"].values():
+            one["seeds"] = {"within": 1, "later": 1}
+        path.write_text(yaml.safe_dump(config, sort_keys=False))
 
 
-@pytest.mark.parametrize(
-    ("text", "samples", "says"),
-    [
-        ("run: bad-01\nstring: {material: x, raduis_mm: 1}\n", None, "string.raduis_mm: is not a known key"),
-        (None, BAD.drop(columns="displacement_mm"), "displacement_mm: there is no column"),
-        (None, BAD.assign(time_s=BAD["time_s"].to_numpy()[::-1]), "time_s: runs backwards"),
-    ],
-    ids=["unknown key", "missing channel", "time backwards"],
-)
-def test_a_bad_run_is_named_and_stops_nobody_else(project, text, samples, says):
-    add_run(project, "bad-01", "bad", samples, text)
-    add_run(project, "good-01", "good")
+HOSTILE = ("$(touch PWNED)", "nylon-1 (copy)", "it's", "a{b}c", "two\nlines", "-rf")
+STILL = recording(4).assign(displacement_mm=1.0)
+BAD = {
+    "deep-01": {"material": "nylon", "text": "a: " + "[" * 3000},
+    "typo-01": {"material": "x", "text": "run: typo-01\nstring: {material: nylon, raduis_mm: 1}\n"},
+    "taken-01": {"material": "diagnosis"},
+    "still-01": {"material": "nylon", "samples": STILL},
+    "bare-01": {"material": "nylon", "samples": recording(4).drop(columns="displacement_mm")},
+    "alone-01": {"material": "silk", "samples": STILL},
+}
+
+
+def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(project):
+    fewer_models(project)
+    names = [*HOSTILE, *BAD, "good-01"]
+    for name in names:
+        add_run(project, name, **BAD.get(name, {"material": "nylon"}))
+    damaged = project.folder / "processed" / "synthetic" / "metrics.parquet"
+    damaged.write_bytes(damaged.read_bytes()[:-20])
+    before = digest(project.folder / "raw")
+
     done = project.snakemake("--keep-going")
-    assert done.returncode != 0
-    assert says in done.stdout + done.stderr and "raw/bad-01" in done.stdout + done.stderr
-    assert (project.folder / "reports/good/table_1.csv").is_file() and "== good" in done.stdout
-    assert not (project.folder / "processed/bad-01").exists() and not (project.folder / "reports/bad").exists()
+    said = done.stdout + done.stderr
+    assert done.returncode != 0 and "error: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said
+    assert "processed/synthetic/metrics.parquet: is damaged" in said and "it is made again" in said
+    assert all(f"left out: raw/{one}/run.yaml: " in said for one in ("deep-01", "typo-01", "taken-01"))
+    assert said.count("Mend: rename the folder") >= len(HOSTILE)
+    assert digest(project.folder / "raw") == before and not list(project.folder.rglob("PWNED"))
+    table = project.read("reports/nylon/table_1.md")
+    assert all(f"Left out: run {one}: " in table for one in ("still-01", "bare-01", "typo-01")) and "deep" not in table
+    assert "Left out: bare-01, still-01, typo-01." in project.read("reports/nylon/table_1.tex")
+    assert "Left out" not in project.read("reports/nylon/table_1.csv") + project.read("reports/synthetic/table_1.md")
+    index = project.read("reports/index.html")
+    assert all(
+        f"<td>{html.escape(one)}</td>" in index for one in (*BAD, *HOSTILE) if one.isprintable() and one != "alone-01"
+    )
+    assert "<td>all of silk</td>" in index and "id=nylon" in index and "id=silk" not in index
+    assert materials_of(project) == {"synthetic", "nylon"} and not (project.folder / "reports/silk").exists()
+
+    for name in names:
+        shutil.rmtree(project.folder / "raw" / name)
+    done = project.snakemake()
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "reports/diagnosis/good-01: removed, its run is gone" in done.stdout
+    assert [path.name for path in (project.folder / "reports" / "diagnosis").iterdir()] == ["synthetic-01"]
+    assert not (project.folder / "reports" / "nylon").exists() and materials_of(project) == {"synthetic"}
+    assert "nylon" not in project.read("reports/index.html") and "Left out" not in project.read("reports/index.html")
+    assert project.rules_to_run() == {}
+
+
+def materials_of(project):
+    return {line.split(",")[0] for line in project.read("reports/metrics.csv").splitlines()[1:]}
+
+
+def test_a_recording_goes_stale_by_its_content_and_not_by_its_time(project):
+    folder, target = add_run(project, "wool-01", "wool"), "processed/wool-01/samples.parquet"
+    assert project.snakemake(target).returncode == 0
+    for path in folder.iterdir():
+        os.utime(path)
+    assert project.rules_to_run(target) == {}
+    description, recorded = folder / "run.yaml", folder / "recording.parquet"
+    text, times = description.read_text(), description.stat()
+    description.write_text(text.replace("length_mm: 400", "length_mm: 401"))
+    os.utime(description, ns=(times.st_atime_ns, times.st_mtime_ns))
+    assert project.rules_to_run(target) == {"ingest": 1}
+    description.write_text(text)
+    assert project.rules_to_run(target) == {}
+    older = folder.parent / "older.parquet"
+    recording(3).to_parquet(older, index=False)
+    os.utime(older, (10**9, 10**9))
+    os.replace(older, recorded)
+    assert project.rules_to_run(target) == {"ingest": 1}
+    (project.folder / "raw/synthetic-01/run.yaml").write_text("run: synthetic-01\n")
+    assert project.rules_to_run("raw/synthetic-01/run.yaml", "processed/synthetic-01/samples.parquet") == {
+        "record": 1, "ingest": 1,
+    }  # fmt: skip
 
 
 def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(project, finished):
