@@ -49,7 +49,7 @@ def repeated(values):
         (spoiled("motor_turns", lambda v: v * 360), "motor_turns", "looks like deg"),
         (spoiled("displacement_mm", lambda v: v / 1000), "displacement_mm", "looks like m:"),
         (spoiled("displacement_mm", lambda v: v / 25.4), "displacement_mm", "Mend: it looks like inches: set .*scale"),
-        (spoiled("motor_turns", lambda v: v * 3), "motor_turns", "fit with motor_turns, or radius_mm, 0.33 times as"),
+        (spoiled("motor_turns", lambda v: v * 3), "motor_turns", "fit with motor_turns, or radius_mm, 0.34 times as"),
         (spoiled("motor_turns", lambda v: v / 9), "motor_turns", "fit with motor_turns, or radius_mm, 9.1 times as"),
         (spoiled("displacement_mm", lambda v: v * 7), "motor_turns", "displacement_mm 0.14 times as"),
         (spoiled("motor_turns", lambda v: -v), "motor_turns", "negative throughout.*scale to -1"),
