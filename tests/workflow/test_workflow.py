@@ -164,7 +164,7 @@ def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(project):
 
     done = project.snakemake("--keep-going")
     said = done.stdout + done.stderr
-    assert done.returncode != 0 and "error: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said
+    assert done.returncode != 0 and "left out: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said
     assert "processed/synthetic/metrics.parquet: is damaged" in said and "it is made again" in said
     assert all(f"left out: raw/{one}/run.yaml: " in said for one in ("deep-01", "typo-01", "taken-01"))
     assert said.count("Mend: rename the folder") >= len(HOSTILE)
