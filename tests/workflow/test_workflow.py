@@ -187,7 +187,7 @@ def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(project):
     assert "reports/diagnosis/good-01: removed, its run is gone" in done.stdout
     assert [path.name for path in (project.folder / "reports" / "diagnosis").iterdir()] == ["synthetic-01"]
     assert not (project.folder / "reports" / "nylon").exists() and materials_of(project) == {"synthetic"}
-    assert "nylon" not in project.read("reports/index.html") and "Left out" not in project.read("reports/index.html")
+    assert "nylon" not in project.read("reports/index.html") and "id=left-out" not in project.read("reports/index.html")
     assert project.rules_to_run() == {}
 
 
