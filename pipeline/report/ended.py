@@ -37,9 +37,7 @@ def unmade(materials: Iterable[str], runs: Iterable[str], missing: set[str]) -> 
     found = []
     for material in materials:
         if any(path.startswith((f"reports/{material}/", f"processed/{material}/")) for path in missing):
-            problem = (
-                "could not be made anew: what is shown of it is of an earlier state, and metrics.csv is without it"
-            )
+            problem = "could not be made anew: what is shown of it, if anything, is of an earlier state"
             mend = "see the errors that the command printed, and run it again"
             found.append(LeftOut(f"{ALL}{material}", material, f"reports/{material}", "tables", problem, mend))
     for run in runs:

@@ -186,7 +186,7 @@ def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(project):
 
     done = project.snakemake("--keep-going")
     said = done.stdout + done.stderr
-    assert done.returncode != 0 and "error: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said
+    assert done.returncode != 0 and "left out: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said
     assert "processed/synthetic/metrics.parquet: is damaged" in said and "it is made again" in said
     assert all(f"left out: raw/{one}/run.yaml: " in said for one in ("deep-01", "typo-01", "taken-01"))
     assert said.count("Mend: rename the folder") >= len(HOSTILE)
@@ -209,7 +209,7 @@ def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(project):
     assert "reports/diagnosis/good-01: removed, its run is gone" in done.stdout
     assert [path.name for path in (project.folder / "reports" / "diagnosis").iterdir()] == ["synthetic-01"]
     assert not (project.folder / "reports" / "nylon").exists() and materials_of(project) == {"synthetic"}
-    assert "nylon" not in project.read("reports/index.html") and "Left out" not in project.read("reports/index.html")
+    assert "nylon" not in project.read("reports/index.html") and "id=left-out" not in project.read("reports/index.html")
     assert project.rules_to_run() == {}
 
 
