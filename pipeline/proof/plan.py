@@ -10,7 +10,9 @@ from typing import Any
 
 from pipeline.errors import BadInput
 
-EFFECTS = Path(__file__).parent.parent / "rig" / "effects"  # by their files' names: the DAG's plan imports no rig
+RIG = Path(__file__).parent.parent / "rig"  # effects and authors by their files' names: the DAG's plan imports no rig
+EFFECTS, AUTHORS = RIG / "effects", RIG / "authors"
+BY_AUTHORS = ("none", "single", "pair", "open")  # strata that an author can make
 
 
 @dataclass(frozen=True)
@@ -34,8 +36,24 @@ def effect_names(open_set: bool) -> list[str]:
     return [name for name in names if name.startswith("x_") == open_set]
 
 
+def _check_hand(mix: Mapping[str, Any]) -> None:
+    """Raise BadInput for an author that is not there, and for what its maker, author or rig, cannot make."""
+    known = sorted(path.parent.name for path in AUTHORS.glob("*/__init__.py"))
+    for author in mix.get("authors", []):
+        if author not in known:
+            problem = f"{author!r} is no author"
+            raise BadInput("configuration", "proof.mixes.authors", problem, f"use some of {', '.join(known)}")
+    if "authors" not in mix and mix["protocol"] == "usual":
+        problem = "the project's own rig has no protocol 'usual'"
+        raise BadInput("configuration", "proof.mixes.protocol", problem, "use rich or poor, or name authors")
+    if "authors" in mix and mix["stratum"] not in BY_AUTHORS:
+        problem = f"no author makes the stratum {mix['stratum']!r}"
+        raise BadInput("configuration", "proof.mixes.stratum", problem, f"use one of {', '.join(BY_AUTHORS)}")
+
+
 def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
     """Cases of one mix, nameless and seedless: `count` drawn ones, or `each` of every effect at every kappa."""
+    _check_hand(mix)
     bare = Planned("", 0, mix["stratum"], mix["protocol"], baselines=mix.get("baselines", False))
     sizes = [() if kappa is None else (float(kappa),) for kappa in mix.get("kappas", [None])]
     for author, kappas in itertools.product(mix.get("authors", [""]), sizes):

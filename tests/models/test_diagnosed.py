@@ -1,6 +1,5 @@
 """The diagnosed simulator foresees a made string whose effects a diagnosis can find, and is plain where it cannot."""
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +11,7 @@ from pipeline.kinematics import Geometry
 from pipeline.models.diagnosed import Diagnosed
 from pipeline.models.interface import make_model
 from pipeline.models.motion import Motion, one_way
+from pipeline.models.saved import read_json
 from pipeline.models.traditional import Traditional
 
 NOISE_MM = 0.03  # of made_dataset
@@ -70,7 +70,7 @@ def test_what_it_names_and_what_acts_is_in_the_file(tmp_path: Path) -> None:
     model = Diagnosed(without=QUICK)
     model.fit(points, 0)
     model.save(tmp_path / "model.json")
-    content = json.loads((tmp_path / "model.json").read_text())
+    content = read_json(tmp_path / "model.json")
     (simulator,) = content["simulators"]
     assert simulator["verdict"] == "explained" and simulator["named"] == [["radius_compaction"]]
     assert "radius_compaction" in [act["id"] for act in simulator["acts"]]

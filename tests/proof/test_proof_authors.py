@@ -5,6 +5,7 @@ import json
 import pandas as pd
 import pytest
 
+from pipeline.errors import BadInput
 from pipeline.proof import authored
 from pipeline.proof.conceal_batch import concealed
 from pipeline.proof.plan import batches, plan, read, written
@@ -19,7 +20,30 @@ MIXES = [
     {"stratum": "open", "protocol": "rich", "kappas": [3], "count": 2, "authors": ["b"]},
     {"stratum": "none", "protocol": "rich", "count": 3},
 ]
+HANDS = ("a", "b")
 KNOWN = ["creep", "wear", "jam", "x_tilt", "x_fan"]
+
+
+@pytest.fixture(autouse=True)
+def hands(tmp_path, monkeypatch):
+    """Two authors by name, beside those that are there."""
+    for name in (*HANDS, *names()):
+        (tmp_path / "authors" / name).mkdir(parents=True)
+        (tmp_path / "authors" / name / "__init__.py").touch()
+    monkeypatch.setattr("pipeline.proof.plan.AUTHORS", tmp_path / "authors")
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [
+        ({"authors": ["nobody"]}, "proof.mixes.authors"),
+        ({"protocol": "usual"}, "proof.mixes.protocol"),
+        ({"authors": ["a"], "stratum": "noise"}, "proof.mixes.stratum"),
+    ],
+)
+def test_a_mix_that_nobody_can_make_is_refused(change, field):
+    with pytest.raises(BadInput, match=field):
+        plan({"seed": 1, "batch": 1, "mixes": [{"stratum": "none", "protocol": "rich", "count": 1, **change}]})
 
 
 def test_each_author_gets_its_cases_in_batches_of_its_own():
