@@ -21,7 +21,7 @@ def _held_back(bench: Bench, rng: np.random.Generator, loop: Array, **parameters
 def preisach_board(bench: Bench, rng: np.random.Generator) -> Part:
     """A board of relays whose widths stand in a histogram and whose middles spread over the twist."""
     low, span = bench.turns.min(), np.ptp(bench.turns)
-    edges = np.array([0.01, 0.05, 0.12, 0.25]) * rng.uniform(0.8, 1.6)
+    edges = np.array([0.01, 0.05, 0.12, 0.25]) * rng.uniform(0.4, 0.9)
     halves = histogram_draws(rng, edges, rng.uniform(0.5, 2.0, 3), RELAYS) * span
     # the middles reach past both ends, so that no branch runs out of relays
     middles = low + span * np.linspace(-0.45, 1.45, RELAYS)
