@@ -12,8 +12,8 @@ from pipeline.rig.authors.kinetics.reading import Hidden, displacement
 
 ANGLE_ZERO_TURNS, SCALE = 0.05, 0.005
 BOUND_SIGMAS = 3.0
-POINTS = 2500
-NEAR, NEAR_ENOUGH = 0.02, 0.06
+POINTS = 2000
+NEAR, NEAR_ENOUGH = 0.03, 0.06
 
 
 class Recalibration:
@@ -48,10 +48,13 @@ class Recalibration:
         for _ in range(6):
             here = self.model(moved)
             slopes = (
-                np.array([self.model(moved + step) - self.model(moved - step) for step in 0.05 * np.eye(6)]).T / 0.1
+                np.array([self.model(moved + away) - self.model(moved - away) for away in 0.05 * np.eye(6)]).T / 0.1
             )
             low, high = -BOUND_SIGMAS - moved - 1e-9, BOUND_SIGMAS - moved + 1e-9
-            moved = moved + lsq_linear(slopes, wanted - here, (low, high)).x
+            step = lsq_linear(slopes, wanted - here, (low, high)).x
+            moved = moved + step
+            if np.abs(slopes @ step).max() < 1e-4:
+                break
         return float(np.sqrt(np.mean(np.square(wanted - self.model(moved)))))
 
 
