@@ -1,0 +1,73 @@
+"""One recording, whole: specimen, hidden effects at the sizes asked, instruments, and the sealed answer."""
+
+from typing import Any
+
+import numpy as np
+
+from pipeline.kinematics import Array
+from pipeline.rig.authors.interface import Asked, Made, OutOfReach
+from pipeline.rig.authors.workshop.bench import Bench, Part
+from pipeline.rig.authors.workshop.catalogue import LAWS, part_of, stream_of
+from pipeline.rig.authors.workshop.chain import reading
+from pipeline.rig.authors.workshop.instruments import drawn_instruments, recorded
+from pipeline.rig.authors.workshop.sizing import kappa_of, sized
+from pipeline.rig.authors.workshop.specimen import drawn_specimen
+
+HELD_OUT = 0.3
+
+
+def drawn_part(bench: Bench, seed: int, effect: str, kappa: float, floor_mm: float) -> tuple[str, Part, float]:
+    """A law of an effect, its shape and its size: the first of the shuffled laws that reaches the size.
+
+    Raises OutOfReach where none does.
+    """
+    rng = stream_of(seed, effect)
+    why = OutOfReach("the effect has no law")
+    for law in rng.permutation(LAWS[effect]).tolist():
+        try:
+            part = part_of(bench, effect, law, rng)
+            return law, part, sized(bench, part, kappa, floor_mm)
+        except OutOfReach as error:
+            why = error
+    raise why
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def plain(parameters: dict[str, Any]) -> dict[str, float]:
+    """Parameters as plain numbers; a list's entries are numbered from 1."""
+    told: dict[str, float] = {}
+    for name, value in parameters.items():
+        if isinstance(value, list):
+            told |= {f"{name}_{number}": float(one) for number, one in enumerate(value, 1)}
+        else:
+            told[name] = float(value)
+    return told
+
+
+def make(asked: Asked) -> Made:
+    """The recording that was asked; raises OutOfReach where its effects cannot be shown so large."""
+    specimen = drawn_specimen(asked.seed, asked.protocol)
+    bench, instruments = specimen.bench, drawn_instruments(asked.seed, specimen)
+    clean_mm = reading(bench, [])
+    _, noise_mm = recorded(specimen, instruments, clean_mm * specimen.scale)
+    floor_mm = _rms(noise_mm)
+    parts, effects = [], []
+    for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
+        law, part, size = drawn_part(bench, asked.seed, effect, kappa, floor_mm)
+        parts.append((part, size))
+        alone_mm = reading(bench, [(part, size)]) - clean_mm
+        told = plain(part.parameters) | {part.size: size}
+        reached = kappa_of(bench, part, size, floor_mm)
+        rms_mm = _rms(alone_mm - alone_mm[0])
+        effects.append({"id": effect, "law": law, "parameters": told, "rms_mm": rms_mm, "kappa": reached})
+    shown_mm = reading(bench, parts)
+    if not np.isfinite(shown_mm).all():
+        raise OutOfReach("the effects together drive the string where its geometry ends")
+    table, noise_mm = recorded(specimen, instruments, shown_mm * specimen.scale)
+    stroke = bench.stroke[instruments.kept]
+    late = stroke > stroke.max() - max(1, round(HELD_OUT * stroke.max()))
+    truth = {"effects": effects, "noise_floor_mm": floor_mm, "heldout_noise_mm": _rms(noise_mm[late])}
+    return Made(specimen.content, table, truth)
