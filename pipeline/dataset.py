@@ -5,6 +5,7 @@
 """
 
 import argparse
+import json
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from pipeline.kinematics import TOLERANCE
 from pipeline.left_out import LeftOut, to_json
 from pipeline.lossy import MOVING, all_lossy, moving_strokes, touched
 from pipeline.outputs import file_to_write
-from pipeline.recorded import Recorded, by_string, read_recorded
+from pipeline.recorded import Recorded, by_string, read_usable
 from pipeline.runs import capture_info
 from pipeline.zero import jumps, offsets_mm
 
@@ -139,21 +140,6 @@ def make_dataset(
     return points[schemas.DATASET.names]
 
 
-def _usable(folders: list[Path], processed: Path) -> tuple[list[Recorded], list[LeftOut]]:
-    """Runs as the earlier stages left them, and those that they refused; raises BadInput when all are refused."""
-    recorded, refused = [], []
-    for folder in folders:
-        try:
-            recorded.append(read_recorded(folder, processed))
-        except schemas.Refused as error:
-            print(f"left out: {error}")
-            refused.append(LeftOut.of(folder.name, error))
-            last = error
-    if not recorded:
-        raise BadInput(last.file, last.field, last.problem, last.mend)
-    return recorded, refused
-
-
 @program
 def main() -> None:
     """Write `dataset.parquet` of one material."""
@@ -162,11 +148,12 @@ def main() -> None:
     parser.add_argument("--processed", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--out-left-out", type=Path, help="where to write, as JSON, which runs were left out and why")
+    parser.add_argument("--out-jumps", type=Path, help="where to write, as JSON, jumps of the zero to be confirmed")
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     parser.add_argument("--note-refusals", action="store_true", help="leave out a run in which every stroke is lossy")
     arguments = parser.parse_args()
     file_to_write(arguments.out)
-    recorded, refused = _usable(arguments.run_dirs, arguments.processed)
+    recorded, refused = read_usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
     for one in recorded:
         lossy = touched(one.strokes, capture_info(one.folder))
@@ -179,9 +166,8 @@ def main() -> None:
     without = frozenset(one.run for one in refused)
     if without >= {one.run.run for one in recorded}:
         raise all_lossy(", ".join(sorted(without)))
-    for runs in by_string(recorded):
-        for jump in jumps(runs):
-            print(jump.advice)
+    jumped = [jump for runs in by_string(recorded) for jump in jumps(runs)]
+    print("".join(f"{jump.advice}\n" for jump in jumped), end="")
     dataset = make_dataset(recorded, strokes_left, without)
     if not {"train", "test"} <= set(dataset["within"]):
         mend = "record more strokes, or more samples a stroke"
@@ -189,6 +175,9 @@ def main() -> None:
     schemas.write(dataset, schemas.DATASET, arguments.out)
     if arguments.out_left_out:
         write_text(arguments.out_left_out, to_json(refused) + "\n")
+    if arguments.out_jumps:
+        said = [jump.advice for jump in jumped if not jump.taken_off]
+        write_text(arguments.out_jumps, json.dumps(said, ensure_ascii=False) + "\n")
     for split in ("within", "later"):
         counts = dataset[split].value_counts()
         print(f"{split}: {counts.get('train', 0)} points to train on, {counts.get('test', 0)} held out")

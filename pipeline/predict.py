@@ -6,6 +6,7 @@ stroke than errors could be learnt, is answered, flagged (`inside` false) and gi
 """
 
 import argparse
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from pipeline.models.settings import shown
 from pipeline.outputs import file_to_write
 from pipeline.tables import opened
 from pipeline.train import configured, fitting, seed
+from pipeline.zero import read_jumps
 
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell
@@ -102,6 +104,8 @@ def main() -> None:
     configured(asked.model, asked.settings)  # complains before anything is fitted
     file_to_write(asked.out)
     dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
+    for said in read_jumps([asked.dataset.with_name("zero_jumps.json")]):
+        print(f"beware: {said}", file=sys.stderr)
     points, known = read_questions(asked.questions, dataset)
     intervals = Intervals(lambda: configured(asked.model, asked.settings))
     try:

@@ -9,7 +9,9 @@ import numpy as np
 import pandas as pd
 
 from pipeline import schemas
+from pipeline.errors import BadInput
 from pipeline.ingest import geometry
+from pipeline.left_out import LeftOut
 from pipeline.run_yaml import Run
 from pipeline.runs import capture_info, read_run
 
@@ -83,3 +85,18 @@ def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:
     for one in sorted(recorded, key=lambda one: one.run.run):
         strings.setdefault(one.run.string_id, []).append(one)
     return [in_order(runs) for runs in strings.values()]
+
+
+def read_usable(folders: list[Path], processed: Path) -> tuple[list[Recorded], list[LeftOut]]:
+    """Runs as the earlier stages left them, and those that they refused; raises BadInput when all are refused."""
+    recorded, refused = [], []
+    for folder in folders:
+        try:
+            recorded.append(read_recorded(folder, processed))
+        except schemas.Refused as error:
+            print(f"left out: {error}")
+            refused.append(LeftOut.of(folder.name, error))
+            last = error
+    if not recorded:
+        raise BadInput(last.file, last.field, last.problem, last.mend)
+    return recorded, refused

@@ -14,10 +14,11 @@ from test_dataset import recorded, string
 
 from pipeline import schemas
 from pipeline.dataset import make_dataset
+from pipeline.errors import BadInput
 from pipeline.lifespan.gather import strings
 from pipeline.recorded import Recorded
 from pipeline.strokes import segment
-from pipeline.zero import jumps, offsets_mm
+from pipeline.zero import jumps, offsets_mm, read_jumps
 from pipeline.zero_beside import jumps_into
 
 ROOT = Path(__file__).parent.parent
@@ -132,13 +133,23 @@ def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, said: str
         program("ingest", folder, "--out", processed / folder.name / "samples.parquet")
         words = (processed / folder.name / "samples.parquet", "--out", processed / folder.name / "strokes.parquet")
         program("strokes", *words)
-    text = program("dataset", *made, "--processed", processed, "--out", tmp_path / "dataset.parquet")
+    notes = tmp_path / "zero_jumps.json"
+    words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
+    text = program("dataset", *made, *words)
+    assert [said in one for one in read_jumps([notes])] == ([True] if tare is None else [])
     assert text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and said in text
     assert len(schemas.read(tmp_path / "dataset.parquet", schemas.DATASET))
 
 
+def test_a_note_of_jumps_that_is_none_is_refused(tmp_path: Path) -> None:
+    for number, text in enumerate(("{", "[1]", '{"a": 1}', "[" * 100_000)):
+        (tmp_path / f"{number}.json").write_text(text)
+        with pytest.raises(BadInput, match="run snakemake again"):
+            read_jumps([tmp_path / f"{number}.json"])
+    assert read_jumps([tmp_path / "none.json"]) == []
+
+
 def test_another_tare_is_refused(make_run) -> None:
-    from pipeline.errors import BadInput
     from pipeline.runs import read_run
 
     with pytest.raises(BadInput, match="tare"):

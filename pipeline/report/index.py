@@ -1,6 +1,7 @@
 """Reports → index.html, one page: the short answer first, then every material's and every run's part, folded."""
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -9,11 +10,12 @@ from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.left_out import LeftOut
 from pipeline.made_by import MadeBy
-from pipeline.report import diagnoses, left_out, materials
+from pipeline.report import diagnoses, jumps, left_out, materials
 from pipeline.report.glance import glance
 from pipeline.report.marks import add_mark, mark_from
 from pipeline.report.web.glossary import glossary
 from pipeline.report.web.page import Text, anchor, document, paragraph, together
+from pipeline.zero import read_jumps
 
 OTHERS = {
     "campaign/campaign.html": "What a new string teaches a model",
@@ -32,7 +34,9 @@ def others(reports: Path) -> Markup:
     return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(there))) if there else Markup("")
 
 
-def page(reports: Path, named: list[str], runs: list[str], gone: list[LeftOut], mark: MadeBy) -> str:
+def page(
+    reports: Path, named: list[str], runs: list[str], gone: list[LeftOut], mark: MadeBy, jumped: Sequence[str] = ()
+) -> str:
     """The page's HTML; links are relative to the reports' folder, so that it can be moved as a whole."""
     numbers = Markup(
         'All numbers: <a href="metrics.csv">metrics.csv</a>, its columns explained in <a href="{}">{}</a>.'
@@ -43,6 +47,9 @@ def page(reports: Path, named: list[str], runs: list[str], gone: list[LeftOut], 
     if gone:
         places.append(("left-out", "Left out"))
         body.append(left_out.section(gone))
+    if jumped:
+        places.append(("jumps", "The zero jumps"))
+        body.append(jumps.section(jumped))
     if named:
         body.append(paragraph(numbers.format(described, described)))
     body.append(others(reports))
@@ -67,9 +74,11 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     add_mark(parser)
     left_out.arguments(parser)
+    jumps.arguments(parser)
     arguments = parser.parse_args()
     mark, gone = mark_from(arguments.made_by), left_out.told(arguments)
-    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs, gone, mark))
+    jumped = read_jumps(arguments.jumps)
+    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs, gone, mark, jumped))
 
 
 if __name__ == "__main__":

@@ -11,13 +11,14 @@ from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.left_out import LeftOut
 from pipeline.made_by import MadeBy, sentence, warning
-from pipeline.report import left_out, paper
+from pipeline.report import jumps, left_out, paper
 from pipeline.report.marks import add_mark, mark_from
 from pipeline.report.plain import note
 from pipeline.report.sidecar import Column, describe
 from pipeline.report.strokes_there import missing_of, tabled, there_of
 from pipeline.report.table_forms import Row, to_csv, to_latex, to_markdown
 from pipeline.report.titles import titles_of
+from pipeline.zero import read_jumps
 
 
 def shown(metrics: pd.DataFrame, number: int) -> pd.DataFrame:
@@ -69,16 +70,18 @@ def write(
     mark: MadeBy,
     folder: Path,
     gone: Sequence[LeftOut] = (),
+    jumped: Sequence[str] = (),
 ) -> None:
     """Write one table in all three forms; csv keeps the paper's strokes, the others show those that are there."""
     material, stem = str(metrics["material"].iloc[0]), folder / f"table_{number}"
     there = there_of(shown(metrics, number)["stroke"])
     missing, printed = missing_of(there, paper.STROKES), rows(metrics, number, titles, tabled(there, paper.STROKES))
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
-    notes = (missing, *left_out.beneath("md", gone), note(mark))
+    notes = (missing, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
     write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))
     label = f"tab:{material}-{paper.MAPS[number]}"
-    notes = (f"Material {material}. {missing}".strip(), *left_out.beneath("tex", gone), sentence(mark))
+    apart = (*left_out.beneath("tex", gone), *jumps.beneath("tex", jumped))
+    notes = (f"Material {material}. {missing}".strip(), *apart, sentence(mark))
     write_text(stem.with_suffix(".tex"), to_latex(number, printed, label, warning(mark), notes))
     title = f"Table {'I' * number}: {paper.TITLES[number].lower()}, {material}"
     describe(stem.with_suffix(".csv"), title, columns(number), mark)
@@ -93,11 +96,12 @@ def main() -> None:
     parser.add_argument("--out-dir", type=Path, required=True)
     add_mark(parser)
     left_out.arguments(parser)
+    jumps.arguments(parser)
     arguments = parser.parse_args()
     metrics, gone = schemas.read(arguments.metrics, schemas.METRICS), left_out.told(arguments)
     titles, mark = titles_of(arguments.titles), mark_from(arguments.made_by)
     for number in paper.TABLES:
-        write(metrics, number, titles, mark, arguments.out_dir, gone)
+        write(metrics, number, titles, mark, arguments.out_dir, gone, read_jumps(arguments.jumps))
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ rule dataset:
     output:
         dataset="processed/{material}/dataset.parquet",
         left_out="processed/{material}/left_out.json",
+        jumps="processed/{material}/zero_jumps.json",
     log:
         "processed/logs/dataset-{material}.log",
     params:
@@ -25,4 +26,4 @@ rule dataset:
         "make the dataset of {wildcards.material}"
     shell:
         "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output.dataset:q}"
-        " --out-left-out {output.left_out:q} {params.lossy:q} $NOTE_REFUSALS > {log:q} 2>&1"
+        " --out-left-out {output.left_out:q} --out-jumps {output.jumps:q} {params.lossy:q} $NOTE_REFUSALS > {log:q} 2>&1"

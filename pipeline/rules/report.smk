@@ -22,6 +22,7 @@ rule table:
     input:
         metrics="processed/{material}/metrics.parquet",
         left_out="processed/{material}/left_out.json",
+        jumps="processed/{material}/zero_jumps.json",
     output:
         expand("reports/{{material}}/{file}", file=TABLES),
     log:
@@ -35,7 +36,7 @@ rule table:
         "write Tables I and II of {wildcards.material}"
     shell:
         "exec python -m pipeline.report.tables {input.metrics:q} --titles {params.titles:q}"
-        " --left-out {input.left_out:q} --planned {params.planned:q}"
+        " --left-out {input.left_out:q} --planned {params.planned:q} --jumps {input.jumps:q}"
         " --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
@@ -130,6 +131,7 @@ rule index:
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
         left_out=LEFT_OUT,
+        jumps=expand("processed/{material}/zero_jumps.json", material=MATERIALS),
     output:
         "reports/index.html",
     log:
@@ -144,7 +146,7 @@ rule index:
         "write the page that leads to every report"
     shell:
         "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
-        " --left-out {input.left_out:q} --planned {params.planned:q}"
+        " --left-out {input.left_out:q} --planned {params.planned:q} --jumps {input.jumps:q}"
         " --made-by {params.made_by:q} --reports reports --out {output:q} > {log:q} 2>&1"
 
 

@@ -19,6 +19,7 @@ from pipeline import schemas
 from pipeline.left_out import LeftOut, to_json
 from pipeline.made_by import MadeBy
 from pipeline.report.glance import best, shortened
+from pipeline.report.index import page
 from pipeline.report.summary import summary
 
 HOSTILE = "<img src=x onerror=alert(1)>"
@@ -173,3 +174,8 @@ def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
     said = summary(more, reports, [MATERIAL], ["short"])
     assert f"all of it on one page: {reports / 'index.html'}" in said and "models.html" in said
     assert "raw/short: too short" in said and "proof" not in said.replace(str(reports), "")
+
+
+def test_a_jump_of_the_zero_is_said_on_the_page(tmp_path):
+    text = page(tmp_path, [], [], [], MadeBy("default.yaml", "abc1234", "default", "", ()), ["The zero <jumps>."])
+    assert "The zero &lt;jumps&gt;." in text and 'id="jumps"' in text

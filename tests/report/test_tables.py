@@ -113,6 +113,14 @@ def test_a_result_carries_the_name_of_its_configuration_and_no_warning(tmp_path)
     assert text.endswith("\nMade by the default configuration, default.yaml (abc1234).\n")
 
 
+def test_a_jump_of_the_zero_stands_beneath_the_tables(tmp_path):
+    made_by = MadeBy("default.yaml", "abc1234", "default", "", ())
+    write(made_metrics(), 1, TITLES, made_by, tmp_path, jumped=["The zero jumps by 0.6 mm."])
+    assert "Beware: The zero jumps by 0.6 mm." in (tmp_path / "table_1.md").read_text()
+    assert "the zero jumps between runs" in (tmp_path / "table_1.tex").read_text()
+    assert "zero" not in (tmp_path / "table_1.csv").read_text()
+
+
 def test_eight_strokes_give_no_empty_row_where_a_person_reads(tmp_path):
     write(made_metrics(strokes=range(1, 9)), 1, TITLES, SMALL, tmp_path)
     markdown, latex = ((tmp_path / f"table_1.{suffix}").read_text() for suffix in ("md", "tex"))
