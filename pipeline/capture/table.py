@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.capture import holes
-from pipeline.capture.commit import PIECE, committed, opening, seal, unwritten
+from pipeline.capture.commit import PIECE, check_own, committed, opening, seal, unwritten
 from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import LINES, in_use
 from pipeline.capture.stream import Outcome
@@ -68,23 +68,28 @@ def _write(printed: Printed, path: Path) -> str:
 
 
 def commit_lines(
-    folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome
+    folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome, anew: bool = False
 ) -> dict[str, Any]:
     """Account for `recording.lines`, write the good ones as recording.csv, and commit; returns capture.json's content.
 
-    Raises BadInput when no line is a sample, or the files cannot be written; what was printed is kept in any case.
+    Only `anew` replaces a table. Raises BadInput when no line is a sample, or the files cannot be written or are
+    another recording's; what was printed is kept in any case.
     """
     printed = Printed(folder / LINES, columns)
     lines = printed.lines
     try:
-        with whole(folder / CSV) as temporary:
+        with whole(folder / CSV, new=not anew) as temporary:
             csv_sha256 = _write(printed, temporary)
             if not lines.good:
                 problem, mend = lines.problem()
                 again = mend.replace("--columns", f"python -m pipeline.capture --recover {folder} --columns")
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", again)
+            check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
             hole_count, found = holes.find(times, printed.steps.usual)
+    except FileExistsError:
+        mend = f"move it away, then run python -m pipeline.capture --recover {folder}"
+        raise BadInput(folder, CSV, f"is there already; {LINES} is whole and kept", mend) from None
     except OSError as error:
         raise unwritten(folder, CSV, error) from None
     info = {
@@ -121,7 +126,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
         raise BadInput(path, LINES, "is still being captured", "wait for that program, or end it")
     if not info:
         ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
-        return commit_lines(folder, columns, ended, ended, Outcome("recovered"))
+        return commit_lines(folder, columns, ended, ended, Outcome("recovered"), anew=True)
     digests = [_sha256(folder / name) for name in (LINES, CSV)]
     if digests[0] != info.get("sha256"):
         mend = "restore it from a copy; a recording is never edited"
@@ -132,7 +137,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
         raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
     columns = columns or (before if info.get("columns_given") else ())
     began, ended = (datetime.fromisoformat(info[key]) for key in ("started_utc", "ended_utc"))
-    return commit_lines(folder, columns, began, ended, Outcome(info["exit_status"], info["fault"]))
+    return commit_lines(folder, columns, began, ended, Outcome(info["exit_status"], info["fault"]), anew=True)
 
 
 def _sha256(path: Path) -> str | None:
