@@ -8,6 +8,7 @@ from typing import Any
 
 from pipeline.capture import holes
 from pipeline.capture.commit import PIECE, check_own, committed, opening, seal, unwritten
+from pipeline.capture.fields import names
 from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import LINES, in_use
 from pipeline.capture.stream import Outcome
@@ -131,13 +132,36 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
     if digests[0] != info.get("sha256"):
         mend = "restore it from a copy; a recording is never edited"
         raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
-    before = tuple(info.get("columns", ()))
+    before, began, ended, outcome = _said(info, folder)
     if digests[1] == info.get("csv_sha256") and columns in ((), before):
         mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
         raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
     columns = columns or (before if info.get("columns_given") else ())
-    began, ended = (datetime.fromisoformat(info[key]) for key in ("started_utc", "ended_utc"))
-    return commit_lines(folder, columns, began, ended, Outcome(info["exit_status"], info["fault"]), anew=True)
+    return commit_lines(folder, columns, began, ended, outcome, anew=True)
+
+
+def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime, datetime, Outcome]:
+    """What capture.json says of a text recording's columns, beginning, end and outcome; raises BadInput."""
+    columns, status, fault = (info.get(key) for key in ("columns", "exit_status", "fault"))
+    mend = "restore it from a copy, or move it away and run --recover again"
+    field = "columns"
+    try:
+        if not isinstance(columns, list) or tuple(columns) != names(",".join(columns).encode()):
+            raise ValueError
+        field = "started_utc"
+        began = datetime.fromisoformat(info[field]).astimezone(UTC)
+        field = "ended_utc"
+        ended = datetime.fromisoformat(info[field]).astimezone(UTC)
+        field = "exit_status"
+        if status not in ("ended", "fault", "recovered"):
+            raise ValueError
+        field = "fault"
+        if not (fault is None or isinstance(fault, str)):
+            raise ValueError
+    except (KeyError, TypeError, ValueError, OverflowError):
+        problem = "is not what the capture program writes"
+        raise BadInput(folder / "capture.json", field, problem, mend) from None
+    return tuple(columns), began, ended, Outcome(status, fault)
 
 
 def _sha256(path: Path) -> str | None:
