@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests"), str(ROOT / "tests" / "models")]
 
 from pipeline import ONE_THREAD  # noqa: E402
 
@@ -41,7 +41,7 @@ def seconds(command: list[str]) -> tuple[float, float]:
 
 def predicting(folder: Path) -> list[str]:
     """`predict` by the spline on 5,000 points."""
-    from models.made_dataset import made_dataset
+    from made_dataset import made_dataset
 
     from pipeline import schemas
 

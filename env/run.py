@@ -14,14 +14,18 @@ import sys
 
 ENV = os.path.dirname(os.path.abspath(__file__))
 STOPPED = 130
+ACTS = '"$`\\\n\r'  # what a shell acts on inside the double quotes of pip's scripts and of `activate`
 
 
 def refuse() -> None:
-    """End with a sentence on a system or a Python that the project does not run on."""
+    """End with a sentence on a system, a Python or a path that the project does not run on."""
     if os.name == "nt":
         sys.exit("env: Windows cannot run the workflow, which needs a POSIX shell; use WSL 2 (wsl --install)")
     if sys.version_info < (3, 11):  # noqa: UP036 (this file must say so itself)
         sys.exit(f"env: Python 3.11 or newer is needed, this is {sys.version.split()[0]}: python3.11 env/run.py …")
+    if any(sign in path for path in (ENV, os.path.realpath(ENV)) for sign in ACTS):
+        mend = 'move or rename the folders so that no name has one of " $ ` \\ or a line break'
+        sys.exit(f"env: {ENV!a}: a shell would act on a sign in this path; {mend}")
 
 
 def prepare(check: bool) -> str:

@@ -1,5 +1,6 @@
 """Files that are either whole or not there: every stage writes to a temporary name, then renames."""
 
+import errno
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,12 +10,13 @@ from pipeline.errors import BadInput
 
 
 @contextmanager
-def whole(path: Path | str) -> Iterator[Path]:
+def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
     """Yield a temporary path beside `path`; on success rename it to `path`, on failure remove it.
 
     The temporary name keeps the suffix (writers go by it) and carries the process id, so that an orphan of a
     killed run and its successor never share a half-written file. Raises BadInput where no file can be written, or
-    where something stands that is none: renaming would replace a device for everybody.
+    where something stands that is none: renaming would replace a device for everybody. With `new` an earlier file
+    is never replaced: FileExistsError.
     """
     path = Path(path)
     mend = "give the name of a file in a folder in which you may write"
@@ -31,12 +33,23 @@ def whole(path: Path | str) -> Iterator[Path]:
         yield temporary
         with open(temporary, "rb") as file:
             os.fsync(file.fileno())
-        os.replace(temporary, path)
+        _place(temporary, path, new)
     finally:
         temporary.unlink(missing_ok=True)
 
 
-def write_text(path: Path | str, text: str) -> None:
-    """Write `text` as UTF-8, whole or not at all."""
-    with whole(path) as temporary:
+def _place(temporary: Path, path: Path, new: bool) -> None:
+    if new:
+        try:
+            os.link(temporary, path)
+            return
+        except OSError:  # a file is there, or the file system has no links
+            if os.path.lexists(path):
+                raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
+    os.replace(temporary, path)
+
+
+def write_text(path: Path | str, text: str, new: bool = False) -> None:
+    """Write `text` as UTF-8, whole or not at all; with `new` FileExistsError where a file is there."""
+    with whole(path, new) as temporary:
         temporary.write_text(text, encoding="utf-8")

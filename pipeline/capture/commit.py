@@ -118,15 +118,28 @@ def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> 
 def seal(folder: Path, name: str, info: dict[str, Any]) -> dict[str, Any]:
     """Write capture.json, and let nobody write to recording `name` any more.
 
-    Raises BadInput when they cannot be written.
+    Raises BadInput when they cannot be written, or capture.json is that of another recording.
     """
+    text = json.dumps(info, indent=1, ensure_ascii=False) + "\n"
     try:
         (folder / name).chmod(0o444)
-        write_text(folder / "capture.json", json.dumps(info, indent=1, ensure_ascii=False) + "\n")
+        try:
+            write_text(folder / "capture.json", text, new=True)
+        except FileExistsError:
+            check_own(folder, name, info["sha256"])
+            write_text(folder / "capture.json", text)
         sync_folder(folder)
     except OSError as error:
         raise unwritten(folder, "capture.json", error) from None
     return info
+
+
+def check_own(folder: Path, name: str, sha256: str) -> None:
+    """Raise BadInput where capture.json is that of other bytes than those of recording `name`."""
+    if committed(folder).get("sha256", sha256) != sha256:
+        mend = f"move {name} into the folder of a new run, and run python -m pipeline.capture --recover on that"
+        problem = f"is there already, of another recording; {name} is whole and kept"
+        raise BadInput(folder, "capture.json", problem, mend)
 
 
 def unwritten(folder: Path, name: str, error: OSError) -> BadInput:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 KEPT = 1 << 14  # steps from which the usual one is taken
 HOLE = 1.5  # usual steps
 LISTED = 1000
+MOST = 10**9  # samples: no longer hole is told apart
 
 
 @dataclass
@@ -44,7 +45,7 @@ def find(times: Iterable[float], usual: float) -> tuple[int, list[dict[str, floa
     for number, time in enumerate(times):
         if before is not None and usual > 0 and time - before > HOLE * usual:
             count += 1
-            missing = round((time - before) / usual) - 1
+            missing = round(min((time - before) / usual, MOST)) - 1
             found += [{"after_samples": number, "after_time": before, "samples_about": missing}][: LISTED - len(found)]
         before = time
     return count, found

@@ -3,6 +3,8 @@
 import os
 import shutil
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from pipeline.errors import BadInput
@@ -25,9 +27,28 @@ def check_folder(folder: Path) -> None:
         if not RUN_NAME.fullmatch(name):
             mend = "use lower-case letters, digits and -, as in uhmwpe-20261121-01"
             raise BadInput(folder, "RUN_DIR", f"{name!r} is no name of a run", mend)
+    _check_empty(folder)
+
+
+def _check_empty(folder: Path, but: str = "") -> None:
     for there in (*RECORDINGS, LINES, "capture.json"):
-        if (folder / there).exists():
+        if there != but and os.path.lexists(folder / there):
             raise BadInput(folder, there, "is there already and is never overwritten", "choose a new run name")
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Let one program at a time begin a recording in a folder, where the system can lock a folder."""
+    if fcntl is None:
+        yield
+        return
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        with suppress(OSError):
+            fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(descriptor)
 
 
 def sync_folder(folder: Path) -> None:
@@ -49,7 +70,9 @@ class Log:
         self._folder = folder
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            self._file = os.open(folder / name, flags, 0o644)
+            with _alone(folder):
+                self._file = os.open(folder / name, flags, 0o644)
+                self._withdraw_beside_another(name)
         except FileExistsError:
             raise BadInput(folder, name, "is there already", "choose a new run name") from None
         except OSError as error:
@@ -59,6 +82,15 @@ class Log:
             fcntl.flock(self._file, fcntl.LOCK_EX)
         sync_folder(folder)
         self._synced_s = time.monotonic()
+
+    def _withdraw_beside_another(self, name: str) -> None:
+        """Two recordings in one folder are none: the later one, which is empty still, goes."""
+        try:
+            _check_empty(self._folder, but=name)
+        except BadInput:
+            os.close(self._file)
+            (self._folder / name).unlink()
+            raise
 
     def append(self, data: bytes) -> None:
         """Write bytes through to the kernel, and every second to the disk."""

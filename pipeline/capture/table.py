@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.capture import holes
-from pipeline.capture.commit import PIECE, committed, opening, seal, unwritten
+from pipeline.capture.commit import PIECE, check_own, committed, opening, seal, unwritten
+from pipeline.capture.fields import names
 from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import LINES, in_use
 from pipeline.capture.stream import Outcome
@@ -68,23 +69,28 @@ def _write(printed: Printed, path: Path) -> str:
 
 
 def commit_lines(
-    folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome
+    folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome, anew: bool = False
 ) -> dict[str, Any]:
     """Account for `recording.lines`, write the good ones as recording.csv, and commit; returns capture.json's content.
 
-    Raises BadInput when no line is a sample, or the files cannot be written; what was printed is kept in any case.
+    Only `anew` replaces a table. Raises BadInput when no line is a sample, or the files cannot be written or are
+    another recording's; what was printed is kept in any case.
     """
     printed = Printed(folder / LINES, columns)
     lines = printed.lines
     try:
-        with whole(folder / CSV) as temporary:
+        with whole(folder / CSV, new=not anew) as temporary:
             csv_sha256 = _write(printed, temporary)
             if not lines.good:
                 problem, mend = lines.problem()
                 again = mend.replace("--columns", f"python -m pipeline.capture --recover {folder} --columns")
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", again)
+            check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
             hole_count, found = holes.find(times, printed.steps.usual)
+    except FileExistsError:
+        mend = f"move it away, then run python -m pipeline.capture --recover {folder}"
+        raise BadInput(folder, CSV, f"is there already; {LINES} is whole and kept", mend) from None
     except OSError as error:
         raise unwritten(folder, CSV, error) from None
     info = {
@@ -121,18 +127,41 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
         raise BadInput(path, LINES, "is still being captured", "wait for that program, or end it")
     if not info:
         ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
-        return commit_lines(folder, columns, ended, ended, Outcome("recovered"))
+        return commit_lines(folder, columns, ended, ended, Outcome("recovered"), anew=True)
     digests = [_sha256(folder / name) for name in (LINES, CSV)]
     if digests[0] != info.get("sha256"):
         mend = "restore it from a copy; a recording is never edited"
         raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
-    before = tuple(info.get("columns", ()))
+    before, began, ended, outcome = _said(info, folder)
     if digests[1] == info.get("csv_sha256") and columns in ((), before):
         mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
         raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
     columns = columns or (before if info.get("columns_given") else ())
-    began, ended = (datetime.fromisoformat(info[key]) for key in ("started_utc", "ended_utc"))
-    return commit_lines(folder, columns, began, ended, Outcome(info["exit_status"], info["fault"]))
+    return commit_lines(folder, columns, began, ended, outcome, anew=True)
+
+
+def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime, datetime, Outcome]:
+    """What capture.json says of a text recording's columns, beginning, end and outcome; raises BadInput."""
+    columns, status, fault = (info.get(key) for key in ("columns", "exit_status", "fault"))
+    mend = "restore it from a copy, or move it away and run --recover again"
+    field = "columns"
+    try:
+        if not isinstance(columns, list) or tuple(columns) != names(",".join(columns).encode()):
+            raise ValueError
+        field = "started_utc"
+        began = datetime.fromisoformat(info[field]).astimezone(UTC)
+        field = "ended_utc"
+        ended = datetime.fromisoformat(info[field]).astimezone(UTC)
+        field = "exit_status"
+        if status not in ("ended", "fault", "recovered"):
+            raise ValueError
+        field = "fault"
+        if not (fault is None or isinstance(fault, str)):
+            raise ValueError
+    except (KeyError, TypeError, ValueError, OverflowError):
+        problem = "is not what the capture program writes"
+        raise BadInput(folder / "capture.json", field, problem, mend) from None
+    return tuple(columns), began, ended, Outcome(status, fault)
 
 
 def _sha256(path: Path) -> str | None:

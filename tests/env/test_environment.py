@@ -170,6 +170,31 @@ def test_a_path_with_spaces_works(tmp_path, quick):
     assert "alpha 1.0" in subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
+HOSTILE = [f"a{sign}b" for sign in '"$`\\\n\r'] + ['sp a\'ce "q" $(touch PWNED) é']
+
+
+@pytest.mark.parametrize("linked", [False, True])
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_path_that_a_shell_would_act_on_is_refused_before_anything_is_made(tmp_path, quick, name, linked):
+    checkout = make_checkout(tmp_path / name / "project", quick)
+    if linked:
+        (tmp_path / "plain").symlink_to(checkout.folder)
+        checkout.folder = tmp_path / "plain"
+    before = sorted(tmp_path.rglob("*"))
+    done = checkout.run("alpha")
+    assert done.returncode == 1 and done.stdout == ""
+    assert "a shell would act on a sign in this path; move or rename" in done.stderr
+    assert done.stderr.count("\n") == 1 and sorted(tmp_path.rglob("*")) == before
+
+
+def test_a_path_with_an_accent_an_apostrophe_and_signs_that_no_shell_acts_on_in_quotes_works(tmp_path, quick):
+    checkout = make_checkout(tmp_path / "l'été (a) & b; #1 *" / "project", quick)
+    assert checkout.run("alpha").stdout == f"alpha 1.0 {checkout.link.resolve()}\n"
+    activate = str(checkout.link / "bin" / "activate")
+    done = subprocess.run(["bash", "-ec", '. "$1" && alpha', "bash", activate], capture_output=True, text=True)
+    assert done.returncode == 0 and "alpha 1.0" in done.stdout, done.stderr
+
+
 def test_a_link_to_another_checkouts_environment_is_used_and_left_alone(checkout, bare, tmp_path):
     other = make_checkout(tmp_path / "other" / "project", bare.quick)
     other.wheels, place = checkout.wheels, checkout.link.resolve()
