@@ -165,7 +165,9 @@ def main() -> None:
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     parser.add_argument("--note-refusals", action="store_true", help="leave out a run in which every stroke is lossy")
     arguments = parser.parse_args()
-    file_to_write(arguments.out)
+    stored = [file for run in arguments.run_dirs for file in (arguments.processed / run.name).glob("*.parquet")]
+    file_to_write(arguments.out, reads=stored)
+    file_to_write(arguments.out_left_out or arguments.out, "--out-left-out", stored)
     recorded, refused = _usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
     for one in recorded:

@@ -11,6 +11,7 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
 from pipeline.left_out import noted
+from pipeline.outputs import file_to_write
 from pipeline.plausible import check_string, doubts
 from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
@@ -95,6 +96,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
+    file_to_write(arguments.out)
     with noted(arguments.run_dir, arguments.out, arguments.note_refusals):
         run, samples = read_samples(arguments.run_dir)
         for question in questions(run, samples, recording_path(arguments.run_dir)):

@@ -100,7 +100,7 @@ def main() -> None:
         problem = "answers along a whole motion, which single questions do not tell"
         raise BadInput("--model", asked.model, problem, "choose another, such as spline")
     configured(asked.model, asked.settings)  # complains before anything is fitted
-    file_to_write(asked.out)
+    file_to_write(asked.out, reads=[asked.dataset, asked.questions])
     dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     points, known = read_questions(asked.questions, dataset)
     intervals = Intervals(lambda: configured(asked.model, asked.settings))

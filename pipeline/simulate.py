@@ -77,7 +77,7 @@ def main() -> None:
     parser.add_argument("--simulation", type=Path, required=True, help="a diagnosis.json")
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
-    file_to_write(arguments.out)
+    file_to_write(arguments.out, reads=[arguments.simulation])
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(arguments.simulation)
     problem = at_own_rate([run], [samples], thin=run.system.differentiates)

@@ -170,6 +170,41 @@ def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong
     assert not [path for path in place.rglob("*") if path.name.startswith(".")]
 
 
+@pytest.mark.parametrize(
+    ("program", "words", "out"),
+    [
+        ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/recording.csv"),
+        ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/run.yaml"),
+        ("simulate", "raw/a-1 --simulation simulation.json --out", "simulation.json"),
+        ("ingest", "raw/a-1 --out", "raw/a-1/recording.parquet"),
+        ("strokes", "samples.parquet --out", "samples.parquet"),
+        ("dataset", "raw/a-1 --processed processed --out", "processed/a-1/samples.parquet"),
+        (
+            "train",
+            "dataset.parquet --model polynomial --split within --out-model m --out-predictions",
+            "dataset.parquet",
+        ),
+        ("predict", "dataset.parquet questions.csv --model polynomial --out", "./questions.csv"),
+        ("predict", "dataset.parquet questions.csv --model polynomial --out", "linked.parquet"),
+        ("campaign.floor", "dataset.parquet --out", "dataset.parquet"),
+        ("export.__main__", "spline/within-0.model --format c --out", "spline/within-0.model"),
+        ("export.__main__", "spline/within-0.model --format c --out", "dataset.parquet"),
+    ],
+)
+def test_nothing_that_is_read_and_no_recording_is_ever_written_over(
+    place: Path, tmp_path: Path, program: str, words: str, out: str
+) -> None:
+    shutil.copytree(place, tmp_path, dirs_exist_ok=True)
+    (tmp_path / "linked.parquet").symlink_to("dataset.parquet")
+    assert ended("pipeline.ingest", ["raw/a-1", "--out", "samples.parquet"], tmp_path)[0] == 0
+    (tmp_path / "processed" / "a-1").mkdir(parents=True)
+    shutil.copy(tmp_path / "samples.parquet", tmp_path / "processed" / "a-1")
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    code, complaint = ended(f"pipeline.{program}", [*words.split(), out], tmp_path)
+    assert code == 2 and complaint.startswith("error: --out") and f": {Path(out)}: " in complaint, complaint
+    assert before == {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+
+
 def test_another_actuator_than_the_recorded_is_refused(place: Path) -> None:
     """It was answered -0.048 for 1.078 as lying inside."""
     questions = place / "pair.csv"
