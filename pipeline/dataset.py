@@ -20,7 +20,7 @@ from pipeline.left_out import LeftOut, to_json
 from pipeline.lossy import MOVING, all_lossy, moving_strokes, touched
 from pipeline.outputs import file_to_write
 from pipeline.recorded import Recorded, by_string, read_recorded
-from pipeline.runs import capture_info
+from pipeline.runs import checked_info
 from pipeline.zero import jumps, offsets_mm
 
 TRAINING_POINTS = 5000  # as in the paper
@@ -171,7 +171,7 @@ def main() -> None:
     recorded, refused = _usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
     for one in recorded:
-        lossy = touched(one.strokes, capture_info(one.folder))
+        lossy = touched(one.strokes, checked_info(one.folder))
         if lossy:
             print(f"{one.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": ")
             print("kept all the same" if arguments.keep_lossy else "left out")

@@ -15,7 +15,7 @@ from pipeline.outputs import file_to_write
 from pipeline.plausible import check_string, doubts
 from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
-from pipeline.runs import read_run, recording_path
+from pipeline.runs import checked_info, read_run, recording_path
 from pipeline.strokes import segment
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
@@ -82,6 +82,7 @@ def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     """A run and its samples (`time_s` and the channels, one row a sample), checked; raises BadInput."""
     folder = Path(folder)
     run = read_run(folder)
+    checked_info(folder)
     samples = read_recording(run, folder)
     path = recording_path(folder)
     check(run, samples, path)
