@@ -126,6 +126,7 @@ def stored(models: dict[str, Any], plan: Plan) -> Iterator[str]:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
     for material in plan.materials:
         yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))
+        yield f"processed/{material}/left_out.json"
         for predictions in fits(models, material):
             yield predictions
             yield predictions.replace(".predictions.parquet", ".model")

@@ -21,7 +21,7 @@ from pipeline.left_out import LeftOut, to_json
 from pipeline.lossy import MOVING, all_lossy, moving_strokes, touched
 from pipeline.outputs import file_to_write
 from pipeline.recorded import Recorded, by_string, read_usable
-from pipeline.runs import capture_info
+from pipeline.runs import checked_info
 from pipeline.zero import jumps, offsets_mm
 
 TRAINING_POINTS = 5000  # as in the paper
@@ -152,11 +152,14 @@ def main() -> None:
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     parser.add_argument("--note-refusals", action="store_true", help="leave out a run in which every stroke is lossy")
     arguments = parser.parse_args()
-    file_to_write(arguments.out)
+    stored = [file for run in arguments.run_dirs for file in (arguments.processed / run.name).glob("*.parquet")]
+    file_to_write(arguments.out, reads=stored)
+    for name in ("out_left_out", "out_jumps"):
+        file_to_write(getattr(arguments, name) or arguments.out, f"--{name.replace('_', '-')}", stored)
     recorded, refused = read_usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
     for one in recorded:
-        lossy = touched(one.strokes, capture_info(one.folder))
+        lossy = touched(one.strokes, checked_info(one.folder))
         if lossy:
             print(f"{one.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": ")
             print("kept all the same" if arguments.keep_lossy else "left out")

@@ -60,10 +60,32 @@ def _unusable(error: OSError) -> BadInput:
     return BadInput(name if len(name) <= 200 else f"{name[:80]}…", "file", os.strerror(error.errno or 0), mend)
 
 
+def _status(main: Callable[[], int | None]) -> int | None:
+    """What `main` gives, or 2 where it is told bad input, which is said."""
+    try:
+        return main()
+    except BadInput as error:
+        print(f"error: {error}", file=sys.stderr)
+    except OSError as error:
+        if error.errno is None or error.errno == errno.EPIPE:
+            raise
+        print(f"error: {_unusable(error)}", file=sys.stderr)
+    return 2
+
+
+def _say_no_more() -> None:
+    """Let whatever is still printed vanish: nobody reads it, and Python would complain of that at its end."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for number in (1, 2):
+        os.dup2(nowhere, number)
+    os.close(nowhere)
+
+
 def program(main: Callable[[], int | None]) -> Callable[[], None]:
     """Turn a `main` into a command: exit 0 when done, 2 on bad input with one line that names the mend.
 
-    A path that cannot be used, a disk that is full and the like are said in one line as well.
+    A path that cannot be used, a disk that is full and the like are said in one line as well. Where the reader of its
+    output has left, it ends quietly, with the status of a program that the signal PIPE ended.
     """
 
     @functools.wraps(main)
@@ -72,15 +94,15 @@ def program(main: Callable[[], int | None]) -> Callable[[], None]:
         if parent:
             die_with(int(parent))
         try:
-            status = main()
-        except BadInput as error:
-            print(f"error: {error}", file=sys.stderr)
-            status = 2
-        except OSError as error:
-            if error.errno is None or error.errno == errno.EPIPE:
-                raise
-            print(f"error: {_unusable(error)}", file=sys.stderr)
-            status = 2
+            try:
+                status = _status(main)
+            finally:
+                for stream in (sys.stdout, sys.stderr):
+                    if stream is not None:
+                        stream.flush()  # what is still to be said: a reader that left is noticed here
+        except BrokenPipeError:
+            _say_no_more()
+            status = 128 + signal.SIGPIPE
         sys.exit(status or 0)
 
     return command

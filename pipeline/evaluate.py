@@ -10,6 +10,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Array
+from pipeline.outputs import file_to_write
 
 COLUMNS = ["map", "stroke", "phase", "angle_band", "metric", "unit", "value"]
 BANDS = 4  # of the material's twist range, for errors by angle
@@ -83,6 +84,7 @@ def main() -> None:
     parser.add_argument("predictions", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
+    file_to_write(arguments.out, reads=[arguments.dataset, *arguments.predictions])
     dataset = schemas.read(arguments.dataset, schemas.DATASET)
     material = arguments.dataset.parent.name
     parts = [evaluate(dataset, path, material) for path in arguments.predictions]

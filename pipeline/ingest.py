@@ -11,10 +11,11 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Geometry
 from pipeline.left_out import noted
+from pipeline.outputs import file_to_write
 from pipeline.plausible import check_string, doubts
 from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
-from pipeline.runs import read_run, recording_path
+from pipeline.runs import checked_info, read_run, recording_path
 from pipeline.strokes import segment
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
@@ -81,6 +82,7 @@ def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     """A run and its samples (`time_s` and the channels, one row a sample), checked; raises BadInput."""
     folder = Path(folder)
     run = read_run(folder)
+    checked_info(folder)
     samples = read_recording(run, folder)
     path = recording_path(folder)
     check(run, samples, path)
@@ -95,6 +97,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
+    file_to_write(arguments.out)
     with noted(arguments.run_dir, arguments.out, arguments.note_refusals):
         run, samples = read_samples(arguments.run_dir)
         for question in questions(run, samples, recording_path(arguments.run_dir)):

@@ -18,6 +18,7 @@ from pipeline.kinematics import Array
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
 from pipeline.models.inn import Inn
 from pipeline.models.training import repeatable, tensor
+from pipeline.outputs import file_to_write
 from pipeline.train import divided
 
 SPLIT = "within"
@@ -86,6 +87,7 @@ def main() -> None:
     parser.add_argument("models", type=Path, nargs="+", help="fitted INNs, <variant>/within-<seed>.model")
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
+    file_to_write(arguments.out, reads=[arguments.dataset, *arguments.models])
     _, held_out = divided(schemas.read(arguments.dataset, schemas.DATASET), SPLIT, arguments.dataset)
     with repeatable(0):
         parts = [leak(held_out, path, arguments.dataset.parent.name) for path in arguments.models]

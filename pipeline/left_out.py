@@ -9,6 +9,9 @@ from pathlib import Path
 
 from pipeline import schemas
 from pipeline.errors import BadInput
+from pipeline.regular_file import read_regular
+
+LARGEST = 100_000_000  # bytes of a file of runs that were left out
 
 
 @dataclass(frozen=True)
@@ -39,12 +42,21 @@ def to_json(runs: list[LeftOut]) -> str:
     return json.dumps([asdict(one) for one in runs])
 
 
-def from_json(text: str) -> list[LeftOut]:
-    """Runs from such JSON; raises BadInput for anything else."""
+def from_json(text: str | bytes, source: Path | str = "the runs left out") -> list[LeftOut]:
+    """Runs from such JSON, which is read from `source`; raises BadInput for anything else."""
     try:
-        return [LeftOut(**one) for one in json.loads(text)]
+        content = json.loads(text if isinstance(text, str) else text.decode("utf-8"))
+        runs = [LeftOut(**one) for one in content]
+        if isinstance(content, list) and all(isinstance(value, str) for one in content for value in one.values()):
+            return runs
     except (ValueError, TypeError, RecursionError):
-        raise BadInput("the runs left out", "JSON", "is not what the plan writes", "run snakemake") from None
+        pass
+    raise BadInput(source, "JSON", "is not what the pipeline writes", "run snakemake: it is made again")
+
+
+def read_left_out(path: Path) -> list[LeftOut]:
+    """Runs in a file of such JSON; raises BadInput for one that is damaged."""
+    return from_json(read_regular(path, LARGEST), path)
 
 
 @contextmanager

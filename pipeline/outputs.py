@@ -2,22 +2,32 @@
 
 import os
 import stat
+from collections.abc import Iterable
 from pathlib import Path
 
 from pipeline.errors import BadInput
 
 LONGEST_PATH = 3500  # bytes in all: 4096 are taken, and names go under a folder
 LONGEST_NAME = 200  # bytes: file systems take 255, and a temporary name beside it is longer
+OF_A_RUN = ("run.yaml", "capture.json")  # what makes a folder a run's; only the programs that record write these
 
 
-def file_to_write(path: Path, field: str = "--out") -> Path:
-    """A path at which a file can be made; raises BadInput naming the option."""
+def file_to_write(path: Path, field: str = "--out", reads: Iterable[Path] = ()) -> Path:
+    """A path at which a file can be made; raises BadInput naming the option.
+
+    A file that the program `reads`, and a run's own description and recording, are never replaced.
+    """
     _refuse_names(path, field, "a file")
     if path.is_dir():
         raise BadInput(field, str(path), "is a folder", "name a file in it")
     if path.exists() and not stat.S_ISREG(path.stat().st_mode):
         raise BadInput(field, str(path), "is a device, a pipe or a socket", "name a file")
     _refuse_place(path.parent, field)
+    if any(_same(path, one) for one in reads):
+        raise BadInput(field, str(path), "is a file that this program reads", "name another file")
+    of_a_run = path.name in OF_A_RUN or path.name.startswith("recording")
+    if of_a_run and any((path.parent / name).exists() for name in OF_A_RUN):
+        raise BadInput(field, str(path), "belongs to a run, whose files are never replaced", "name another file")
     return path
 
 
@@ -28,6 +38,14 @@ def folder_to_write(path: Path, field: str = "--out") -> Path:
         raise BadInput(field, str(path), "is a file", "name a folder, which may be new")
     _refuse_place(path, field)
     return path
+
+
+def _same(one: Path, other: Path) -> bool:
+    """Whether two paths lead to one file; those of which one leads nowhere do not."""
+    try:
+        return os.path.samefile(one, other)
+    except (OSError, ValueError):
+        return False
 
 
 def _refuse_names(path: Path, field: str, wanted: str) -> None:

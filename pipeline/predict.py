@@ -20,6 +20,7 @@ from pipeline.models.conditions import Conditions
 from pipeline.models.intervals import GIVEN, Intervals, TooFew
 from pipeline.models.settings import shown
 from pipeline.outputs import file_to_write
+from pipeline.question_table import question_table, refuse_cells
 from pipeline.tables import opened
 from pipeline.train import configured, fitting, seed
 from pipeline.zero import read_jumps
@@ -37,10 +38,7 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
 
     What does not vary in the dataset need not be told. Raises BadInput naming the column.
     """
-    try:
-        told = pd.read_csv(path, encoding="utf-8")
-    except (OSError, ValueError) as error:
-        raise BadInput(path, "file", f"cannot be read ({error})", "give a csv with a header") from None
+    told = question_table(path, list(dataset.columns))
     known = [name for name in MAPS if name in told.columns]
     if len(known) != 1:
         given = f"are {', '.join(map(repr, told.columns))}: {'both' if known else 'neither'} of {' and '.join(MAPS)}"
@@ -50,10 +48,7 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
     points = pd.DataFrame(index=range(len(told)))
     for name in dataset.columns:
         if name in told.columns:
-            if name in (*COLUMNS, *ASKED) and not pd.api.types.is_numeric_dtype(told[name]):
-                raise BadInput(path, name, "is not a number everywhere", "correct it")
-            if name == known[0] and told[name].isna().any():
-                raise BadInput(path, name, f"is empty in row {told[name].isna().idxmax() + 1}", "fill it in")
+            refuse_cells(path, told[name], dataset[name], numeric=name in (*COLUMNS, *ASKED))
             points[name] = told[name].to_numpy()
         elif name == GIVEN[known[0]]:
             points[name] = np.nan
@@ -102,7 +97,7 @@ def main() -> None:
         problem = "answers along a whole motion, which single questions do not tell"
         raise BadInput("--model", asked.model, problem, "choose another, such as spline")
     configured(asked.model, asked.settings)  # complains before anything is fitted
-    file_to_write(asked.out)
+    file_to_write(asked.out, reads=[asked.dataset, asked.questions])
     dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     for said in read_jumps([asked.dataset.with_name("zero_jumps.json")]):
         print(f"beware: {said}", file=sys.stderr)

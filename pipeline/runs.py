@@ -13,6 +13,7 @@ from pipeline.run_yaml import Run, parse_run
 from pipeline.strict_yaml import read_yaml
 
 CAPTURED = ("recording.frames", "recording.lines")  # what the capture program writes while it runs
+MOST_SAMPLES = 2**53  # in a recording: more than any that there is
 LARGEST_INFO = 10_000_000  # bytes of a capture.json
 RECORDINGS = ("recording.frames", "recording.parquet", "recording.csv", "recording.csv.gz")
 
@@ -69,6 +70,23 @@ def capture_info(folder: Path | str) -> dict[str, Any]:
     if not isinstance(info, dict):
         raise BadInput(path, "capture.json", "is not what the capture program writes", "restore it, or use --recover")
     return info
+
+
+def checked_info(folder: Path | str) -> dict[str, Any]:
+    """Content of `capture.json` whose losses are as the capture program lists them; raises BadInput."""
+    path, info = Path(folder) / "capture.json", capture_info(folder)
+    for field in ("gaps", "holes"):
+        losses = info.get(field, [])
+        if not isinstance(losses, list) or not all(map(_is_loss, losses)):
+            problem = "is no list of losses, each with its after_samples"
+            raise BadInput(path, field, problem, "restore it from a copy; it is never edited")
+    return info
+
+
+def _is_loss(entry: Any) -> bool:
+    """Whether an entry of `gaps` or `holes` says after how many samples something was lost."""
+    after = entry.get("after_samples") if isinstance(entry, dict) else None
+    return isinstance(after, int) and not isinstance(after, bool) and 0 <= after <= MOST_SAMPLES
 
 
 def find_runs(raw: Path | str) -> Iterator[Path]:

@@ -10,15 +10,18 @@ import numpy as np
 import pandas as pd
 
 from pipeline import schemas
-from pipeline.diagnosis.adopt import acts_from
+from pipeline.complaint import key_name, short
+from pipeline.diagnosis.adopt import acts_from, is_number
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.errors import BadInput, program
 from pipeline.ingest import read_samples
 from pipeline.kinematics import Array
 from pipeline.outputs import file_to_write
+from pipeline.regular_file import read_regular
 
 TARE_S = 1.0
+LARGEST_DIAGNOSIS = 100_000_000  # bytes
 
 
 def state_of(content: dict[str, Any], problem: Problem, path: Path, run: str) -> State:
@@ -37,24 +40,42 @@ def state_of(content: dict[str, Any], problem: Problem, path: Path, run: str) ->
 def value_of(content: dict[str, Any], name: str, path: Path, otherwise: float) -> float:
     """Value of a parameter in a diagnosis; raises BadInput when it is no number."""
     entry = content["parameters"].get(name, {"value": otherwise})
-    value = entry.get("value") if isinstance(entry, dict) else None
-    if not isinstance(value, int | float) or not np.isfinite(value):
-        raise BadInput(
-            path, f"parameters.{name}", f"is {entry!r}, without a value", "give a diagnosis.json as it was made"
-        )
+    value: Any = entry.get("value") if isinstance(entry, dict) else None
+    if not is_number(value):
+        problem = f"is {short(entry)}, without a value"
+        raise BadInput(path, f"parameters.{name}", problem, "give a diagnosis.json as it was made")
     return float(value)
 
 
 def read_diagnosis(path: Path) -> dict[str, Any]:
     """Content of a `diagnosis.json`; raises BadInput for anything else."""
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise BadInput(path, "file", f"cannot be read ({error})", "give a diagnosis.json") from None
+        content = json.loads(read_regular(path, LARGEST_DIAGNOSIS))
+    except (ValueError, RecursionError) as error:
+        raise BadInput(path, "file", f"cannot be read ({short(str(error))})", "give a diagnosis.json") from None
     for field, kind in (("parameters", dict), ("simulation", list)):
         if not isinstance(content, dict) or not isinstance(content.get(field), kind):
             raise BadInput(path, field, "is missing or is not what a diagnosis gives", "give a diagnosis.json")
+    together = content.get("run", "")
+    if not isinstance(together, str) and not (isinstance(together, list) and together):
+        raise BadInput(path, "run", f"is {short(together)}, no run and no list of runs", "give a diagnosis.json")
     return dict(content)
+
+
+def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
+    """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample."""
+    state = state_of(content, problem, path, run)
+    try:
+        with np.errstate(all="ignore"):
+            predicted = problem.simulate(state)
+    except (ArithmeticError, LookupError, ValueError) as error:
+        said, predicted = f" ({type(error).__name__}: {short(str(error))})", np.full(1, np.nan)
+    else:
+        said = ""
+    if not np.isfinite(predicted).all():
+        field = "simulation" if state.acts else "parameters"
+        raise BadInput(path, field, f"gives no number at some samples{said}", "give a diagnosis.json as it was made")
+    return predicted
 
 
 def tare(predicted: Array, measured: Array, time_s: Array) -> float:
@@ -77,18 +98,21 @@ def main() -> None:
     parser.add_argument("--simulation", type=Path, required=True, help="a diagnosis.json")
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
-    file_to_write(arguments.out)
+    file_to_write(arguments.out, reads=[arguments.simulation])
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(arguments.simulation)
     problem = at_own_rate([run], [samples], thin=run.system.differentiates)
-    predicted = problem.simulate(state_of(content, problem, arguments.simulation, run.run))
+    predicted = simulated(problem, content, arguments.simulation, run.run)
     unit = problem.system.channel.rpartition("_")[2]
     if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
         predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)
     elif problem.system.free_zero:
         predicted = predicted + tare(predicted, problem.measured, problem.record.time_s)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
-        print(f"warning: {arguments.simulation} counts time from the start of {content['run'][0]}", file=sys.stderr)
+        print(
+            f"warning: {arguments.simulation} counts time from the start of {key_name(content['run'][0])}",
+            file=sys.stderr,
+        )
     if run.system.differentiates:  # compared, and so simulated, at the working rate
         predicted = at_rows(samples["time_s"].to_numpy(), problem.record.time_s, predicted)
     table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})

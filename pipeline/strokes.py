@@ -17,6 +17,7 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.kinematics import Array
 from pipeline.left_out import noted
+from pipeline.outputs import file_to_write
 
 STROKE_REVERSAL = 0.25  # of the range: what parts a winding from an unwinding
 PHASE_REVERSAL = 0.02  # of the range: what counts as moving the other way within a stroke
@@ -180,6 +181,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
+    file_to_write(arguments.out, reads=[arguments.samples])
     with noted(arguments.samples, arguments.out, arguments.note_refusals):
         samples = schemas.read(arguments.samples)
         strokes = segment(samples, samples.columns[1], arguments.samples)

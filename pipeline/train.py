@@ -107,7 +107,7 @@ def main() -> None:
     logging.basicConfig(level=logging.INFO, stream=sys.stdout, format=f"{asked.model}: %(message)s")
     model = configured(asked.model, asked.settings)
     for option, path in (("--out-model", asked.out_model), ("--out-predictions", asked.out_predictions)):
-        file_to_write(path, option)
+        file_to_write(path, option, reads=[asked.dataset])
     dataset = opened(asked.dataset, schemas.DATASET, "make it: python -m pipeline.dataset")
     train, test = divided(dataset, asked.split, asked.dataset)
     if test.empty:

@@ -1,6 +1,7 @@
 """A bounded, seeded fuzz: hostile settings, model files and command lines end in a clean refusal or a right answer."""
 
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -115,7 +116,7 @@ def place(tmp_path_factory: pytest.TempPathFactory, saved: Path) -> Path:
     folder = tmp_path_factory.mktemp("place")
     shutil.copytree(saved, folder, dirs_exist_ok=True)
     (folder / "questions.csv").write_text("stroke,direction,motor_turns\n1,1,3\n")
-    for name, table in (("a-1", recording(1, rate_hz=10.0)), ("short-1", recording(1).iloc[:5])):
+    for name, table in (("a-1", recording(1, rate_hz=10.0)), ("a-3", recording(3)), ("short-1", recording(1).iloc[:5])):
         (folder / "raw" / name).mkdir(parents=True)
         (folder / "raw" / name / "run.yaml").write_text(json.dumps(content(name)))
         table.to_parquet(folder / "raw" / name / "recording.parquet", index=False)
@@ -168,6 +169,70 @@ def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong
     code, complaint = ended("pipeline.predict", words, place)
     assert code == 2 and complaint.startswith("error: --out: ") and "Mend: name" in complaint
     assert not [path for path in place.rglob("*") if path.name.startswith(".")]
+
+
+@pytest.mark.parametrize(
+    ("program", "words", "out"),
+    [
+        ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/recording.csv"),
+        ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/run.yaml"),
+        ("simulate", "raw/a-1 --simulation simulation.json --out", "simulation.json"),
+        ("ingest", "raw/a-1 --out", "raw/a-1/recording.parquet"),
+        ("strokes", "samples.parquet --out", "samples.parquet"),
+        ("dataset", "raw/a-1 --processed processed --out", "processed/a-1/samples.parquet"),
+        (
+            "train",
+            "dataset.parquet --model polynomial --split within --out-model m --out-predictions",
+            "dataset.parquet",
+        ),
+        ("predict", "dataset.parquet questions.csv --model polynomial --out", "./questions.csv"),
+        ("predict", "dataset.parquet questions.csv --model polynomial --out", "linked.parquet"),
+        ("campaign.floor", "dataset.parquet --out", "dataset.parquet"),
+        ("export.__main__", "spline/within-0.model --format c --out", "spline/within-0.model"),
+        ("export.__main__", "spline/within-0.model --format c --out", "dataset.parquet"),
+    ],
+)
+def test_nothing_that_is_read_and_no_recording_is_ever_written_over(
+    place: Path, tmp_path: Path, program: str, words: str, out: str
+) -> None:
+    shutil.copytree(place, tmp_path, dirs_exist_ok=True)
+    (tmp_path / "linked.parquet").symlink_to("dataset.parquet")
+    assert ended("pipeline.ingest", ["raw/a-1", "--out", "samples.parquet"], tmp_path)[0] == 0
+    (tmp_path / "processed" / "a-1").mkdir(parents=True)
+    shutil.copy(tmp_path / "samples.parquet", tmp_path / "processed" / "a-1")
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    code, complaint = ended(f"pipeline.{program}", [*words.split(), out], tmp_path)
+    assert code == 2 and complaint.startswith("error: --out") and f": {Path(out)}: " in complaint, complaint
+    assert before == {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+
+
+ACTS = '{"run": "a-3", "parameters": {}, "simulation": [{"id": "%s", "parameters": {%s}}]}'
+EDITED = {  # what a diagnosis.json is edited to, and the field that is then named
+    '{"parameters": {"radius_mm": {"value": %s}}, "simulation": []}' % ("9" * 400): "parameters.radius_mm",
+    ACTS % ("backlash", '"half_width_turns": ' + "9" * 400): "simulation[0].parameters.half_width_turns",
+    ACTS % ("load_swing", '"frequency_hz": 0, "damping": 0.1, "heavy_slow": 0'): "simulation[0].parameters",
+    ACTS % ("slack", '"take_up_turns": 1, "stop": 1, "softness": 0.1'): "simulation[0].parameters",
+    ACTS % ("backlash", '"half_width_turns": 1, "share": 1e308'): "simulation",
+    ACTS % ("x" * 1_000_000, ""): "simulation[0].id",
+    ACTS % ("backlash", '"half_width_turns": "%s"' % ("x" * 1_000_000)): "simulation[0].parameters.half_width_turns",
+    '{"run": [], "parameters": {}, "simulation": []}': "run",
+    "[" * 100_000: "file",
+    "a pipe": "file",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("edited", EDITED, ids=range(len(EDITED)))
+def test_an_edited_diagnosis_is_refused_in_words_and_nothing_is_simulated(
+    place: Path, tmp_path: Path, edited: str
+) -> None:
+    path, out = tmp_path / "diagnosis.json", tmp_path / "out.parquet"
+    if edited == "a pipe":
+        os.mkfifo(path)
+    else:
+        path.write_text(edited)
+    code, complaint = ended("pipeline.simulate", ["raw/a-3", "--simulation", str(path), "--out", str(out)], place)
+    assert code == 2 and f"{path}: {EDITED[edited]}: " in complaint and "Mend: " in complaint, complaint[:2000]
+    assert len(complaint) < 2000 and not out.exists()
 
 
 def test_another_actuator_than_the_recorded_is_refused(place: Path) -> None:

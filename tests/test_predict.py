@@ -1,5 +1,6 @@
 """Questions are answered with intervals, flagged beyond the recorded range, and refused where they lack something."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -71,6 +72,13 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
         ("stroke,direction,motor_turns\n2.5,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n,1,3\n2,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n0,1,3\n", "stroke"),
+        ("stroke,direction,motor_turns\n9,1,1,3\n9,1,1,4\n", "file"),  # pandas takes the first for an index
+        ("stroke,direction,motor_turns,motor_turns\n1,1,3,4\n", "motor_turns"),
+        ("stroke,direction,motor_turns\nTrue,1,3\n", "stroke"),
+        ("stroke,direction,motor_turns\n1,1,1e999\n", "motor_turns"),
+        ("stroke,direction,motor_turns,load_N\n1,1,3,20\n", "load_N"),
+        ("stroke,direction,motor_turns,actuator\n1,1,3,separator\n1,1,3,\n", "actuator"),
+        (",".join(f"a{number}" for number in range(100_000)) + "\n1\n", "file"),
     ],
 )
 def test_a_question_that_lacks_something_is_refused_by_name(dataset: Path, text: str, field: str) -> None:
@@ -79,6 +87,24 @@ def test_a_question_that_lacks_something_is_refused_by_name(dataset: Path, text:
     with pytest.raises(BadInput) as refused:
         read_questions(questions, pd.read_parquet(dataset))
     assert refused.value.field == field and refused.value.file == str(questions)
+
+
+@pytest.mark.parametrize("name", ["q.csv.gz", "q.csv.xz", "q.csv.zst", "q.tar", "q.csv", "pipe"])
+def test_questions_that_are_no_text_are_refused_in_words(dataset: Path, tmp_path: Path, name: str) -> None:
+    questions = tmp_path / name
+    if name == "pipe":
+        os.mkfifo(questions)
+    else:
+        questions.write_bytes(b"\x1f\x8b" + bytes(range(256)) if name.endswith("gz") else bytes(range(128, 256)))
+    command = [sys.executable, "-m", "pipeline.predict", dataset, questions, "--out", tmp_path / "out.csv"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 2 and done.stderr.startswith(f"error: {questions}: file: "), done.stderr
+    assert done.stderr.count("\n") == 1 and not (tmp_path / "out.csv").exists()
+
+
+def test_a_misspelt_column_is_told_the_near_name(dataset: Path) -> None:
+    done = ask(dataset, "stroke,direction,motor_turns,load_N\n1,1,3,20\n")
+    assert done.returncode == 2 and "load_N: is not a column that is read. Mend: did you mean 'load_n'?" in done.stderr
 
 
 def test_what_varies_must_be_told(dataset: Path) -> None:

@@ -1,9 +1,14 @@
+import os
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from made_recording import content
 
 from pipeline.errors import BadInput
+from pipeline.ingest import read_samples
 from pipeline.run_yaml import parse_run
 from pipeline.runs import find_runs, read_run, recording_path
 
@@ -191,3 +196,25 @@ def test_a_key_that_stands_twice_is_named_with_its_line(tmp_path):
     (folder / "run.yaml").write_text("run: a-01\nstring: {material: x}\nrig:\n  load_n: 20\n  load_n: 30\n")
     with pytest.raises(BadInput, match=r"line 5: says 'load_n' a second time"):
         read_run(folder)
+
+
+@pytest.mark.parametrize("field", ["gaps", "holes"])
+@pytest.mark.parametrize(
+    "edited", ["null", "[null]", "[{}]", '"x"', "5", '[{"after_samples": "3"}]', '[{"after_samples": 1e99}]']
+)
+def test_losses_that_were_edited_are_refused(make_run, tmp_path, field, edited):
+    folder = make_run("a-01")
+    (folder / "capture.json").write_text(f'{{"{field}": {edited}}}')
+    with pytest.raises(BadInput) as refused:
+        read_samples(folder)
+    assert refused.value.file == str(folder / "capture.json") and refused.value.field == field
+
+
+def test_a_program_whose_reader_left_ends_quietly(make_run):
+    folder = make_run("a-01")
+    words = ["pipeline.ingest", str(folder), "--out", str(folder.parent / "samples.parquet")]
+    reads, writes = os.pipe()
+    os.close(reads)  # as `| true` does
+    done = subprocess.run([sys.executable, "-m", *words], stdout=writes, stderr=subprocess.PIPE, text=True)
+    os.close(writes)
+    assert done.returncode == 128 + signal.SIGPIPE and done.stderr == "", done.stderr

@@ -25,5 +25,5 @@ def parser(doc: str | None) -> argparse.ArgumentParser:
 def points_of(asked: argparse.Namespace) -> pd.DataFrame:
     """The campaign's points (`points.SCHEMA`); raises BadInput for these or the model before anything is fitted."""
     configured(asked.model, asked.settings)
-    file_to_write(asked.out)
+    file_to_write(asked.out, reads=[asked.points])
     return opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")

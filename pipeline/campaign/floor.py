@@ -33,7 +33,7 @@ def main() -> None:
     parser.add_argument("points", type=Path)
     parser.add_argument("--out", type=Path, required=True)
     asked = parser.parse_args()
-    file_to_write(asked.out)
+    file_to_write(asked.out, reads=[asked.points])
     points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
     table = pd.DataFrame(list(floors(points)), columns=FLOOR.names)
     schemas.write(table, FLOOR, asked.out)

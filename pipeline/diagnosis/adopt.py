@@ -1,9 +1,9 @@
 """`simulation:` of run.yaml, and of a diagnosis, to what acts in the simulator, and back."""
 
+import sys
 from typing import Any
 
-import numpy as np
-
+from pipeline.complaint import key_name, short
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.problem import Act
@@ -29,17 +29,23 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
     return found
 
 
+def is_number(value: Any) -> bool:
+    """Whether a value of JSON or YAML is a number that a float can hold; whole ones may have any number of digits."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
+
+
 def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
     """Id and parameters of an entry; raises BadInput where it is not what a diagnosis gives."""
     mend = "paste the entry as a diagnosis gives it"
     if not isinstance(entry, dict) or not set(entry) <= {"id", "parameters"}:
-        raise BadInput(where, field, f"is {entry!r}, not an id with its parameters", mend)
+        raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
     id_, given = entry.get("id"), entry.get("parameters", {})
     if not isinstance(id_, str) or not isinstance(given, dict):
-        raise BadInput(where, field, f"is {entry!r}, not an id with its parameters", mend)
+        raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
     for name, value in given.items():
-        if not isinstance(value, int | float) or isinstance(value, bool) or not np.isfinite(value):
-            raise BadInput(where, f"{field}.parameters.{name}", f"is {value!r}, not a number", mend)
+        if not is_number(value):
+            problem = f"is {short(value)}, not a number"
+            raise BadInput(where, f"{field}.parameters.{key_name(name)}", problem, mend)
     return id_, given
 
 
@@ -47,13 +53,13 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
     """The acts that a list of entries describes; raises BadInput for whatever is not known in it."""
     found = []
     if not isinstance(content, list):
-        raise BadInput(where, "simulation", f"is {content!r}, not a list", "paste the list of a diagnosis.json")
+        raise BadInput(where, "simulation", f"is {short(content)}, not a list", "paste the list of a diagnosis.json")
     for number, entry in enumerate(content):
         field = f"simulation[{number}]"
         id_, given = checked(entry, field, where)
         if id_ not in mechanisms():
             mend = f"use one of {', '.join(mechanisms())}"
-            raise BadInput(where, f"{field}.id", f"{id_!r} is not a mechanism of the library", mend)
+            raise BadInput(where, f"{field}.id", f"{short(id_)} is not a mechanism of the library", mend)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
         options = mechanism.shapes(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])
@@ -67,10 +73,15 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
         keys = max(fitting, key=len)
         order = next(list(shape) for shape in options or [{}] if {said(name) for name in shape} == keys)
         shape = {name: float(given[said(name)]) for name in order}
-        terms = mechanism.terms(drivers, shape)
+        try:
+            terms = mechanism.terms(drivers, shape)
+        except (ArithmeticError, LookupError, ValueError) as error:
+            problem = f"cannot act in {id_!r} ({type(error).__name__}: {short(str(error))})"
+            raise BadInput(where, f"{field}.parameters", problem, mend) from None
         unknown = set(given) - keys - {said(term.name) for term in terms}
         if unknown:
             known = ", ".join(said(name) for name in [*order, *(term.name for term in terms)])
-            raise BadInput(where, f"{field}.parameters.{sorted(unknown)[0]}", f"is not one of {known}", mend)
+            wrong = key_name(sorted(unknown)[0])
+            raise BadInput(where, f"{field}.parameters.{wrong}", f"is not one of {known}", mend)
         found.append(Act(id_, (shape,), tuple(float(given.get(said(term.name), 0.0)) for term in terms)))
     return tuple(found)

@@ -31,6 +31,9 @@ def arguments(words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
+HEADERS = (".h", ".c")  # what an existing file must end in to be replaced
+
+
 @contextmanager
 def writable(file: Path) -> Iterator[None]:
     """Raise BadInput where a model that could be loaded and asked holds what no export can be made of."""
@@ -41,6 +44,14 @@ def writable(file: Path) -> Iterator[None]:
         raise BadInput(file, "model", problem, "train it again; should that not help, report it") from error
 
 
+def _header_to_write(out: Path, reads: list[Path]) -> None:
+    """Raise BadInput where no header can be written, or where it would replace a file of another kind."""
+    file_to_write(out, reads=reads)
+    if out.exists() and out.suffix not in HEADERS:
+        mend = f"name a file that ends in {' or '.join(HEADERS)}, or one that is not there"
+        raise BadInput("--out", str(out), "is there and no header", mend)
+
+
 def main() -> None:
     """Export."""
     asked = arguments(sys.argv[1:])
@@ -49,7 +60,9 @@ def main() -> None:
     if len(asked.name) > LONGEST:
         raise BadInput("--name", f"{asked.name[:40]}…", f"has {len(asked.name)} characters", f"use at most {LONGEST}")
     if asked.format == "c":
-        file_to_write(asked.out or Path(f"{asked.name}.h"))
+        _header_to_write(
+            asked.out or Path(f"{asked.name}.h"), [asked.file, *([asked.dataset] if asked.dataset else [])]
+        )
     else:
         folder_to_write(asked.out or Path())
     source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))

@@ -9,7 +9,7 @@ from markupsafe import Markup
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
-from pipeline.left_out import LeftOut, from_json, to_json
+from pipeline.left_out import LeftOut, from_json, read_left_out, to_json
 from pipeline.report.plain import plain
 from pipeline.report.web.page import paragraph, together
 from pipeline.report.web.table import table
@@ -29,7 +29,7 @@ def told(asked: argparse.Namespace) -> list[LeftOut]:
     runs = from_json(asked.planned)
     for path in asked.left_out:
         if path.suffix == ".json":
-            runs += from_json(path.read_text(encoding="utf-8"))
+            runs += read_left_out(path)
             continue
         try:
             schemas.read(path, schemas.STROKES)

@@ -11,7 +11,9 @@ import pytest
 from made_recording import recording
 
 from pipeline import schemas
+from pipeline.dag import Plan, stored
 from pipeline.errors import BadInput
+from pipeline.known_files import KnownFiles
 from pipeline.left_out import LeftOut, from_json, noted, to_json
 from pipeline.report import ended, left_out
 
@@ -52,6 +54,19 @@ def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
     with pytest.raises(schemas.Damaged), noted(tmp_path, strokes, note=True):  # to be made again, not left out
         schemas.read(samples)
     assert not (tmp_path / "b.parquet").exists()
+
+
+@pytest.mark.parametrize("content", [b"[{", b"\xff[]", b"{}", b"[[]]", b'[{"run": 5}]', b"[" * 9000, b""])
+def test_a_damaged_list_of_what_was_left_out_is_found_at_the_start_and_refused_by_a_page(tmp_path, content):
+    path = tmp_path / "left_out.json"
+    path.write_text(to_json([ONE]))
+    known = KnownFiles(tmp_path / "known.json")
+    assert "processed/nylon/left_out.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
+    assert known.damaged([str(path)]) == {} and left_out.told(asked("--left-out", str(path))) == [ONE]
+    path.write_bytes(content)
+    assert list(known.damaged([str(path)])) == [str(path)]
+    with pytest.raises(BadInput, match="JSON: is not what the pipeline writes"):
+        left_out.told(asked("--left-out", str(path)))
 
 
 def test_the_last_rule_fails_for_a_refused_run_and_writes_nothing(tmp_path):
