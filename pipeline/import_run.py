@@ -101,8 +101,8 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     check_finite(samples, file)
     time_s, mended = mend_time(samples["time_s"].to_numpy())
     samples["time_s"] = time_s
-    check(run, samples, file)
-    for question in questions(run, samples, file):
+    checked_samples = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
+    for question in questions(run, checked_samples, file):
         print(f"warning: {question}", file=sys.stderr)
     if "load_n" not in run.channels and "load_n" not in table.columns:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it

@@ -16,6 +16,7 @@ from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
 from pipeline.runs import read_run, recording_path
 from pipeline.strokes import segment
+from pipeline.wild_samples import without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 LEAST_SAMPLES = 20
@@ -61,15 +62,22 @@ def check_clock(samples: pd.DataFrame, path: Path) -> None:
         raise BadInput(path, "time_s", f"a sample every {median_s:g} s is no rate of a rig", mend)
 
 
-def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
-    """Raise BadInput unless the samples of a run, read from `path`, can be what their names say and hold a stroke."""
+def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
+    """Samples of a run, read from `path`, without the few that are impossible, which it says on standard error.
+
+    Raises BadInput unless they can be what their names say and hold a stroke.
+    """
     check_finite(samples, path)
+    samples, said = without_wild(run, samples, path)
+    for sentence in said:
+        print(f"warning: {sentence}", file=sys.stderr)
     check_clock(samples, path)
     if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
         check_string(run, samples, geometry(run), path)
     segment(samples, run.system.driver, path)
+    return samples
 
 
 def questions(run: Run, samples: pd.DataFrame, path: Path) -> list[BadInput]:
@@ -83,8 +91,7 @@ def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     run = read_run(folder)
     samples = read_recording(run, folder)
     path = recording_path(folder)
-    check(run, samples, path)
-    return run, samples
+    return run, check(run, samples, path)
 
 
 @program
