@@ -75,6 +75,29 @@ def test_what_cannot_be_is_refused_and_nothing_written(make_run, tmp_path, sampl
     assert not out.parent.exists()
 
 
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"rig": {"torsion_zone_mm": 1e18, "separator_mm": 8}}, "should contract the string by 0 mm"),
+        ({"actuator": "twisted_pair", "rig": None, "radius_mm": 1e-9}, "should contract the string by 0 mm"),
+        ({"rig": {"torsion_zone_mm": 150, "separator_mm": 8, "load_n": 1e18}}, r"load_n: is 1e\+18 N"),
+        ({"load_n": 1e308}, r"load_n: is 1e\+308 N. Mend: check channels.load_n"),
+        ({"load_n": -1e308}, "load_n: is -1e"),
+        ({"load_n": -6000.0}, "more than the string is long"),
+    ],
+)
+def test_dimensions_and_loads_that_nothing_has_are_refused_in_words(make_run, changes, says):
+    changes, samples = dict(changes), GOOD.copy()
+    string = {"material": "UHMWPE", "radius_mm": changes.pop("radius_mm", 0.4), "length_mm": 400}
+    string["stiffness_n_per_mm"] = 15
+    if "load_n" in changes:
+        samples["load_n"] = changes.pop("load_n")
+    elif "load_n" in (changes.get("rig") or {}):
+        samples = samples.drop(columns="load_n")
+    with pytest.raises(BadInput, match=says):
+        read_samples(make_run("a-01", samples, string=string, **changes))
+
+
 def test_a_real_pair_beyond_its_length_is_no_crash(make_run):
     samples = spoiled("motor_turns", lambda v: v * 2 * np.pi)
     folder = make_run("a-01", samples, actuator="twisted_pair", rig=None)
