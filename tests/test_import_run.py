@@ -1,5 +1,6 @@
 import subprocess
 import sys
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from pipeline.errors import BadInput
 from pipeline.import_run import import_run, mend_time
 from pipeline.ingest import read_samples
 from pipeline.new_run import make_run as new_run
+from pipeline.table_file import read_table
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
 HAPTIC = Path(__file__).parent.parent.parent / "shared" / "recordings" / "tsa_haptic"
@@ -97,6 +99,23 @@ def test_the_rigs_load_is_not_baked_in(foreign):
     text = (raw / "a-01" / "run.yaml").read_text()
     (raw / "a-01" / "run.yaml").write_text(text.replace("separator_mm: 8", "separator_mm: 8\n  load_n: 30"))
     assert (read_samples(raw / "a-01")[1]["load_n"] == 30).all()
+
+
+def test_no_flipped_bit_of_an_imported_recording_is_read_with_other_values(foreign):
+    file, mapping, raw = foreign
+    import_run(file, mapping, "a-01", raw)
+    path = raw / "a-01" / "recording.parquet"
+    content, good = path.read_bytes(), read_table(path, None)
+    for place in np.random.default_rng(0).integers(0, 8 * len(content), 200):
+        flipped = bytearray(content)
+        flipped[place // 8] ^= 1 << (place % 8)
+        path.write_bytes(flipped)
+        try:
+            assert read_table(path, None).equals(good), place  # the bit was the seal's own mark
+        except BadInput as error:
+            assert "damaged" in str(error) or "Parquet" in str(error)
+    pd.read_parquet(BytesIO(content)).to_parquet(path)
+    assert read_table(path, None).equals(good)  # a foreign file without a seal
 
 
 def test_a_bad_mapping_is_named_not_the_run(foreign):
