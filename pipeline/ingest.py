@@ -20,6 +20,7 @@ from pipeline.wild_samples import without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 LEAST_SAMPLES = 20
+LONGEST_GAP_S = 7 * 86_400.0
 
 
 def geometry(run: Run) -> Geometry:
@@ -50,12 +51,20 @@ def check_finite(samples: pd.DataFrame, path: Path) -> None:
 
 def check_clock(samples: pd.DataFrame, path: Path) -> None:
     """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig has."""
-    step_s = np.diff(samples["time_s"])
+    with np.errstate(over="ignore"):
+        step_s = np.diff(samples["time_s"])
     if (step_s <= 0).any():
         row = int(np.argmax(step_s <= 0)) + 2
         word = "runs backwards" if (step_s < 0).any() else "stands still"
         mend = "python -m pipeline.import_run mends repeated and backward time stamps and says so"
         raise BadInput(path, "time_s", f"{word} at row {row} ({(step_s <= 0).sum()} times in all)", mend)
+    if step_s.max() > LONGEST_GAP_S:
+        row = int(np.argmax(step_s))
+        ends = (
+            f"{samples['time_s'].iloc[row]:.6g} s in row {row + 1} and {samples['time_s'].iloc[row + 1]:.6g} s after it"
+        )
+        mend = "correct the stamp that is wrong, or cut the recording there into two runs"
+        raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
     median_s = float(np.median(step_s))
     if not STEP_S[0] <= median_s <= STEP_S[1]:
         mend = "set channels.time_s.unit (s, ms or us), or record at 10 Hz to 10 kHz"

@@ -142,6 +142,30 @@ def test_the_program_exits_2_on_bad_input(foreign):
     assert subprocess.run([*command, "good"], capture_output=True).returncode == 0
 
 
+@pytest.mark.parametrize("kind", ["two leap", "ten are zero", "wraps", "runs backwards", "leap for good"])
+def test_a_clock_that_is_wrong_for_long_is_refused_and_not_mended(foreign, kind):
+    file, mapping, raw = foreign
+    time_s = GOOD["time_s"].to_numpy(copy=True)
+    if kind == "two leap":
+        time_s[400:402] += 1e6
+    elif kind == "ten are zero":
+        time_s[500:510] = 0
+    elif kind == "wraps":
+        time_s %= 16.384
+    elif kind == "leap for good":
+        time_s[400:] += 1e6
+    else:
+        time_s = time_s[::-1]
+    lines = file.read_text().splitlines()
+    cells = [";".join([str(1e3 * at), *line.split(";")[1:]]) for at, line in zip(time_s, lines[1:], strict=True)]
+    file.write_text("\n".join([lines[0], *cells]))
+    with pytest.raises(
+        BadInput, match=r"time_s: (falls back or leaps|leaps by more than a week).*Mend: correct the stamp"
+    ):
+        import_run(file, mapping, "a-01", raw)
+    assert not raw.exists()
+
+
 @pytest.mark.parametrize(
     ("stamps", "mended", "rules"),
     [

@@ -44,6 +44,8 @@ def repeated(values):
         (spoiled("load_n", lambda v: v * np.inf), "load_n", "not a number"),
         (spoiled("time_s", backwards), "time_s", "runs backwards at row 101.*import_run"),
         (spoiled("time_s", repeated), "time_s", "stands still at row 101.*import_run"),
+        (spoiled("time_s", lambda v: np.append(v[:-1], 1e308)), "time_s", "leaps by more than a week.*Mend: correct"),
+        (spoiled("time_s", lambda v: np.append(-1e308, v[1:])), "time_s", "leaps by more than a week"),
         (spoiled("time_s", lambda v: v * 1000), "time_s", "no rate of a rig.*unit"),
         (spoiled("motor_turns", lambda v: v * 2 * np.pi), "motor_turns", "looks like rad: set channels"),
         (spoiled("motor_turns", lambda v: v * 360), "motor_turns", "looks like deg"),
