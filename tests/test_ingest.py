@@ -139,6 +139,16 @@ def test_an_empty_cell_of_a_tab_file_shifts_nothing(make_run):
         read_samples(folder)
 
 
+def test_a_quotation_mark_that_is_left_open_swallows_no_lines(make_run):
+    folder = make_run("a-01", GOOD.assign(note="ok"), suffix=".csv")
+    lines = (folder / "recording.csv").read_text().splitlines()
+    for row in (60, 90):
+        lines[row] = lines[row].replace("ok", '"ok')
+    (folder / "recording.csv").write_text("\n".join(lines))
+    with pytest.raises(BadInput, match=rf"has {len(GOOD)} lines of samples.*Mend: remove the quotation mark"):
+        read_samples(folder)
+
+
 def test_a_row_with_a_field_too_many_is_not_cut(make_run):
     folder = make_run("a-01", suffix=".csv")
     lines = GOOD.to_csv(index=False).splitlines()
