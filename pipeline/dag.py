@@ -8,7 +8,7 @@ from typing import Any
 
 from pipeline.errors import BadInput
 from pipeline.left_out import LeftOut
-from pipeline.names import SYNTHETIC, SYNTHETIC_DEVICE, run_name
+from pipeline.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
 from pipeline.run_yaml import STRING_ACTUATORS
 from pipeline.runs import CAPTURED, RECORDINGS, capture_info, read_run, unfinished
 from pipeline.strict_yaml import read_yaml
@@ -59,10 +59,11 @@ def _folders(raw: Path) -> list[Path]:
 
 
 def _perhaps(folder: Path) -> str:
-    """The material that a bad `run.yaml` names, if it does."""
+    """The material that a bad `run.yaml` names, if it does and the word is one that a material may have."""
     try:
-        material = read_yaml(folder / "run.yaml")["string"]["material"]
-        return material if isinstance(material, str) else ""
+        named = read_yaml(folder / "run.yaml")["string"]["material"]
+        shown = isinstance(named, str) and len(named) <= LONGEST and MATERIAL_NAME.fullmatch(named)
+        return named if shown else ""
     except (BadInput, KeyError, TypeError, IndexError):
         return ""
 

@@ -22,6 +22,7 @@ from pipeline.run_yaml import parse_run
 from pipeline.strict_yaml import read_yaml, write_yaml
 from pipeline.table_file import read_table
 
+MOST_MOVED = 0.01  # of all stamps
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
 
 
@@ -68,6 +69,17 @@ def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
     return time_s, {rule: times for rule, times in mended.items() if times}
 
 
+def check_mended(before_s: Array, after_s: Array, file: Path) -> None:
+    """Raise BadInput where mending moved over 1 % of the stamps by ten usual steps: the clock itself was wrong."""
+    usual_s = float(np.median(np.abs(np.diff(before_s))))
+    moved = np.abs(after_s - before_s) > LEAP * usual_s
+    if moved.sum() > max(1, MOST_MOVED * len(moved)):
+        row = int(np.argmax(moved))
+        problem = f"falls back or leaps near row {row + 1}, which only moving {int(moved.sum())} stamps would mend"
+        mend = "correct the stamps there, or cut the recording where its clock begins anew"
+        raise BadInput(file, "time_s", problem, mend)
+
+
 def read_mapping(path: Path) -> dict[str, Any]:
     """Content of a mapping; raises BadInput when it is not there, not YAML, or names a run."""
     content = read_yaml(path)
@@ -100,9 +112,10 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     samples = to_samples(run, table, file, mapping)
     check_finite(samples, file)
     time_s, mended = mend_time(samples["time_s"].to_numpy())
+    check_mended(samples["time_s"].to_numpy(), time_s, file)
     samples["time_s"] = time_s
-    check(run, samples, file)
-    for question in questions(run, samples, file):
+    checked_samples = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
+    for question in questions(run, checked_samples, file):
         print(f"warning: {question}", file=sys.stderr)
     if "load_n" not in run.channels and "load_n" not in table.columns:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it

@@ -17,9 +17,11 @@ from pipeline.recording import read_recording
 from pipeline.run_yaml import STRING_ACTUATORS, Run
 from pipeline.runs import checked_info, read_run, recording_path
 from pipeline.strokes import segment
+from pipeline.wild_samples import without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 LEAST_SAMPLES = 20
+LONGEST_GAP_S = 7 * 86_400.0
 
 
 def geometry(run: Run) -> Geometry:
@@ -50,27 +52,42 @@ def check_finite(samples: pd.DataFrame, path: Path) -> None:
 
 def check_clock(samples: pd.DataFrame, path: Path) -> None:
     """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig has."""
-    step_s = np.diff(samples["time_s"])
+    with np.errstate(over="ignore"):
+        step_s = np.diff(samples["time_s"])
     if (step_s <= 0).any():
         row = int(np.argmax(step_s <= 0)) + 2
         word = "runs backwards" if (step_s < 0).any() else "stands still"
         mend = "python -m pipeline.import_run mends repeated and backward time stamps and says so"
         raise BadInput(path, "time_s", f"{word} at row {row} ({(step_s <= 0).sum()} times in all)", mend)
+    if step_s.max() > LONGEST_GAP_S:
+        row = int(np.argmax(step_s))
+        ends = (
+            f"{samples['time_s'].iloc[row]:.6g} s in row {row + 1} and {samples['time_s'].iloc[row + 1]:.6g} s after it"
+        )
+        mend = "correct the stamp that is wrong, or cut the recording there into two runs"
+        raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
     median_s = float(np.median(step_s))
     if not STEP_S[0] <= median_s <= STEP_S[1]:
         mend = "set channels.time_s.unit (s, ms or us), or record at 10 Hz to 10 kHz"
         raise BadInput(path, "time_s", f"a sample every {median_s:g} s is no rate of a rig", mend)
 
 
-def check(run: Run, samples: pd.DataFrame, path: Path) -> None:
-    """Raise BadInput unless the samples of a run, read from `path`, can be what their names say and hold a stroke."""
+def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
+    """Samples of a run, read from `path`, without the few that are impossible, which it says on standard error.
+
+    Raises BadInput unless they can be what their names say and hold a stroke.
+    """
     check_finite(samples, path)
+    samples, said = without_wild(run, samples, path)
+    for sentence in said:
+        print(f"warning: {sentence}", file=sys.stderr)
     check_clock(samples, path)
     if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
         check_string(run, samples, geometry(run), path)
     segment(samples, run.system.driver, path)
+    return samples
 
 
 def questions(run: Run, samples: pd.DataFrame, path: Path) -> list[BadInput]:
@@ -85,8 +102,7 @@ def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     checked_info(folder)
     samples = read_recording(run, folder)
     path = recording_path(folder)
-    check(run, samples, path)
-    return run, samples
+    return run, check(run, samples, path)
 
 
 @program

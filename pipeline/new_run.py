@@ -32,7 +32,7 @@ def recording_name(recording: Path) -> str:
 
 def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool) -> None:
     """Raise BadInput for a recording that ingest would refuse, and, unless `sure`, for one that is likely a mistake."""
-    check(run, samples, path)
+    samples = check(run, samples, path)
     for question in questions(run, samples, path):
         if not sure:
             mend = f"{question.mend}; if it is right as it is, add --sure"

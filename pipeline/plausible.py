@@ -21,6 +21,7 @@ UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of 
 POINTS = 2000
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m")
 INCH_MM = 25.4
+MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class Curve:
         low_mm, high_mm = np.percentile(samples["displacement_mm"], [1, 99])
         self.measured_mm = np.clip(samples["displacement_mm"].to_numpy()[rows], low_mm, high_mm)
         self.span_mm = float(high_mm - low_mm)
-        self.base, self.load_n = base, float(np.median(samples["load_n"]))
+        self.base, self.load_n = base, np.float64(np.median(samples["load_n"]))
 
     def ratio(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
         """Recorded span over the simulated one, factors and offset applied; NaN where a pair cannot be wound so far."""
@@ -56,7 +57,7 @@ class Curve:
         """How far the curve lies from the model's, zero apart, as a share of its span; infinite where it has none."""
         with np.errstate(all="ignore"):
             error_mm = self.measured_mm * length - self._model_mm(self.turns * turns + offset_turns)
-            share = float(np.std(error_mm)) / (self.span_mm * length)
+            share = float(np.divide(np.std(error_mm), self.span_mm * length))
         return share if np.isfinite(share) else np.inf
 
     def _model_mm(self, turns: Array) -> Array:
@@ -111,8 +112,8 @@ def _freely(curve: Curve) -> list[tuple[float, str]]:
     if np.isfinite(off).any() and np.nanmin(off) < 0.1:
         by = float(factors[np.nanargmin(off)])
         found.append((curve.misfit(turns=by), f"with motor_turns, or radius_mm, {by:.2g} times as large"))
-    by = 1.0 / curve.ratio()
-    if np.isfinite(by):
+    by = float(np.divide(1.0, curve.ratio() or np.inf))
+    if np.isfinite(by) and by > 0:
         found.append((curve.misfit(length=by), f"with displacement_mm {by:.2g} times as large"))
     return found
 
@@ -135,7 +136,8 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
         fitting = [words for misfit, words in freely if misfit <= bound(best)]
         mend += f"; it would fit {' or '.join(fitting)}" if fitting else ""
     ratio = curve.ratio()
-    expected = f"{curve.span_mm / ratio:.3g} mm" if np.isfinite(ratio) else "more than the string is long"
+    expected = f"{curve.span_mm / ratio:.3g} mm" if np.isfinite(ratio) and ratio else "more than the string is long"
+    expected = "0 mm" if np.isinf(ratio) else expected
     ends = f"{curve.low:.3g} to {curve.high:.3g} turns"
     problem = f"{ends} should contract the string by {expected}, recorded are {curve.span_mm:.3g} mm"
     return BadInput(path, field, problem, mend)
@@ -144,6 +146,11 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
 def check_string(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> None:
     """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
     turns, measured_mm = samples["motor_turns"].to_numpy(), samples["displacement_mm"].to_numpy()
+    load_n = float(np.percentile(samples["load_n"], 50, method="lower"))
+    if abs(load_n) > MOST_LOAD_N:
+        raise BadInput(
+            path, "load_n", f"is {load_n:.3g} N", "check channels.load_n, its unit and scale, and rig.load_n"
+        )
     curve = Curve(samples, base)
     if curve.high - curve.low < 0.05:
         return  # no stroke in it: the segmentation says so

@@ -19,6 +19,7 @@ from pipeline.complaint import bad_section, key_name, meant, short
 from pipeline.errors import BadInput
 from pipeline.kinematics import usual_stiffness
 from pipeline.names import MATERIAL_NAME, RUN_NAME
+from pipeline.strict_yaml import Unclear, plain_value
 from pipeline.systems import System, systems
 from pipeline.text_file import TextFile
 
@@ -32,14 +33,25 @@ def _no_bool(value: Any) -> Any:
     return value
 
 
+def _plain(value: Any) -> Any:
+    if isinstance(value, str):  # of these pydantic would take "0300" and 1_0, which readers take differently
+        try:
+            number = plain_value(value)
+        except Unclear:
+            number = None
+        if isinstance(number, bool | str | None):
+            raise ValueError("must be a plain number, such as 0.55 or 300")
+    return _no_bool(value)
+
+
 def _column(value: Any) -> Any:
     return names.column(value) if isinstance(value, str) else value
 
 
 # What can be measured in the units here; outside, a product of two such numbers would leave what a computer holds.
-Number = Annotated[float, BeforeValidator(_no_bool), Field(allow_inf_nan=False, ge=-1e18, le=1e18)]
+Number = Annotated[float, BeforeValidator(_plain), Field(allow_inf_nan=False, ge=-1e18, le=1e18)]
 Positive = Annotated[Number, Field(ge=1e-9, le=1e9)]
-Times = Annotated[int, BeforeValidator(_no_bool), Field(ge=0, le=10**9)]
+Times = Annotated[int, BeforeValidator(_plain), Field(ge=0, le=10**9)]
 
 
 class _Section(BaseModel):

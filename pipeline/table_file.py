@@ -9,6 +9,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import scipy.io
 
+from pipeline import seal
 from pipeline.errors import BadInput
 from pipeline.regular_file import open_regular
 from pipeline.text_file import TextFile
@@ -47,15 +48,23 @@ def read_matlab(path: Path) -> pd.DataFrame:
 
 
 def read_parquet(path: Path) -> pd.DataFrame:
-    """Columns of a Parquet file, an index like any other; raises BadInput when it is damaged or too large."""
+    """Columns of a Parquet file, an index like any other; raises BadInput when it is damaged or too large.
+
+    A file that carries our seal, as an imported run's does, must be what was sealed; a foreign one carries none.
+    """
     try:
         with open_regular(path) as file:
+            if seal.is_sealed(content := seal.content_of(path)):
+                seal.check_parquet(content)
             parquet = pq.ParquetFile(file)
             rows, columns = parquet.metadata.num_rows, parquet.metadata.num_columns
             if not 0 <= rows * columns <= MOST_VALUES:
                 problem = f"says that it holds {rows} rows of {columns} columns"
                 raise BadInput(path, "file", problem, "cut it into runs of a day or less")
             return parquet.read().to_pandas(ignore_metadata=True)
+    except seal.Damaged as error:
+        mend = "copy it again from where it was made, or import the recording again"
+        raise BadInput(path, "file", f"is damaged: {error}", mend) from None
     except (pa.ArrowException, OSError, ValueError, OverflowError, MemoryError):
         mend = "copy it again; a Parquet file whose writer was killed cannot be read"
         raise BadInput(path, "file", "is not a readable Parquet file", mend) from None

@@ -139,6 +139,9 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
         mend = "check file.delimiter, and the line that it names"
         said = re.sub(r"\s+", " ", str(error)).strip()[:200]
         raise BadInput(path, "file", f"is not a table ({said})", mend) from None
+    if len(table) != count - layout.header:  # a quote that is left open takes the lines up to the next one with it
+        problem = f"has {count - layout.header} lines of samples, of which {len(table)} can be told apart"
+        raise BadInput(path, "file", problem, "remove the quotation mark that is left open in one of its lines")
     if layout.header:  # as they stand: pandas would number those that stand twice
         own = [str(name).strip() for name in table.columns]
         table.columns = [name or own[i] for i, name in enumerate(names)] if len(names) == len(own) else own

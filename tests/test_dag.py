@@ -70,6 +70,15 @@ def test_a_bad_run_yaml_costs_its_own_run(make_run, tmp_path, kind):
     assert one.material == ("nylon" if kind == "unknown" else kind if "radius_mm" in BAD[kind] else "")
 
 
+@pytest.mark.parametrize("named", [r"a\0b", r"a\u202Eb", "<b>", "x" * 5000, r"a\nb"])
+def test_no_word_that_names_no_material_reaches_the_pages(make_run, tmp_path, named):
+    text = BAD["unknown"].replace("nylon", f'"{named}"')
+    assert named in text
+    (make_run("bad-01") / "run.yaml").write_text(text)
+    (one,) = make_plan(tmp_path / "raw", []).refused
+    assert one.material == "" and all(sign.isprintable() for sign in one.why)
+
+
 def test_a_run_yaml_that_is_none_costs_its_own_run(make_run, tmp_path):
     make_run("good-01")
     (make_run("nameless-01") / "run.yaml").unlink()

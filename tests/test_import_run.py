@@ -1,5 +1,6 @@
 import subprocess
 import sys
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from pipeline.errors import BadInput
 from pipeline.import_run import import_run, mend_time
 from pipeline.ingest import read_samples
 from pipeline.new_run import make_run as new_run
+from pipeline.table_file import read_table
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
 HAPTIC = Path(__file__).parent.parent.parent / "shared" / "recordings" / "tsa_haptic"
@@ -99,6 +101,23 @@ def test_the_rigs_load_is_not_baked_in(foreign):
     assert (read_samples(raw / "a-01")[1]["load_n"] == 30).all()
 
 
+def test_no_flipped_bit_of_an_imported_recording_is_read_with_other_values(foreign):
+    file, mapping, raw = foreign
+    import_run(file, mapping, "a-01", raw)
+    path = raw / "a-01" / "recording.parquet"
+    content, good = path.read_bytes(), read_table(path, None)
+    for place in np.random.default_rng(0).integers(0, 8 * len(content), 200):
+        flipped = bytearray(content)
+        flipped[place // 8] ^= 1 << (place % 8)
+        path.write_bytes(flipped)
+        try:
+            assert read_table(path, None).equals(good), place  # the bit was the seal's own mark
+        except BadInput as error:
+            assert "damaged" in str(error) or "Parquet" in str(error)
+    pd.read_parquet(BytesIO(content)).to_parquet(path)
+    assert read_table(path, None).equals(good)  # a foreign file without a seal
+
+
 def test_a_bad_mapping_is_named_not_the_run(foreign):
     file, mapping, raw = foreign
     mapping.write_text(mapping.read_text().replace("radius_mm", "raduis_mm"))
@@ -121,6 +140,30 @@ def test_the_program_exits_2_on_bad_input(foreign):
     ]
     assert subprocess.run([*command, "Bad"], capture_output=True).returncode == 2
     assert subprocess.run([*command, "good"], capture_output=True).returncode == 0
+
+
+@pytest.mark.parametrize("kind", ["two leap", "ten are zero", "wraps", "runs backwards", "leap for good"])
+def test_a_clock_that_is_wrong_for_long_is_refused_and_not_mended(foreign, kind):
+    file, mapping, raw = foreign
+    time_s = GOOD["time_s"].to_numpy(copy=True)
+    if kind == "two leap":
+        time_s[400:402] += 1e6
+    elif kind == "ten are zero":
+        time_s[500:510] = 0
+    elif kind == "wraps":
+        time_s %= 16.384
+    elif kind == "leap for good":
+        time_s[400:] += 1e6
+    else:
+        time_s = time_s[::-1]
+    lines = file.read_text().splitlines()
+    cells = [";".join([str(1e3 * at), *line.split(";")[1:]]) for at, line in zip(time_s, lines[1:], strict=True)]
+    file.write_text("\n".join([lines[0], *cells]))
+    with pytest.raises(
+        BadInput, match=r"time_s: (falls back or leaps|leaps by more than a week).*Mend: correct the stamp"
+    ):
+        import_run(file, mapping, "a-01", raw)
+    assert not raw.exists()
 
 
 @pytest.mark.parametrize(

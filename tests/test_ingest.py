@@ -44,6 +44,8 @@ def repeated(values):
         (spoiled("load_n", lambda v: v * np.inf), "load_n", "not a number"),
         (spoiled("time_s", backwards), "time_s", "runs backwards at row 101.*import_run"),
         (spoiled("time_s", repeated), "time_s", "stands still at row 101.*import_run"),
+        (spoiled("time_s", lambda v: np.append(v[:-1], 1e308)), "time_s", "leaps by more than a week.*Mend: correct"),
+        (spoiled("time_s", lambda v: np.append(-1e308, v[1:])), "time_s", "leaps by more than a week"),
         (spoiled("time_s", lambda v: v * 1000), "time_s", "no rate of a rig.*unit"),
         (spoiled("motor_turns", lambda v: v * 2 * np.pi), "motor_turns", "looks like rad: set channels"),
         (spoiled("motor_turns", lambda v: v * 360), "motor_turns", "looks like deg"),
@@ -73,6 +75,29 @@ def test_what_cannot_be_is_refused_and_nothing_written(make_run, tmp_path, sampl
     assert done.returncode == 2
     assert done.stderr.startswith("error: ") and "Mend: " in done.stderr and "Traceback" not in done.stderr
     assert not out.parent.exists()
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"rig": {"torsion_zone_mm": 1e18, "separator_mm": 8}}, "should contract the string by 0 mm"),
+        ({"actuator": "twisted_pair", "rig": None, "radius_mm": 1e-9}, "should contract the string by 0 mm"),
+        ({"rig": {"torsion_zone_mm": 150, "separator_mm": 8, "load_n": 1e18}}, r"load_n: is 1e\+18 N"),
+        ({"load_n": 1e308}, r"load_n: is 1e\+308 N. Mend: check channels.load_n"),
+        ({"load_n": -1e308}, "load_n: is -1e"),
+        ({"load_n": -6000.0}, "more than the string is long"),
+    ],
+)
+def test_dimensions_and_loads_that_nothing_has_are_refused_in_words(make_run, changes, says):
+    changes, samples = dict(changes), GOOD.copy()
+    string = {"material": "UHMWPE", "radius_mm": changes.pop("radius_mm", 0.4), "length_mm": 400}
+    string["stiffness_n_per_mm"] = 15
+    if "load_n" in changes:
+        samples["load_n"] = changes.pop("load_n")
+    elif "load_n" in (changes.get("rig") or {}):
+        samples = samples.drop(columns="load_n")
+    with pytest.raises(BadInput, match=says):
+        read_samples(make_run("a-01", samples, string=string, **changes))
 
 
 def test_a_real_pair_beyond_its_length_is_no_crash(make_run):
@@ -111,6 +136,16 @@ def test_an_empty_cell_of_a_tab_file_shifts_nothing(make_run):
     lines[60] = "\t".join([cells[0], "", *cells[2:]])
     (folder / "recording.csv").write_text("\n".join(lines))
     with pytest.raises(BadInput, match="motor_turns: is not a number in 1 rows, first in row 60"):
+        read_samples(folder)
+
+
+def test_a_quotation_mark_that_is_left_open_swallows_no_lines(make_run):
+    folder = make_run("a-01", GOOD.assign(note="ok"), suffix=".csv")
+    lines = (folder / "recording.csv").read_text().splitlines()
+    for row in (60, 90):
+        lines[row] = lines[row].replace("ok", '"ok')
+    (folder / "recording.csv").write_text("\n".join(lines))
+    with pytest.raises(BadInput, match=rf"has {len(GOOD)} lines of samples.*Mend: remove the quotation mark"):
         read_samples(folder)
 
 
