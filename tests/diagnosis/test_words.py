@@ -205,7 +205,8 @@ def test_the_error_on_unseen_strokes_stands_beside_the_noise():
     text = told()
     assert "nominal 1.9 mm (62 times the noise); calibrated 0.81 mm (26 times the noise); as diagnosed 0.033 mm" in text
     assert "The noise is 0.031 mm rms. Held out: the last 30 % of strokes." in text
-    assert "re-measure the radius: 0.55 mm measured, 0.5612 mm fits, 2.9 sigma away." in text
+    again = "Measure the radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance away."
+    assert again in text
 
 
 def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest():
@@ -289,3 +290,30 @@ def test_numbers_read_well():
 def test_titles_are_said_in_the_rigs_words():
     run = {"title": "a rest at the lowest twist, then one stroke"}
     assert experiment.title(run, Vocabulary.of(SYSTEMS["deg"])) == "A rest at the lowest motor angle, then one stroke"
+
+
+def corrected(value, sigma):
+    """The words where only the radius moved."""
+    known = {"radius_mm": {"nominal": 0.55, "value": value, "low": value, "high": value}}
+    made = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "parameters": known}
+    changes = {"evidence__moved_sigma": {"radius_mm": sigma}, "evidence__explanations": []}
+    return told(content(**made, **changes, evidence__nominal_mm=0.45, evidence__calibrated_mm=0.033))
+
+
+def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
+    text = corrected(0.5612, 2.1)
+    assert "The misfit was 0.45 mm rms (15 times the noise) with the dimensions of run.yaml." in text
+    assert "It is 0.033 mm rms (1.1 times the noise) once they move." in text
+    assert "radius: from 0.55 mm to 0.5612 mm (2.1 times its tolerance)." in text
+    assert "stays within its tolerance" not in text
+    assert "radius: from 0.55 mm to 0.55001 mm (0.02 times its tolerance)." in corrected(0.55001, 0.02)
+    assert "Every dimension stays within its tolerance: none of them was measured wrong." in corrected(0.551, 0.2)
+    assert "only the zero of the reading did" in corrected(0.55, 1e-4)
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "parameters", "explained"])
+def test_where_no_run_is_needed_next_the_verdict_says_so_and_why(verdict):
+    made = spoken(content(verdict=verdict, next_run=None), SYSTEMS["mm"])
+    text = told(content(verdict=verdict, next_run=None))
+    assert "The run to make next\n  None is needed: " in text and "None is needed" not in told()
+    assert made["next_experiment"] is None

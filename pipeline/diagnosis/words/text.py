@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.words import experiment, rivals, unseen
-from pipeline.diagnosis.words.dimensions import remeasured
+from pipeline.diagnosis.words.dimensions import corrected, remeasured
 from pipeline.diagnosis.words.places import place
 from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.spoken import whole
@@ -23,6 +23,14 @@ SAID = {
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 
+NONE_NEEDED = {
+    "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
+    "would show more.",
+    "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
+    "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
+    "another speed and load.",
+}
+
 
 def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -> str:
     """A verdict for a person, whole; `folders` are the runs it is about, for the command that follows the next run."""
@@ -36,7 +44,7 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -
         ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
-        ("Dimensions", remeasured(content)),
+        ("Dimensions", [*corrected(content, words), *remeasured(content)]),
         ("The run to make next", following(content, words, folders)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", detectable(content, words)),
@@ -113,7 +121,7 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -
     """The protocol, line by line, and the command that diagnoses its recording together with this one."""
     run = content["next_run"]
     if not run:
-        return []
+        return [NONE_NEEDED[content["verdict"]]] if content["verdict"] in NONE_NEEDED else []
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]
