@@ -4,7 +4,8 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import experiment, rivals, unseen
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.words import effects, experiment, rivals, unseen
 from pipeline.diagnosis.words.dimensions import corrected, remeasured
 from pipeline.diagnosis.words.places import place
 from pipeline.diagnosis.words.quantity import listing, size, times
@@ -15,6 +16,7 @@ from pipeline.systems import System
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
 COMMAND = "python -m pipeline.diagnose"
 WIDE = 112
+SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor} rms).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
@@ -82,11 +84,24 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return []
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
+    small = "The effect is smaller than the noise of one sample; it shows only over many samples."
     return [
         f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise.",
+        *([small] if rms < SMALL * floor else []),
         f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
-        f"It follows {mismatch['driver']}.",
+        *follows(content, words),
     ]
+
+
+def follows(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What the mismatch follows; a line for each mechanism where there are several."""
+    if len(content["mechanisms"]) < 2:
+        return [f"It follows {content['mismatch']['driver']}."]
+    lines = []
+    for entry in content["mechanisms"]:
+        said = words.follows(mechanisms()[entry["id"]].driver, content["evidence"]["loaded"])
+        lines.append(f"{entry['id']} follows {effects.CALCULATED if effects.calculated(entry) else said}.")
+    return lines
 
 
 def named(content: dict[str, Any]) -> list[str]:
@@ -106,7 +121,10 @@ def detectable(content: dict[str, Any], words: Vocabulary) -> list[str]:
     sizes = sorted(content["fit"][f"detectable_{words.ending}"].items(), key=lambda item: item[1])
     if content["verdict"] not in ("consistent", "parameters") or not sizes:
         return []
-    return [f"{listing([f'{id_} from {size(least, words.unit)}' for id_, least in sizes])} rms on."]
+    return [
+        "An effect would have been seen from this size on (rms):",
+        f"{listing([f'{id_} {size(least, words.unit)}' for id_, least in sizes])}.",
+    ]
 
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
