@@ -187,7 +187,7 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
     assert "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), no more than the best." in (
         beaten
     )
-    assert "The best fits the whole recording better, by 20 standard deviations." in beaten
+    assert "The best explanation fits the whole recording better, by 20 standard deviations." in beaten
     assert (
         "wear, added to friction_hysteresis + creep: explains 0.0024 mm rms more. That is too little to count."
         in beaten

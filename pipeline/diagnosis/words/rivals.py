@@ -128,7 +128,8 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
     if one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
         return f"{said}. {differs}"
     if one["worse"] > 0.0:
-        less = f"The best fits the whole recording better, by {times(math.sqrt(one['worse']))} standard deviations"
+        far = f"by {times(math.sqrt(one['worse']))} standard deviations"
+        less = f"The best explanation fits the whole recording better, {far}"
         return f"{said}, no more than the best. {less}. {differs}"
     if one.get("balanced"):
         return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
