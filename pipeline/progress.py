@@ -1,7 +1,7 @@
 """How far a long piece of work is: one line on the terminal that renews itself, or a line a minute in a log.
 
 Programs say what they go through by `steps`; one inside another stands in the same line, as in "fit 3 of 8, epoch 20 of
-60, 41 s". Everything goes to stderr. What is done within a minute says nothing in a log.
+60, 41 s so far". Everything goes to stderr. What is done within a minute says nothing in a log.
 """
 
 import shutil
@@ -51,7 +51,8 @@ def words(elapsed_s: float) -> str:
     """What is under way, in words."""
     parts = [f"{what} {number} of {count}" if count else f"{what} {number}" for what, number, count in _line.levels]
     seconds = round(elapsed_s)
-    return ", ".join([*parts, f"{seconds} s" if seconds < 120 else f"{seconds // 60} min {seconds % 60} s"])
+    spent = f"{seconds} s" if seconds < 120 else f"{seconds // 60} min {seconds % 60} s"
+    return ", ".join([*parts, f"{spent} so far"])
 
 
 def clear() -> None:

@@ -51,16 +51,16 @@ def test_a_log_gets_a_line_a_minute(clock: Clock, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(sys, "stderr", log)
     work(clock, 20.0)
     assert log.getvalue().splitlines() == [
-        "fit 1 of 3, epoch 4 of 4, 60 s",
-        "fit 2 of 3, epoch 3 of 4, 2 min 0 s",
-        "fit 3 of 3, epoch 2 of 4, 3 min 0 s",
+        "fit 1 of 3, epoch 4 of 4, 60 s so far",
+        "fit 2 of 3, epoch 3 of 4, 2 min 0 s so far",
+        "fit 3 of 3, epoch 2 of 4, 3 min 0 s so far",
     ]
 
 
 def test_what_is_soon_done_says_nothing_in_a_log_and_little_on_a_terminal(
     clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for stream, said in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s\x1b[K\r\r\x1b[K")):
+    for stream, said in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s so far\x1b[K\r\r\x1b[K")):
         monkeypatch.setattr(sys, "stderr", stream)
         work(clock, 0.001)
         assert stream.getvalue() == said
@@ -71,8 +71,10 @@ def test_a_terminal_has_one_line_that_is_gone_at_the_end(clock: Clock, monkeypat
     monkeypatch.setattr(sys, "stderr", screen)
     work(clock, 1.0)
     said = screen.getvalue()
-    assert "\n" not in said and said.startswith("\rfit 1 of 3, 0 s\x1b[K\r\rfit 1 of 3, epoch 2 of 4, 1 s")
-    assert "fit 3 of 3, epoch 4 of 4, 11 s" in said and said.endswith("\r\x1b[K")
+    assert "\n" not in said and said.startswith(
+        "\rfit 1 of 3, 0 s so far\x1b[K\r\rfit 1 of 3, epoch 2 of 4, 1 s so far"
+    )
+    assert "fit 3 of 3, epoch 4 of 4, 11 s so far" in said and said.endswith("\r\x1b[K")
 
 
 def test_work_that_fails_leaves_no_line_behind(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -85,7 +87,7 @@ def test_work_that_fails_leaves_no_line_behind(clock: Clock, monkeypatch: pytest
                 raise ValueError
     assert screen.getvalue().endswith("\r\x1b[K")
     work(clock, 1.0)
-    assert "\rfit 1 of 3, epoch 2 of 4, 1 s" in screen.getvalue()
+    assert "\rfit 1 of 3, epoch 2 of 4, 1 s so far" in screen.getvalue()
 
 
 def on_a_terminal(command: list[str]) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.diagnosis import engine, generic, locate, named
 from pipeline.diagnosis.compare import price
-from pipeline.diagnosis.outcome import Study, cancels
+from pipeline.diagnosis.outcome import Study, cancels, rms
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.kinematics import Array
@@ -115,12 +115,22 @@ def moved(found: Study) -> dict[str, float]:
     }
 
 
+def misfits(found: Study, ending: str) -> dict[str, float]:
+    """What the simulator leaves of the recording as `run.yaml` has it, and with its dimensions calibrated, rms."""
+    problem = found.problem
+    return {
+        f"{name}_{ending}": rms((problem.measured - problem.simulate(state))[: problem.rows])
+        for name, state in (("nominal", found.nominal), ("calibrated", found.base))
+    }
+
+
 def evidence(found: Study) -> dict[str, Any]:
     """All of it, as `diagnosis.json` holds it; `floor` is that of the samples that were compared."""
     system, drivers = found.problem.system, found.problem.drivers
     ending = system.channel.rpartition("_")[2]
     return {
         f"floor_{ending}": found.floor,
+        **misfits(found, ending),
         "explanations": explanations(found, ending),
         f"spans_{ending}": spans(found),
         "moved_sigma": moved(found),

@@ -42,8 +42,9 @@ class Mechanism:
     An id that begins with `x_` is no physics of the library: alone it names nothing.
 
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
-    value of the effect), {times} (its time constants), and the rig's words: {string} {motion} {rate} {reading} {up}
-    {down}. `details` follow it: of these the first all of whose parameters were found, each said as its value.
+    value of the effect), {times} (its time constants), {temperature}, and the rig's words: {string} {motion}
+    {rate} {reading} {up} {down}. `details` follow it: of these the first all of whose parameters were found, each said
+    as its value.
     """
 
     id: str

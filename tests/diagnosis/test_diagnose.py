@@ -91,6 +91,8 @@ def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagn
     assert standing[("creep",)] == "named" and standing[()] == "nothing"
     assert {"beaten", "not needed"} & set(standing.values())
     text = (here / "verdict.txt").read_text()
+    assert "The run to make next\n  None is needed: " in text and content["next_experiment"] is None
+    assert content["evidence"]["nominal_mm"] > content["evidence"]["calibrated_mm"] > content["fit"]["noise_floor_mm"]
     assert text.startswith(f"{content['run']}: explained: ") and "Why no other explanation" in text
     for one in (one for one in shown if one["standing"] == "beaten"):
         assert set(one["location"]) == {"motor_turns", "strokes", "phase", "share"} and one["gap_mm"] > 0.0
@@ -153,6 +155,9 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     assert done.returncode == 0, done.stderr
     again = json.loads((tmp_path / "out" / folder.name / "diagnosis.json").read_text())
     assert again["verdict"] in ("consistent", "parameters")
+    text = (tmp_path / "out" / folder.name / "verdict.txt").read_text()
+    assert "The run to make next\n  None is needed: " in text
+    assert (again["verdict"] == "parameters") == bool(re.search(r"The misfit was .* rms .*\n(.|\n)* tolerance\)", text))
 
 
 def edited(source: Path, to: Path, samples: pd.DataFrame | None = None, **described: object) -> Path:

@@ -90,7 +90,9 @@ def content(**changes):
 def told(made=None, folders=("raw/nylon-3",), system="mm"):
     """The verdict as a person reads it, with its lines joined again where they were wrapped."""
     made = spoken(made or content(), SYSTEMS[system])
-    return re.sub(r"\n {4,}(?=\S)(?!\d\.|python)", " ", verdict_text(made, SYSTEMS[system], [Path(f) for f in folders]))
+    return re.sub(
+        r"\n {4,}(?=\S)(?!\d\. |python)", " ", verdict_text(made, SYSTEMS[system], [Path(f) for f in folders])
+    )
 
 
 def test_no_number_goes_without_unit_sense_or_in_exponents():
@@ -99,14 +101,14 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
     assert "-0.000" not in text and "-0 " not in text
     assert "0.44 mm rms after calibration, 15 times the noise." in text
     assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
-    assert "It follows the direction of motion and the load; time under load." in text
+    assert "friction_hysteresis follows the direction of motion and the load.\n  creep follows time under" in text
 
 
 def test_sentences_say_size_reach_and_what_was_found():
     made = spoken(content(), SYSTEMS["mm"])
     friction, creep = (entry["sentence"] for entry in made["mechanisms"])
     assert friction == (
-        "Friction parts the displacement of winding from that of unwinding, by up to 0.20 mm (0.082 mm rms): "
+        "Friction makes the displacement of winding differ from that of unwinding, by up to 0.20 mm (0.082 mm rms): "
         "half the loop is 0.101 mm."
     )
     assert "by up to 0.90 mm (0.41 mm rms), with time constants of 15 s to 60 s" in creep
@@ -120,7 +122,11 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
         "3. Hold 60 s at 30.7 turns.", "4. Unwind to 0 turns in 16 s (1.9 turns/s).", "5. Hold 2 min at 0 turns.",
     ):  # fmt: skip
         assert step in text
-    assert "tell creep from thermal: the two cases are expected to part by 73 standard deviations of the noise" in text
+    assert (
+        "This run is to tell creep from thermal. The two predictions should then differ by 73 standard deviations"
+        in text
+    )
+    assert "of the noise; now they differ by 2.2." in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
     assert "with the same `string.id`" in text
 
@@ -172,17 +178,20 @@ def test_what_is_repeated_is_counted_and_reversals_in_a_row_are_one_step():
 def test_what_all_ties_share_and_why_each_rival_was_beaten():
     text = told()
     assert "Together they leave 0.030 mm rms (1.0 times the noise)." in text
-    assert "Both explanations have friction_hysteresis; they differ in what is beside it: creep or thermal." in text
-    assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise), but only 1.0 times" in text
+    assert "Both explanations have friction_hysteresis. They differ in what they add to it: creep; or thermal." in text
+    assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise). The formulas of" in text
+    assert "thermal are not exact: if wrong by 10 %, only 1.0 times the noise is left." in text
     beaten = text[text.index("Why no other explanation") :]
-    assert "creep: leaves 0.060 mm rms (2.0 times the noise). It parts from the best by 0.070 mm rms, mostly" in beaten
-    assert "at 0 to 12.2 turns, in strokes 2 to 4, at rest; this follows the time." in beaten
-    assert (
-        "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), no more than the best, but"
-        in (beaten)
+    assert "creep: leaves 0.060 mm rms (2.0 times the noise). Its prediction differs from the best one by" in beaten
+    assert "at 0 to 12.2 turns, in strokes 2 to 4, at rest. This difference follows the time." in beaten
+    assert "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), no more than the best." in (
+        beaten
     )
-    assert "less likely with it, by 20 standard deviations" in beaten
-    assert "wear beside friction_hysteresis + creep: takes away 0.0024 mm rms more: too little to count." in beaten
+    assert "The best explanation fits the whole recording better, by 20 standard deviations." in beaten
+    assert (
+        "wear, added to friction_hysteresis + creep: explains 0.0024 mm rms more. That is too little to count."
+        in beaten
+    )
     assert "calibration alone: leaves 0.45 mm rms (15 times the noise)." in beaten
 
 
@@ -205,12 +214,15 @@ def test_the_error_on_unseen_strokes_stands_beside_the_noise():
     text = told()
     assert "nominal 1.9 mm (62 times the noise); calibrated 0.81 mm (26 times the noise); as diagnosed 0.033 mm" in text
     assert "The noise is 0.031 mm rms. Held out: the last 30 % of strokes." in text
-    assert "re-measure the radius: 0.55 mm measured, 0.5612 mm fits, 2.9 sigma away." in text
+    again = "Measure the radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance away."
+    assert again in text
 
 
 def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest():
     text = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
-    assert "backlash from 0.0040 mm and creep from 0.020 mm rms on." in text and "What is missing" not in text
+    assert (
+        "from this size on (rms):\n  backlash 0.0040 mm and creep 0.020 mm." in text and "What is missing" not in text
+    )
     shown = [explanation([], "nothing", 0.45), explanation(["x_wave"], "not enough", 0.06)]
     text = told(content(verdict="unknown", mechanisms=[], alternatives=[], evidence__explanations=shown))
     assert "x_wave: takes 99 % of the mismatch's energy, and is no physics of the library." in text
@@ -231,7 +243,7 @@ def test_other_rigs_have_their_own_words_and_units(ending, driver, unit, load):
     text = others(ending, ending, driver, unit, load)
     assert not re.search(r"\b(string|twist|twisted|wind|winding|unwinding|turns|mm|displacement)\b", text), text
     reading, motion = {"deg": ("jaw angle", "deg"), "n": ("force", "m")}[ending]
-    assert f"Friction parts the {reading} of the way up from that of the way down, by up to 0.20 {unit}" in text
+    assert f"Friction makes the {reading} of the way up differ from that of the way down, by up to 0.20 {unit}" in text
     assert f"2. Go to 30.7 {motion} in 16 s" in text and f"4. Go back to 0 {motion}" in text
 
 
@@ -257,8 +269,8 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made = content()
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     text = told(made)
-    assert "creep is 8.0 times the mismatch: without it other dimensions make up for most of it." in text
-    assert "friction_hysteresis is" not in text
+    assert "creep alone would change the reading 8.0 times as much as the mismatch. But most of that looks like" in text
+    assert "friction_hysteresis alone" not in text
 
 
 def test_events_are_told_one_by_one():
@@ -289,3 +301,51 @@ def test_numbers_read_well():
 def test_titles_are_said_in_the_rigs_words():
     run = {"title": "a rest at the lowest twist, then one stroke"}
     assert experiment.title(run, Vocabulary.of(SYSTEMS["deg"])) == "A rest at the lowest motor angle, then one stroke"
+
+
+def corrected(value, sigma):
+    """The words where only the radius moved."""
+    known = {"radius_mm": {"nominal": 0.55, "value": value, "low": value, "high": value}}
+    made = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "parameters": known}
+    changes = {"evidence__moved_sigma": {"radius_mm": sigma}, "evidence__explanations": []}
+    return told(content(**made, **changes, evidence__nominal_mm=0.45, evidence__calibrated_mm=0.033))
+
+
+def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
+    text = corrected(0.5612, 2.1)
+    assert "The misfit was 0.45 mm rms (15 times the noise) with the dimensions of run.yaml." in text
+    assert "It is 0.033 mm rms (1.1 times the noise) once they move." in text
+    assert "radius: from 0.55 mm to 0.5612 mm (2.1 times its tolerance)." in text
+    assert "stays within its tolerance" not in text
+    assert "radius: from 0.55 mm to 0.55001 mm (0.02 times its tolerance)." in corrected(0.55001, 0.02)
+    assert "Every dimension stays within its tolerance: none of them was measured wrong." in corrected(0.551, 0.2)
+    assert "only the zero of the reading did" in corrected(0.55, 1e-4)
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "parameters", "explained"])
+def test_where_no_run_is_needed_next_the_verdict_says_so_and_why(verdict):
+    made = spoken(content(verdict=verdict, next_run=None), SYSTEMS["mm"])
+    text = told(content(verdict=verdict, next_run=None))
+    assert "The run to make next\n  None is needed: " in text and "None is needed" not in told()
+    assert made["next_experiment"] is None
+
+
+@pytest.mark.parametrize(("measured", "said"), [(0.0, "a temperature that is calculated"), (1.0, "the measured temp")])
+def test_a_calculated_temperature_is_not_told_as_a_measured_one(measured, said):
+    found = {"measured": parameter(measured, "1"), "friction_30_s_mm": parameter(0.1, "mm")}
+    entry = {"id": "thermal", "rms_mm": parameter(0.018, "mm"), "parameters": found}
+    changes = {"mismatch__driver": ["temperature"], "mismatch__rms_mm": 0.0068}
+    text = told(content(verdict="explained", mechanisms=[entry], alternatives=[], next_run=None, **changes))
+    assert f"thermal: The length follows {said}" in text and "The effect is smaller than the noise of one" in text
+    assert ("It follows a temperature that is calculated from how fast" in text) == (not measured)
+    assert "smaller than the noise" not in told()
+
+
+def test_the_sentences_keep_their_subject_and_need_no_second_reading():
+    made = content()
+    made["mechanisms"][1]["rms_mm"]["value"] = 3.52
+    for gap in (1.0, 900.0):
+        made["next_run"]["gap_now"] = gap
+        text = told(made)
+        assert ("does not decide yet" in text) == (gap > 25.0)
+        assert not re.search("make up for|a little wrong|slightly wrong|two part|less likely|whatever the rig", text)

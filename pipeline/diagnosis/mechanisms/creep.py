@@ -35,7 +35,7 @@ MECHANISM = Mechanism(
     source="physics.md A3, A4",
     confused_with="plastic_elongation, thermal, sensor_drift",
     told_apart_by="a hold under load, then a rest without it: creep goes on in the hold and comes back in the rest",
-    sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and takes it back without it.",
+    sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and shortens again without it.",
     shapes=shapes,
     terms=terms,
 )

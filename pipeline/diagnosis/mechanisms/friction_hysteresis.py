@@ -81,7 +81,7 @@ MECHANISM = Mechanism(
     source="physics.md C2-C5",
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
-    sentence="Friction parts the {reading} of {up} from that of {down}, by up to {span} ({size}).",
+    sentence="Friction makes the {reading} of {up} differ from that of {down}, by up to {span} ({size}).",
     details=(
         "half the loop is {half_loop_mm}",
         "half the loop is {half_loop_mm_per_10_n}",

@@ -3,10 +3,12 @@
 import re
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import number, said_unit
+from pipeline.diagnosis.words.quantity import number, said_unit, size, times
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.schemas import unit_of
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
+HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
@@ -16,11 +18,39 @@ def remeasured(content: dict[str, Any]) -> list[str]:
     moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
     lines = []
     for name, sigma in moved.items():
-        known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
-        nominal, value = (f"{number(known[key], 4)} {unit}".strip() for key in ("nominal", "value"))
-        lines.append(f"re-measure the {name_of(name)}: {nominal} measured, {value} fits, {abs(sigma):.1f} sigma away.")
+        nominal, value = from_to(content, name)
+        far = f"{abs(sigma):.1f} times its tolerance away"
+        lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
     if len(moved) >= MANY:
         lines.append("So many at once are hardly measured wrong: rather physics is missing that bends them.")
+    return lines
+
+
+def from_to(content: dict[str, Any], name: str) -> tuple[str, str]:
+    """A dimension as `run.yaml` has it and as it fits, with as many digits as it takes to tell them apart."""
+    known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
+    digits = next((n for n in range(4, 6) if number(known["nominal"], n) != number(known["value"], n)), 6)
+    nominal, value = (f"{number(known[key], digits)} {unit}".strip() for key in ("nominal", "value"))
+    return nominal, value
+
+
+def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Where only dimensions moved: the misfit before and after, then each dimension, from what to what."""
+    shown, lines = content["evidence"], []
+    if content["verdict"] != "parameters":
+        return []
+    before, after, floor = (shown.get(f"{name}_{words.ending}") for name in ("nominal", "calibrated", "floor"))
+    if before is not None:
+        sizes = [f"{size(value, words.unit)} rms ({times(value / floor)} times the noise)" for value in (before, after)]
+        lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
+    moved = {name: sigma for name, sigma in shown["moved_sigma"].items() if abs(sigma) >= HARDLY}
+    for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
+        nominal, value = from_to(content, name)
+        lines.append(f"{name_of(name)}: from {nominal} to {value} ({number(abs(sigma))} times its tolerance).")
+    if moved and all(abs(sigma) < 1.0 for sigma in moved.values()):
+        lines.append("Every dimension stays within its tolerance: none of them was measured wrong.")
+    if not moved:
+        lines.append("No dimension moved by a hundredth of its tolerance: only the zero of the reading did.")
     return lines
 
 

@@ -10,6 +10,9 @@ from pipeline.diagnosis.words.quantity import duration, listing, quantity, size
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 MOST_OF = 0.2  # of all strengths: time constants with less are not worth a word
+CALCULATED = (
+    "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
+)
 ENTRY_S = re.compile(r"(?:^|_)([0-9.]+)_s_")
 
 
@@ -21,9 +24,15 @@ def sentence(mechanism: Mechanism, entry: dict[str, Any], span: float | None, wo
     fields = {**words.fields, "size": f"{size(worth, words.unit)} rms"}
     fields["span"] = size(span, words.unit) if span is not None else ""
     fields["times"] = time_constants(entry["parameters"])
+    fields["temperature"] = CALCULATED if calculated(entry) else "the measured temperature"
     said = filled(mechanism.sentence, fields).rstrip(".")
     detail = details(mechanism, entry["parameters"], words, units)
     return f"{said}{': ' if detail else ''}{detail}."
+
+
+def calculated(entry: dict[str, Any]) -> bool:
+    """Whether the temperature that a mechanism follows is that of self-heating, from the motion."""
+    return entry["id"] == "thermal" and not entry["parameters"].get("measured", {"value": 0.0})["value"]
 
 
 def filled(template: str, fields: dict[str, str]) -> str:

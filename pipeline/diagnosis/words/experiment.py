@@ -56,13 +56,13 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
-    said = f"It is to tell {tried(*run['parts'])}: "
+    said = f"This run is to tell {tried(*run['parts'])}."
     if then < LITTLE * now:
-        more = f"{number(then)} standard deviations of the noise, {number(now)} without it"
-        return f"{said}but no run that was thought of parts the two cases much further ({more})."
-    still = ", which a slightly wrong formula may still make" if now > PLAIN else ""
-    gap = f"{number(then)} standard deviations of the noise (now {number(now)}{still})"
-    return f"{said}the two cases are expected to part by {gap}."
+        more = f"{number(then)} standard deviations of the noise with the run, {number(now)} without it"
+        return f"{said} But no run that was tried out in simulation tells the two cases apart much better: {more}."
+    still = " A small error in a formula can make that, so it does not decide yet." if now > PLAIN else ""
+    gap = f"{number(then)} standard deviations of the noise"
+    return f"{said} The two predictions should then differ by {gap}; now they differ by {number(now)}.{still}"
 
 
 def care(run: dict[str, Any]) -> str:

@@ -51,10 +51,8 @@ def shared(content: dict[str, Any]) -> str:
         return f"The {len(sets)} explanations that fit alike share no mechanism."
     every = "Both" if len(sets) == 2 else f"All {len(sets)}"
     rests = [" + ".join(id_ for id_ in ids if id_ not in common) or "nothing more" for ids in sets]
-    beside = "it" if len(common) == 1 else "them"
-    return (
-        f"{every} explanations have {listing(common)}; they differ in what is beside {beside}: {listing(rests, 'or')}."
-    )
+    differ = f"They differ in what they add to {'it' if len(common) == 1 else 'them'}"
+    return f"{every} explanations have {listing(common)}. {differ}: {'; or '.join(rests)}."
 
 
 def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -73,7 +71,8 @@ def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> st
     floor = content["evidence"][f"floor_{words.ending}"]
     if bent > BENT * one[f"left_{words.ending}"] or one[f"left_{words.ending}"] < NOISY * floor:
         return said
-    return f"{said}, but only {times(bent / floor)} times the noise if its formula is a little wrong"
+    formula = f"formula of {one['ids'][0]} is" if len(one["ids"]) == 1 else f"formulas of {listing(one['ids'])} are"
+    return f"{said}. The {formula} not exact: if wrong by 10 %, only {times(bent / floor)} times the noise is left"
 
 
 def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -88,8 +87,8 @@ def made_up_for(content: dict[str, Any], words: Vocabulary) -> list[str]:
     for entry in content["mechanisms"]:
         ratio = entry[f"rms_{words.ending}"]["value"] / whole if whole else 0.0
         if ratio > LARGER:
-            hidden = "without it other dimensions make up for most of it"
-            lines.append(f"{entry['id']} is {times(ratio)} times the mismatch: {hidden}.")
+            alone = f"{entry['id']} alone would change the reading {times(ratio)} times as much as the mismatch."
+            lines.append(f"{alone} But most of that looks like other dimensions of the rig: its size is not sure.")
     return lines
 
 
@@ -123,16 +122,18 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
     said = f"{called(one['ids'])}: leaves {left(one, content, words)}"
     where = place(one["location"], content["evidence"], words)
     where = where if where == EVERYWHERE else f"mostly {where}"
-    follows = f"; this follows {words.follows(one['driver'])}" if one["driver"] else ""
+    follows = f" This difference follows {words.follows(one['driver'])}." if one["driver"] else ""
     gap = size(one[f"gap_{ending}"], words.unit)
+    differs = f"Its prediction differs from the best one by {gap} rms, {where}.{follows}"
     if one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
-        return f"{said}. It parts from the best by {gap} rms, {where}{follows}."
+        return f"{said}. {differs}"
     if one["worse"] > 0.0:
-        less = f"the recording is less likely with it, by {times(math.sqrt(one['worse']))} standard deviations"
-        return f"{said}, no more than the best, but {less}; the two part by {gap} rms, {where}{follows}."
+        far = f"by {times(math.sqrt(one['worse']))} standard deviations"
+        less = f"The best explanation fits the whole recording better, {far}"
+        return f"{said}, no more than the best. {less}. {differs}"
     if one.get("balanced"):
-        return f"{said}. Its effects are far larger than what they do together: a balance, which is no explanation."
-    return f"{said}, about as little as the best, which the search prefers; the two part {where}{follows}."
+        return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
+    return f"{said}, about as little as the best, which the search prefers. {differs}"
 
 
 def _saved(base: dict[str, Any], one: dict[str, Any], key: str) -> float:
@@ -151,9 +152,9 @@ def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary)
     saved, bent = (_saved(base, one, f"{key}_{ending}") for key in ("left", "bent"))
     further = [id_ for id_ in one["ids"] if id_ not in base["ids"]]
     if not saved:
-        return f"{listing(further)} beside {called(base['ids'])}: takes nothing more away."
-    more = f"takes away {size(saved, words.unit)} rms more"
+        return f"{listing(further)}, added to {called(base['ids'])}: explains nothing more."
+    more = f"explains {size(saved, words.unit)} rms more"
     if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and bent < saved:
-        more += f", and only {size(bent, words.unit)} if formulas may be a little wrong"
-    more += ": too little to count"
-    return f"{listing(further)} beside {called(base['ids'])}: {more}."
+        more += f" ({size(bent, words.unit)} if the formulas are 10 % wrong)"
+    more += ". That is too little to count"
+    return f"{listing(further)}, added to {called(base['ids'])}: {more}."

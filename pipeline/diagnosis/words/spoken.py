@@ -18,7 +18,10 @@ def spoken(content: dict[str, Any], system: System) -> dict[str, Any]:
         mechanism = mechanisms()[entry["id"]]
         entry["sentence"] = effects.sentence(mechanism, entry, spans.get(entry["id"]), words, units)
     if content["mismatch"]:
-        content["mismatch"]["driver"] = followed(content["mismatch"]["driver"], words, evidence["loaded"])
+        said = followed(content["mismatch"]["driver"], words, evidence["loaded"])
+        if any(effects.calculated(entry) for entry in content["mechanisms"]):
+            said = said.replace("the temperature", effects.CALCULATED)
+        content["mismatch"]["driver"] = said
     if content["next_run"]:
         content["next_experiment"] = experiment.in_one_line(content["next_run"], words, whole(evidence, words))
     return content

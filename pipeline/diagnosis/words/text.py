@@ -4,8 +4,9 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import experiment, rivals, unseen
-from pipeline.diagnosis.words.dimensions import remeasured
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.words import effects, experiment, rivals, unseen
+from pipeline.diagnosis.words.dimensions import corrected, remeasured
 from pipeline.diagnosis.words.places import place
 from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.spoken import whole
@@ -15,12 +16,21 @@ from pipeline.systems import System
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
 COMMAND = "python -m pipeline.diagnose"
 WIDE = 112
+SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor} rms).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
     "explained": "physics is missing, and named.",
     "ambiguous": "physics is missing; {count} explanations fit alike.",
     "unknown": "the mismatch is real, and nothing in the library explains it.",
+}
+
+NONE_NEEDED = {
+    "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
+    "would show more.",
+    "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
+    "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
+    "another speed and load.",
 }
 
 
@@ -36,7 +46,7 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -
         ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
-        ("Dimensions", remeasured(content)),
+        ("Dimensions", [*corrected(content, words), *remeasured(content)]),
         ("The run to make next", following(content, words, folders)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", detectable(content, words)),
@@ -74,11 +84,24 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return []
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
+    small = "The effect is smaller than the noise of one sample; it shows only over many samples."
     return [
         f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise.",
+        *([small] if rms < SMALL * floor else []),
         f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
-        f"It follows {mismatch['driver']}.",
+        *follows(content, words),
     ]
+
+
+def follows(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What the mismatch follows; a line for each mechanism where there are several."""
+    if len(content["mechanisms"]) < 2:
+        return [f"It follows {content['mismatch']['driver']}."]
+    lines = []
+    for entry in content["mechanisms"]:
+        said = words.follows(mechanisms()[entry["id"]].driver, content["evidence"]["loaded"])
+        lines.append(f"{entry['id']} follows {effects.CALCULATED if effects.calculated(entry) else said}.")
+    return lines
 
 
 def named(content: dict[str, Any]) -> list[str]:
@@ -98,7 +121,10 @@ def detectable(content: dict[str, Any], words: Vocabulary) -> list[str]:
     sizes = sorted(content["fit"][f"detectable_{words.ending}"].items(), key=lambda item: item[1])
     if content["verdict"] not in ("consistent", "parameters") or not sizes:
         return []
-    return [f"{listing([f'{id_} from {size(least, words.unit)}' for id_, least in sizes])} rms on."]
+    return [
+        "An effect would have been seen from this size on (rms):",
+        f"{listing([f'{id_} {size(least, words.unit)}' for id_, least in sizes])}.",
+    ]
 
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -113,7 +139,7 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -
     """The protocol, line by line, and the command that diagnoses its recording together with this one."""
     run = content["next_run"]
     if not run:
-        return []
+        return [NONE_NEEDED[content["verdict"]]] if content["verdict"] in NONE_NEEDED else []
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]

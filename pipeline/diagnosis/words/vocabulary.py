@@ -87,7 +87,7 @@ FOLLOWED = {
     "nothing: a constant": "a constant",
     "sudden events on the length": "sudden events in the length",
     "sudden events on the twist": "sudden losses of twist",
-    "absolute time": "the time, whatever the rig does",
+    "absolute time": "the time alone, in motion and at rest",
     "load": "the load",
     "temperature": "the temperature",
     "current": "the motor's current",
@@ -100,7 +100,7 @@ FOLLOWED = {
     "displacement rate": "the displacement rate",
     "twisting rate": "the twisting rate",
     "twist": "the twist",
-    "time, as a steady oscillation": "the time, as a steady oscillation",
+    "time, as a steady oscillation": "the time: it oscillates steadily",
 }
 
 
