@@ -15,6 +15,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
+from pipeline.jump_notes import read_jumps
 from pipeline.models.box import COLUMNS
 from pipeline.models.conditions import Conditions
 from pipeline.models.intervals import GIVEN, Intervals, TooFew
@@ -23,7 +24,6 @@ from pipeline.outputs import file_to_write
 from pipeline.question_table import question_table, refuse_cells
 from pipeline.tables import opened
 from pipeline.train import configured, fitting, seed
-from pipeline.zero import read_jumps
 
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell

@@ -5,16 +5,12 @@ winds the string, so the rest before a run's first stroke should read what the l
 noise and for what a string does by itself. Where it does not, a clamp or the sensor was moved: a jump.
 """
 
-import json
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from pipeline.errors import BadInput
 from pipeline.ingest import geometry
 from pipeline.kinematics import Array
 from pipeline.recorded import Recorded, in_order, tare_mm
@@ -154,17 +150,3 @@ def noise_mm(recorded: Recorded) -> float:
         if len(rest) > 2:
             spreads.append(1.4826 * float(np.median(np.abs(rest - np.median(rest)))))
     return max(rough, float(np.median(spreads)) if spreads else 0.0)
-
-
-def read_jumps(files: Sequence[Path]) -> list[str]:
-    """What such files say, one sentence a jump; a file that is not there says nothing. Raises BadInput."""
-    found: list[str] = []
-    for path in files:
-        try:
-            said = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else []
-        except (ValueError, RecursionError):
-            said = None
-        if not isinstance(said, list) or not all(isinstance(one, str) for one in said):
-            raise BadInput(path, "JSON", "is not what the dataset's stage writes", "delete it and run snakemake again")
-        found += said
-    return found

@@ -15,10 +15,11 @@ from test_dataset import recorded, string
 from pipeline import schemas
 from pipeline.dataset import make_dataset
 from pipeline.errors import BadInput
+from pipeline.jump_notes import read_jumps
 from pipeline.lifespan.gather import strings
 from pipeline.recorded import Recorded
 from pipeline.strokes import segment
-from pipeline.zero import jumps, offsets_mm, read_jumps
+from pipeline.zero import jumps, offsets_mm
 from pipeline.zero_beside import jumps_into
 
 ROOT = Path(__file__).parent.parent

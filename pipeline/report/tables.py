@@ -9,6 +9,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import program
 from pipeline.files import write_text
+from pipeline.jump_notes import read_jumps
 from pipeline.left_out import LeftOut
 from pipeline.made_by import MadeBy, sentence, warning
 from pipeline.report import jumps, left_out, paper
@@ -18,7 +19,6 @@ from pipeline.report.sidecar import Column, describe
 from pipeline.report.strokes_there import missing_of, tabled, there_of
 from pipeline.report.table_forms import Row, to_csv, to_latex, to_markdown
 from pipeline.report.titles import titles_of
-from pipeline.zero import read_jumps
 
 
 def shown(metrics: pd.DataFrame, number: int) -> pd.DataFrame:
