@@ -12,6 +12,8 @@ from pipeline.errors import BadInput
 from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run
 from pipeline.runs import recording_path
 from pipeline.table_file import read_table
+from pipeline.text_file import TextFile
+from pipeline.text_layout import DECIMAL_COMMA, with_point
 from pipeline.units import conversion
 
 
@@ -45,19 +47,23 @@ def _plain(value: object) -> object:
     )
 
 
-def _numbers(column: pd.Series, name: str, path: Path) -> pd.Series:
+def _numbers(column: pd.Series, name: str, path: Path, layout: TextFile) -> pd.Series:
     """A raw column as floats, NaN where it is empty; raises BadInput for what is no number."""
     if column.dtype.kind not in "fiu" and not (column.dtype == object or pd.api.types.is_string_dtype(column.dtype)):
         mend = "write them as numbers, time_s in seconds from the start"
         raise BadInput(path, name, f"holds values of type {column.dtype}, not numbers", mend)
     if column.dtype.kind not in "fiu":
         column = column.map(_plain)
+        if layout.decimal == ",":  # pandas leaves a column as it stands where one of its cells is no number
+            column = column.map(with_point)
     numbers = pd.to_numeric(column, errors="coerce")
     wrong = (numbers.isna() & column.notna()).to_numpy()
     if wrong.any():
         row = int(np.argmax(wrong))
         held = column.iloc[row]
         mend = "write numbers with a decimal point" if "," in str(held) else "remove that row"
+        if DECIMAL_COMMA.fullmatch(str(held).strip()) and layout.delimiter != ",":
+            mend = 'set file.decimal to ","'
         raise BadInput(path, name, f"row {row + 1} holds {short(held)}, not a number", mend)
     return numbers.astype(float)
 
@@ -94,7 +100,7 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
             raise BadInput(mapping, f"channels.{name}.unit", f"{said} {problem}", mend) from None
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused as no number
             samples[name] = (
-                factor * (channel.scale * _numbers(table.iloc[:, place], name, path) + channel.offset) + shift
+                factor * (channel.scale * _numbers(table.iloc[:, place], name, path, run.file) + channel.offset) + shift
             )
     if run.actuator in STRING_ACTUATORS and "load_n" not in samples:
         samples["load_n"] = pd.Series(run.rig.get("load_n", 0.0), index=table.index)
