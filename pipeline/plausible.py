@@ -8,6 +8,7 @@ import pandas as pd
 
 from pipeline.errors import BadInput
 from pipeline.kinematics import Array, Geometry
+from pipeline.plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
 from pipeline.run_yaml import Channel, Run
 from pipeline.units import conversion
 
@@ -145,6 +146,8 @@ def check_string(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) ->
     """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
     turns, measured_mm = samples["motor_turns"].to_numpy(), samples["displacement_mm"].to_numpy()
     curve = Curve(samples, base)
+    if mistake := load_mistake(run, samples, base, path, MOST_STRETCH):
+        raise mistake
     if curve.high - curve.low < 0.05:
         return  # no stroke in it: the segmentation says so
     if curve.high <= 0:
@@ -168,6 +171,8 @@ def doubts(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> list[
         found.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
         found.append(_span(run, curve, path))
+    if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
+        found.append(mistake)
     return found
 
 

@@ -325,3 +325,26 @@ def test_reading_text_takes_little_more_than_the_text(make_run):
     path = folder / "recording.csv"
     took = int(subprocess.run([sys.executable, "-c", program, str(path)], capture_output=True, check=True).stdout)
     assert took < 5 * path.stat().st_size
+
+
+@pytest.mark.parametrize(
+    ("string", "says"),
+    [
+        ({"radius_mm": 0.2}, "no fibre bears: 8.1 GPa on two strings of 0.2 mm radius"),
+        ({"radius_mm": 0.6, "length_mm": 300, "stiffness_n_per_mm": 10}, "stretch the string by 68% of its length"),
+    ],
+)
+def test_a_load_in_grams_that_reads_as_newtons_is_refused(make_run, string, says):
+    samples = spoiled("load_n", lambda v: v / 9.80665e-3)
+    folder = make_run("a-01", samples, string={"material": "UHMWPE", "length_mm": 400, **string})
+    with pytest.raises(BadInput, match=f"{says}.*are they grams. set channels.load_n.unit to gf"):
+        read_samples(folder)
+    _, read = read_samples(make_run("a-02", samples, channels={"load_n": {"unit": "gf"}}))
+    assert read["load_n"].to_numpy() == pytest.approx(20.0)
+
+
+def test_a_load_that_hardly_a_string_bears_is_questioned(make_run):
+    string = {"material": "UHMWPE", "radius_mm": 0.6, "length_mm": 400}  # its stiffness is the usual one
+    folder = make_run("a-01", spoiled("load_n", lambda v: v * 0 + 1530), string=string)
+    (question,) = questions(*read_samples(folder), folder)
+    assert question.field == "load_n" and "by 19% of its length" in str(question) and "are they grams?" in str(question)

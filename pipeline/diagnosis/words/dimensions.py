@@ -18,7 +18,9 @@ def remeasured(content: dict[str, Any]) -> list[str]:
     for name, sigma in moved.items():
         known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
         nominal, value = (f"{number(known[key], 4)} {unit}".strip() for key in ("nominal", "value"))
-        lines.append(f"re-measure the {name_of(name)}: {nominal} measured, {value} fits, {abs(sigma):.1f} sigma away.")
+        # a stiffness that was measured never moves: the one that does is the usual one, which was assumed
+        do, known_as = ("measure", "assumed") if name.startswith("stiffness") else ("re-measure", "measured")
+        lines.append(f"{do} the {name_of(name)}: {nominal} {known_as}, {value} fits, {abs(sigma):.1f} sigma away.")
     if len(moved) >= MANY:
         lines.append("So many at once are hardly measured wrong: rather physics is missing that bends them.")
     return lines
