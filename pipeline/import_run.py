@@ -17,6 +17,7 @@ from pipeline.folders import whole_folder
 from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
 from pipeline.names import checked, own_material, run_name
+from pipeline.named_units import in_its_unit
 from pipeline.recording import to_samples
 from pipeline.run_yaml import parse_run
 from pipeline.strict_yaml import read_yaml, write_yaml
@@ -104,7 +105,8 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     check(run, samples, file)
     for question in questions(run, samples, file):
         print(f"warning: {question}", file=sys.stderr)
-    if "load_n" not in run.channels and "load_n" not in table.columns:
+    loads = "load_n" in run.channels or "load_n" in table.columns or in_its_unit("load_n", table.columns)
+    if not loads:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     write_run({**kept, **({"mended": mended} if mended else {})}, samples, folder)

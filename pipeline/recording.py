@@ -1,5 +1,6 @@
 """A recording, in whatever form it lies in a run folder or came from a logger, as a table of channels in our units."""
 
+import sys
 from decimal import Decimal
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pandas as pd
 from pipeline.captured import check_lines, read_frames
 from pipeline.complaint import key_name, short
 from pipeline.errors import BadInput
+from pipeline.named_units import in_its_unit
 from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run
 from pipeline.runs import recording_path
 from pipeline.table_file import read_table
@@ -79,13 +81,19 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
         if name not in known:
             mend = f"use one of {', '.join(known)}"
             raise BadInput(mapping, f"channels.{key_name(name)}", "is not a known channel", mend)
+    asked = [channel.column for channel in run.channels.values()]
     samples: dict[str, pd.Series] = {}
     taken: dict[int, str] = {}
     for name in known:
         given = name in run.channels
-        if name not in required and not given and name not in table.columns:
-            continue
         channel = run.channels.get(name, Channel.model_validate({}))
+        if not given and name not in table.columns:
+            free = [column for column in table.columns if column not in (*known, *asked)]
+            if there := in_its_unit(name, free):
+                channel = Channel.model_validate({"column": there[0], "unit": there[1]})
+                print(f"{path}: {name} is read from its column {there[0]}, in {there[1]}", file=sys.stderr)
+            elif name not in required:
+                continue
         place = _place(table, name, channel, path, given)
         if place in taken:
             field = name if given else taken[place]
