@@ -16,8 +16,8 @@ from pipeline.errors import BadInput, program
 from pipeline.folders import whole_folder
 from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
-from pipeline.names import checked, own_material, run_name
 from pipeline.named_units import in_its_unit
+from pipeline.names import checked, own_material, run_name
 from pipeline.recording import to_samples
 from pipeline.run_yaml import parse_run
 from pipeline.strict_yaml import read_yaml, write_yaml
