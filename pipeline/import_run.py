@@ -16,6 +16,7 @@ from pipeline.errors import BadInput, program
 from pipeline.folders import whole_folder
 from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
+from pipeline.named_units import in_its_unit
 from pipeline.names import checked, own_material, run_name
 from pipeline.recording import to_samples
 from pipeline.run_yaml import parse_run
@@ -117,7 +118,8 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     checked_samples = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
     for question in questions(run, checked_samples, file):
         print(f"warning: {question}", file=sys.stderr)
-    if "load_n" not in run.channels and "load_n" not in table.columns:
+    loads = "load_n" in run.channels or "load_n" in table.columns or in_its_unit("load_n", table.columns)
+    if not loads:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     write_run({**kept, **({"mended": mended} if mended else {})}, samples, folder)

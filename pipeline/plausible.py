@@ -8,6 +8,7 @@ import pandas as pd
 
 from pipeline.errors import BadInput
 from pipeline.kinematics import Array, Geometry
+from pipeline.plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
 from pipeline.run_yaml import Channel, Run
 from pipeline.units import conversion
 
@@ -152,6 +153,8 @@ def check_string(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) ->
             path, "load_n", f"is {load_n:.3g} N", "check channels.load_n, its unit and scale, and rig.load_n"
         )
     curve = Curve(samples, base)
+    if mistake := load_mistake(run, samples, base, path, MOST_STRETCH):
+        raise mistake
     if curve.high - curve.low < 0.05:
         return  # no stroke in it: the segmentation says so
     if curve.high <= 0:
@@ -175,6 +178,8 @@ def doubts(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> list[
         found.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
         found.append(_span(run, curve, path))
+    if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
+        found.append(mistake)
     return found
 
 

@@ -1,5 +1,6 @@
 """A recording, in whatever form it lies in a run folder or came from a logger, as a table of channels in our units."""
 
+import sys
 from decimal import Decimal
 from pathlib import Path
 
@@ -9,9 +10,12 @@ import pandas as pd
 from pipeline.captured import check_lines, read_frames
 from pipeline.complaint import key_name, short
 from pipeline.errors import BadInput
+from pipeline.named_units import in_its_unit
 from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run
 from pipeline.runs import recording_path
 from pipeline.table_file import read_table
+from pipeline.text_file import TextFile
+from pipeline.text_layout import DECIMAL_COMMA, with_point
 from pipeline.units import conversion
 
 
@@ -45,19 +49,23 @@ def _plain(value: object) -> object:
     )
 
 
-def _numbers(column: pd.Series, name: str, path: Path) -> pd.Series:
+def _numbers(column: pd.Series, name: str, path: Path, layout: TextFile) -> pd.Series:
     """A raw column as floats, NaN where it is empty; raises BadInput for what is no number."""
     if column.dtype.kind not in "fiu" and not (column.dtype == object or pd.api.types.is_string_dtype(column.dtype)):
         mend = "write them as numbers, time_s in seconds from the start"
         raise BadInput(path, name, f"holds values of type {column.dtype}, not numbers", mend)
     if column.dtype.kind not in "fiu":
         column = column.map(_plain)
+        if layout.decimal == ",":  # pandas leaves a column as it stands where one of its cells is no number
+            column = column.map(with_point)
     numbers = pd.to_numeric(column, errors="coerce")
     wrong = (numbers.isna() & column.notna()).to_numpy()
     if wrong.any():
         row = int(np.argmax(wrong))
         held = column.iloc[row]
         mend = "write numbers with a decimal point" if "," in str(held) else "remove that row"
+        if DECIMAL_COMMA.fullmatch(str(held).strip()) and layout.delimiter != ",":
+            mend = 'set file.decimal to ","'
         raise BadInput(path, name, f"row {row + 1} holds {short(held)}, not a number", mend)
     return numbers.astype(float)
 
@@ -73,13 +81,19 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
         if name not in known:
             mend = f"use one of {', '.join(known)}"
             raise BadInput(mapping, f"channels.{key_name(name)}", "is not a known channel", mend)
+    asked = [channel.column for channel in run.channels.values()]
     samples: dict[str, pd.Series] = {}
     taken: dict[int, str] = {}
     for name in known:
         given = name in run.channels
-        if name not in required and not given and name not in table.columns:
-            continue
         channel = run.channels.get(name, Channel.model_validate({}))
+        if not given and name not in table.columns:
+            free = [column for column in table.columns if column not in (*known, *asked)]
+            if there := in_its_unit(name, free):
+                channel = Channel.model_validate({"column": there[0], "unit": there[1]})
+                print(f"{path}: {name} is read from its column {there[0]}, in {there[1]}", file=sys.stderr)
+            elif name not in required:
+                continue
         place = _place(table, name, channel, path, given)
         if place in taken:
             field = name if given else taken[place]
@@ -94,7 +108,7 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
             raise BadInput(mapping, f"channels.{name}.unit", f"{said} {problem}", mend) from None
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused as no number
             samples[name] = (
-                factor * (channel.scale * _numbers(table.iloc[:, place], name, path) + channel.offset) + shift
+                factor * (channel.scale * _numbers(table.iloc[:, place], name, path, run.file) + channel.offset) + shift
             )
     if run.actuator in STRING_ACTUATORS and "load_n" not in samples:
         samples["load_n"] = pd.Series(run.rig.get("load_n", 0.0), index=table.index)

@@ -2,9 +2,9 @@
 
 import codecs
 import re
-from typing import Annotated
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
 IN_NUMBERS = re.compile(r"[A-Za-z0-9.+\-\"'\r\n\0]")  # what a number is written with, or what ends a line
 NO_TEXT = {"undefined", "punycode", "idna", "unicode_escape", "raw_unicode_escape", "utf-7", "mbcs", "oem"}
@@ -16,7 +16,11 @@ class TextFile(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     delimiter: str = Field(",", min_length=1, max_length=1, description="one character; a space is any white space")
-    header: bool = True
+    skip: Annotated[int, Field(ge=0, le=10_000, strict=True)] = Field(
+        0, description="how many lines stand before the names, or before the numbers where there are no names"
+    )
+    decimal: Literal[".", ","] = Field(".", description='"." or ",", what stands in 0.5 or 0,5')
+    header: bool = Field(True, description="whether a line of names stands above the numbers")
     comment: Annotated[str, Field(min_length=1, max_length=10)] | None = Field(
         None, description="what a line begins with that is none of numbers, such as %"
     )
@@ -28,6 +32,24 @@ class TextFile(BaseModel):
         if IN_NUMBERS.fullmatch(value) or not value.isascii() or not (value.isprintable() or value == "\t"):
             raise ValueError("must be a sign between numbers, such as a comma, a semicolon or a tab")
         return value
+
+    @field_validator("header", mode="before")
+    @classmethod
+    def _no_line_number(cls, value: Any) -> Any:
+        if isinstance(value, int) and value not in (0, 1):
+            before = f"to {value - 1}, if the names stand in line {value}" if value > 0 else "to the lines before them"
+            raise ValueError(
+                f"is {value}, but only says whether there are names; leave it out and set file.skip {before}"
+            )
+        return value
+
+    @model_validator(mode="after")
+    def _two_signs(self) -> "TextFile":
+        if self.decimal == self.delimiter:
+            raise ValueError(
+                "the sign between numbers is the decimal comma as well; set file.delimiter to ';' or a tab"
+            )
+        return self
 
     @field_validator("comment")
     @classmethod

@@ -1,6 +1,5 @@
 """A text recording, plain or gzipped, as a table of numbers: read line by line, never endless and never guessed."""
 
-import csv
 import gzip
 import io
 import os
@@ -15,6 +14,7 @@ import pandas as pd
 from pipeline.errors import BadInput
 from pipeline.regular_file import open_regular
 from pipeline.text_file import TextFile
+from pipeline.text_layout import DELIMITERS, LOOK, cells, check_start, other_delimiter, uneven, without_half
 
 GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
 OTHERS = {  # what else a file that is no text begins with, and what to do about it
@@ -28,7 +28,6 @@ LONGEST_LINE = 100_000  # characters
 MOST_COLUMNS = 2_000
 LARGEST_TEXT = 4_000_000_000  # bytes: a day at 1 kHz
 BOMB_BYTES, BOMB_RATIO = 50_000_000, 200  # unpacked size from which, and packing by which, a file holds no readings
-DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}
 
 
 def _lines(path: Path, encoding: str) -> Iterator[str]:
@@ -59,20 +58,23 @@ def _lines(path: Path, encoding: str) -> Iterator[str]:
                 yield line
 
 
-def _kept(path: Path, layout: TextFile) -> tuple[io.BytesIO, list[str], int]:
-    """Lines of numbers as UTF-8, without blank ones and remarks; the first two, and how many there are.
+def _kept(path: Path, layout: TextFile) -> tuple[io.BytesIO, list[tuple[int, str]], int]:
+    """Lines of the table as UTF-8, without blank ones and remarks; the first, each after how many; how many there are.
+
+    A last line that was cut off is left out, which is said.
 
     Raises BadInput for a file that cannot be read or is in another encoding.
     """
-    kept, first, count = io.BytesIO(), [], 0
+    kept, first, count, ended = io.BytesIO(), [], 0, True
     try:
-        for line in _lines(path, layout.encoding):
+        for number, line in enumerate(_lines(path, layout.encoding)):
             shown = line.removeprefix("\ufeff").strip() if count == 0 else line.strip()
-            if not shown or (layout.comment and shown.startswith(layout.comment)):
+            if number < layout.skip or not shown or (layout.comment and shown.startswith(layout.comment)):
                 continue
             line = line.removeprefix("\ufeff") if count == 0 else line
-            if count < 2:
-                first.append(line.rstrip("\n"))
+            ended = line.endswith("\n")
+            if count < LOOK:
+                first.append((number, line.rstrip("\n")))
             kept.write((line if line.endswith("\n") else line + "\n").encode("utf-8", "replace"))
             count += 1
     except (OSError, EOFError, zlib.error) as error:
@@ -80,29 +82,7 @@ def _kept(path: Path, layout: TextFile) -> tuple[io.BytesIO, list[str], int]:
     except (UnicodeError, LookupError):
         mend = "set file.encoding, latin1 for instance"
         raise BadInput(path, "file.encoding", f"is not {layout.encoding}", mend) from None
-    kept.seek(0)
-    return kept, first, count
-
-
-def _cells(line: str, delimiter: str) -> list[str]:
-    """Cells of a line, without the white space around them."""
-    if delimiter == " ":
-        return line.split()
-    try:
-        return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))]
-    except csv.Error:
-        return []
-
-
-def _other_delimiter(lines: list[str], delimiter: str) -> str | None:
-    """Another delimiter that parts both of a file's first lines into equally many cells, where the given parts none."""
-    if any(len(_cells(line, delimiter)) > 1 for line in lines):
-        return None
-    for other in DELIMITERS:
-        cells = {len(_cells(line, other)) for line in lines}
-        if other != delimiter and len(cells) == 1 and cells.pop() > 1:
-            return other
-    return None
+    return kept, first, count - without_half(path, kept, ended, layout.delimiter)
 
 
 def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
@@ -113,16 +93,17 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     kept, first, count = _kept(path, layout)
     if count <= layout.header:
         raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
-    if first[0].lstrip().startswith(("{", "[", "<")):
+    if first[0][1].lstrip().startswith(("{", "[", "<")):
         raise BadInput(path, "file", "is JSON or a page, not a table", "save its table as CSV")
-    other = _other_delimiter(first, layout.delimiter)
+    other = other_delimiter([line for _, line in first], layout.delimiter)
     if other:
         problem, mend = f"is {layout.delimiter!r}, which parts no line", f"set file.delimiter to {DELIMITERS[other]}"
         raise BadInput(path, "file.delimiter", problem, mend)
-    names = _cells(first[0], layout.delimiter)
+    names = cells(first[0][1], layout.delimiter)
     if len(names) > MOST_COLUMNS:
         problem = f"has {len(names)} columns in its first line"
         raise BadInput(path, "file", problem, "check file.delimiter; a recording has one column a channel")
+    check_start(path, first, layout)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", pd.errors.DtypeWarning)  # a word among numbers is found below
@@ -133,11 +114,12 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
                 header=0 if layout.header else None,
                 skipinitialspace=True,
                 index_col=False,
+                decimal=layout.decimal,
                 engine="c",
             )
     except (ValueError, OverflowError, pd.errors.ParserWarning) as error:
-        mend = "check file.delimiter, and the line that it names"
-        said = re.sub(r"\s+", " ", str(error)).strip()[:200]
+        mend = "check file.delimiter, file.skip and file.comment, and the line that it names"
+        said = uneven(kept.getvalue(), layout.delimiter) or re.sub(r"\s+", " ", str(error)).strip()[:200]
         raise BadInput(path, "file", f"is not a table ({said})", mend) from None
     if len(table) != count - layout.header:  # a quote that is left open takes the lines up to the next one with it
         problem = f"has {count - layout.header} lines of samples, of which {len(table)} can be told apart"

@@ -360,3 +360,40 @@ def test_reading_text_takes_little_more_than_the_text(make_run):
     path = folder / "recording.csv"
     took = int(subprocess.run([sys.executable, "-c", program, str(path)], capture_output=True, check=True).stdout)
     assert took < 5 * path.stat().st_size
+
+
+@pytest.mark.parametrize(
+    ("string", "says"),
+    [
+        ({"radius_mm": 0.2}, "no fibre bears: 8.1 GPa on two strings of 0.2 mm radius"),
+        ({"radius_mm": 0.6, "length_mm": 300, "stiffness_n_per_mm": 10}, "stretch the string by 68% of its length"),
+    ],
+)
+def test_a_load_in_grams_that_reads_as_newtons_is_refused(make_run, string, says):
+    samples = spoiled("load_n", lambda v: v / 9.80665e-3)
+    folder = make_run("a-01", samples, string={"material": "UHMWPE", "length_mm": 400, **string})
+    with pytest.raises(BadInput, match=f"{says}.*are they grams. set channels.load_n.unit to gf"):
+        read_samples(folder)
+    _, read = read_samples(make_run("a-02", samples, channels={"load_n": {"unit": "gf"}}))
+    assert read["load_n"].to_numpy() == pytest.approx(20.0)
+
+
+def test_a_load_that_hardly_a_string_bears_is_questioned(make_run):
+    string = {"material": "UHMWPE", "radius_mm": 0.6, "length_mm": 400}  # its stiffness is the usual one
+    folder = make_run("a-01", spoiled("load_n", lambda v: v * 0 + 1530), string=string)
+    (question,) = questions(*read_samples(folder), folder)
+    assert question.field == "load_n" and "by 19% of its length" in str(question) and "are they grams?" in str(question)
+
+
+@pytest.mark.parametrize("clock", ["time_ms", "t_ms", "time_us", "millis"])
+def test_a_column_whose_name_carries_its_unit_is_read_in_it(make_run, capsys, clock):
+    samples = GOOD.rename(columns={"time_s": clock, "motor_turns": "motor_rad", "load_n": "load_gf"})
+    samples[clock] *= 1e6 if "us" in clock else 1e3
+    samples["motor_rad"] *= 2 * np.pi
+    samples["load_gf"] /= 9.80665e-3
+    _, read = read_samples(make_run("a-01", samples))
+    assert read.to_numpy() == pytest.approx(GOOD.to_numpy())
+    assert f"time_s is read from its column {clock}, in {'us' if 'us' in clock else 'ms'}" in capsys.readouterr().err
+    samples["time_min"] = samples["t_us" if clock == "time_ms" else "time_ms"] = 1.0
+    with pytest.raises(BadInput, match="there is no column 'time_s'"):
+        read_samples(make_run("a-02", samples))

@@ -20,7 +20,10 @@ def remeasured(content: dict[str, Any]) -> list[str]:
     for name, sigma in moved.items():
         nominal, value = from_to(content, name)
         far = f"{abs(sigma):.1f} times its tolerance away"
-        lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
+        if name.startswith("stiffness"):  # one that was measured never moves: it was assumed
+            lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
+        else:
+            lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
     if len(moved) >= MANY:
         lines.append("So many at once are hardly measured wrong: rather physics is missing that bends them.")
     return lines

@@ -1,0 +1,101 @@
+"""What of a text recording is not as `file:` says: lines before the table, rows of another length, a cut end."""
+
+import csv
+import io
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+from pipeline.complaint import short
+from pipeline.errors import BadInput
+from pipeline.text_file import TextFile
+
+DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}
+NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan", re.IGNORECASE)
+DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
+LOOK = 50  # lines at the start by which the layout is judged
+TAIL = 250_000  # bytes at the end that hold the last two lines
+
+
+def cells(line: str, delimiter: str) -> list[str]:
+    """Cells of a line, without the white space around them."""
+    if delimiter == " ":
+        return line.split()
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))]
+    except (csv.Error, StopIteration):
+        return []
+
+
+def with_point(cell: Any) -> Any:
+    """A cell with a decimal point where it is a number with a decimal comma, any other as it stands."""
+    return cell.replace(",", ".") if isinstance(cell, str) and DECIMAL_COMMA.fullmatch(cell.strip()) else cell
+
+
+def _of_numbers(line: str, delimiter: str) -> bool:
+    """Whether a line is a row of a recording: two cells or more, most of them numbers."""
+    found = cells(line, delimiter)
+    return len(found) > 1 and 2 * sum(bool(NUMBER.fullmatch(cell)) for cell in found) > len(found)
+
+
+def other_delimiter(lines: list[str], delimiter: str) -> str | None:
+    """Another delimiter that parts the first lines, or a later row of numbers, where the given does not."""
+    rows = [lines[:2], lines[-3:-1] if len(lines) > 3 else []]
+    if any(_of_numbers(line, delimiter) for line in lines):
+        return None
+    if not any(len(cells(line, delimiter)) > 1 for line in rows[0]):
+        for other in DELIMITERS:
+            widths = {len(cells(line, other)) for line in rows[0]}
+            if other != delimiter and len(widths) == 1 and widths.pop() > 1 and (
+                len(lines) <= 3 or any(_of_numbers(line, other) for line in rows[1])
+            ):  # fmt: skip
+                return other
+    return next(
+        (other for other in DELIMITERS if rows[1] and all(_of_numbers(line, other) for line in rows[1])),
+        None,
+    )
+
+
+def check_start(path: Path, lines: list[tuple[int, str]], layout: TextFile) -> None:
+    """Raise BadInput where titles stand before the table; `lines` are its first ones, and how many are before each."""
+    first = cells(lines[0][1], layout.delimiter)
+    row = next((i for i, (_, line) in enumerate(lines) if _of_numbers(line, layout.delimiter)), None)
+    if row is None or row <= layout.header:
+        return
+    width = len(cells(lines[row][1], layout.delimiter))
+    if len({cell for cell in first if cell}) == width:
+        return  # names, whatever stands below them
+    before, start = lines[row - layout.header]
+    problem = f"begins with {short(lines[0][1].strip())}, which has not the {width} fields of its rows of numbers"
+    what = f"the names, {short(start.strip())}" if layout.header else "the numbers"
+    raise BadInput(path, "file.skip", problem, f"set file.skip to {before}: so many lines stand before {what}")
+
+
+def without_half(path: Path, kept: io.BytesIO, ended: bool, delimiter: str) -> int:
+    """How many lines were dropped from the end: 1 where the last row was cut off, which is said, else 0."""
+    size = kept.seek(0, io.SEEK_END)
+    kept.seek(max(size - TAIL, 0))
+    tail = kept.read().decode("utf-8", "replace").splitlines(keepends=True)[-2:]
+    kept.seek(0)
+    if len(tail) < 2 or not _of_numbers(tail[0].rstrip("\n"), delimiter):
+        return 0
+    whole, last = (cells(line.rstrip("\n"), delimiter) for line in tail)
+    short_row = len(last) < len(whole) and (not ended or all(NUMBER.fullmatch(cell) for cell in last))
+    half_number = not ended and len(last) == len(whole) and whole[-1][-1:].isdigit() and not last[-1][-1:].isdigit()
+    if not (short_row or half_number):
+        return 0
+    kept.truncate(size - len(tail[-1].encode()))
+    print(f"{path}: its last line, {short(tail[-1].strip())}, is cut off and was left out", file=sys.stderr)
+    return 1
+
+
+def uneven(content: bytes, delimiter: str) -> str | None:
+    """In words, the first line with more fields than the table's first line; None where no line has more."""
+    lines = content.decode("utf-8", "replace").splitlines()
+    width = len(cells(lines[0], delimiter))
+    for line in lines:
+        found = len(cells(line, delimiter))
+        if found > width:
+            return f"the line {short(line)} has {found} fields, its first line {short(lines[0])} has {width}"
+    return None

@@ -1,0 +1,14 @@
+"""A stiffness that nobody measured is not called measured."""
+
+from pipeline.diagnosis.words.dimensions import remeasured
+
+
+def test_a_stiffness_that_was_assumed_is_not_called_measured():
+    known = {"nominal": 20.0, "value": 40.0}
+    content = {
+        "evidence": {"moved_sigma": {"stiffness_n_per_mm": 3.3, "radius_mm": 3.0}},
+        "parameters": {"stiffness_n_per_mm": known, "radius_mm": {"nominal": 0.4, "value": 0.5}},
+    }
+    stiffness, radius = remeasured(content)
+    assert "20 N/mm assumed" in stiffness and "measured" not in stiffness
+    assert radius.startswith("re-measure the radius") and "mm measured" in radius
