@@ -34,7 +34,9 @@ onerror:
     print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     for line in wrong + [one.why for one in left]:
         print(line)
-    failed = [(" ".join([job.rule.name, *map(str, job.wildcards)]), str(job.log)) for job in workflow.scheduler.failed]
+    failed = [
+        (" ".join([job.rule.name, *map(str, job.wildcards)]), str(job.log)) for job in workflow.scheduler.failed
+    ]
     print(told(failed, [one.why for one in PLAN.left_out], workflow.execution_settings.keep_going))
     KNOWN.forget_intact()
     end([str(file) for job in last for file in job.output])
