@@ -146,7 +146,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run_dirs", type=Path, nargs="+")
     parser.add_argument("--processed", type=Path, required=True)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the dataset, Parquet; required")
     parser.add_argument("--out-left-out", type=Path, help="where to write, as JSON, which runs were left out and why")
     parser.add_argument("--out-jumps", type=Path, help="where to write, as JSON, jumps of the zero to be confirmed")
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")

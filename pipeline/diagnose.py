@@ -111,7 +111,7 @@ def main() -> int:
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
     parser.add_argument("--together", action="store_true", help="several runs of one rig in one diagnosis")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
     parser.add_argument(

@@ -82,7 +82,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("predictions", type=Path, nargs="+")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the errors, Parquet; required")
     arguments = parser.parse_args()
     file_to_write(arguments.out, reads=[arguments.dataset, *arguments.predictions])
     dataset = schemas.read(arguments.dataset, schemas.DATASET)

@@ -134,7 +134,9 @@ def main() -> None:
     parser.add_argument("file", type=Path)
     parser.add_argument("--map", type=Path, required=True, help="mapping, such as pipeline/mappings/tsa_haptic_1.yaml")
     parser.add_argument("--run", required=True, help="name of the new run: lower-case letters, digits and -")
-    parser.add_argument("--out", type=Path, default=Path("raw"))
+    parser.add_argument(
+        "--out", type=Path, default=Path("raw"), help="the folder in which the run's folder is made; default: raw"
+    )
     arguments = parser.parse_args()
     print(import_run(arguments.file, arguments.map, arguments.run, arguments.out))
 

@@ -85,7 +85,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("models", type=Path, nargs="+", help="fitted INNs, <variant>/within-<seed>.model")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the errors, Parquet; required")
     arguments = parser.parse_args()
     file_to_write(arguments.out, reads=[arguments.dataset, *arguments.models])
     _, held_out = divided(schemas.read(arguments.dataset, schemas.DATASET), SPLIT, arguments.dataset)

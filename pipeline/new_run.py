@@ -90,6 +90,15 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
     return {**content, "string": {**content["string"], "id": found}} if found else content
 
 
+def following(folder: Path, recorded: bool) -> str:
+    """What is done next with a run folder: the main job finds runs in raw/ alone."""
+    if not recorded:
+        return f"record into it with: python -m pipeline.capture PORT {folder}"
+    if folder.parent.resolve() == Path("raw").resolve():
+        return "make its reports with: snakemake --cores 2"
+    return f"snakemake reads raw/ alone: diagnose it by python -m pipeline.diagnose {folder} --out reports/diagnosis"
+
+
 @program
 def main() -> None:
     """Make one run folder."""
@@ -108,13 +117,14 @@ def main() -> None:
     parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
-    parser.add_argument("--out", type=Path, default=Path("raw"))
+    parser.add_argument(
+        "--out", type=Path, default=Path("raw"), help="the folder in which the run's folder is made; default: raw"
+    )
     arguments = parser.parse_args()
     content = with_string_id(arguments_to_content(arguments), arguments.out)
     folder = make_run(content, arguments.recording, arguments.out, arguments.sure)
     recorded = any((folder / name).exists() for name in RECORDINGS)
-    following = "snakemake --cores 2" if recorded else f"python -m pipeline.capture PORT {folder}"
-    print(f"{folder} is there; {'make its reports' if recorded else 'record into it'} with: {following}")
+    print(f"{folder} is there; {following(folder, recorded)}")
 
 
 if __name__ == "__main__":

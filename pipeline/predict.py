@@ -89,7 +89,7 @@ def main() -> None:
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
     parser.add_argument("--seed", type=seed, default=0)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the answers, csv; required")
     asked = parser.parse_args()
     if not 0.0 < asked.level < 1.0:
         raise BadInput("--level", str(asked.level), "is no probability", "give a number between 0 and 1")

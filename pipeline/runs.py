@@ -22,7 +22,7 @@ def read_run(folder: Path | str) -> Run:
     """Read and check `run.yaml` of a run folder; raises BadInput."""
     path = Path(folder) / "run.yaml"
     if not os.path.lexists(path):
-        raise BadInput(path, "run.yaml", "is missing", "write it: python -m pipeline.new_run shows how")
+        raise BadInput(path.parent, "run.yaml", "is missing", "write it with python -m pipeline.new_run")
     run = parse_run(read_yaml(path), path)
     if run.string and run.string.material == SYNTHETIC and _of_another_rig(path.parent):
         checked(own_material, run.string.material, path, "string.material")

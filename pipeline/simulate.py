@@ -96,7 +96,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--simulation", type=Path, required=True, help="a diagnosis.json")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the samples, Parquet; required")
     arguments = parser.parse_args()
     file_to_write(arguments.out, reads=[arguments.simulation])
     run, samples = read_samples(arguments.run_dir)

@@ -178,7 +178,7 @@ def main() -> None:
     """Write `strokes.parquet` of one run."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("samples", type=Path)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the strokes, Parquet; required")
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
     file_to_write(arguments.out, reads=[arguments.samples])

@@ -95,8 +95,10 @@ def arguments(words: list[str]) -> Any:
     parser.add_argument("--split", required=True, choices=SPLITS)
     parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
-    parser.add_argument("--out-model", type=Path, required=True)
-    parser.add_argument("--out-predictions", type=Path, required=True)
+    parser.add_argument("--out-model", type=Path, required=True, help="the file of the model; required")
+    parser.add_argument(
+        "--out-predictions", type=Path, required=True, help="the file of the predictions, Parquet; required"
+    )
     return parser.parse_args(words)
 
 

@@ -7,6 +7,8 @@ from types import SimpleNamespace
 import pytest
 import yaml
 from made_recording import content
+from snakemake.exceptions import WorkflowError
+from snakemake.utils import update_config, validate
 
 from pipeline.dag import fits, make_plan, recorded_files
 from pipeline.errors import BadInput
@@ -173,3 +175,14 @@ def test_mappings_are_runs_without_a_name():
     for path in sorted((Path(__file__).parent.parent / "pipeline" / "mappings").glob("*.yaml")):
         mapping = yaml.safe_load(path.read_text())
         parse_run({"run": "a", **mapping}, Path("raw/a/run.yaml"))
+
+
+@pytest.mark.parametrize("above", [(), ("ci.yaml",)], ids=["default", "ci"])
+def test_the_shipped_configurations_obey_the_schema(above):
+    folder, config = ROOT / "pipeline" / "config", {}
+    for name in ("default.yaml", *above):
+        update_config(config, yaml.safe_load((folder / name).read_text(encoding="utf-8")))
+    validate(config, str(folder / "schema.yaml"))
+    config["models"]["inn"]["seeds"]["within"] = "many"
+    with pytest.raises(WorkflowError, match="many"):
+        validate(config, str(folder / "schema.yaml"))

@@ -1,6 +1,9 @@
+import ast
 import os
 import random
+import re
 import stat
+from pathlib import Path
 
 import pandas as pd
 import pytest
@@ -131,3 +134,17 @@ def test_no_flipped_bit_of_a_model_is_read_silently(tmp_path, name):
     model.save(path)
     make_model(name).load(path)
     assert flipped(path.read_bytes(), path, make_model(name).load) == 0
+
+
+def test_every_program_says_whether_its_out_is_a_file_or_a_folder_and_the_default():
+    pipeline, seen = Path(__file__).parent.parent / "pipeline", 0
+    for path in pipeline.rglob("*.py"):
+        for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute)):
+                continue
+            words = [word.value for word in call.args if isinstance(word, ast.Constant)]
+            if call.func.attr == "add_argument" and "--out" in words:
+                said = next((ast.literal_eval(one.value) for one in call.keywords if one.arg == "help"), "")
+                assert re.search("file|folder", said) and re.search("; (required|default: .+)$", said), (path, said)
+                seen += 1
+    assert seen > 30

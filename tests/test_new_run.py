@@ -138,3 +138,13 @@ def test_what_was_recorded_before_it_was_described_is_checked_too(make_run, new)
     assert status == 2 and "it looks like deg" in said and not (folder / "run.yaml").exists()
     assert new("a-01", "--channels", "{motor_turns: {unit: deg}}")[0] == 0
     assert "is there already" in new("a-01")[2]
+
+
+def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_path, monkeypatch):
+    status, said, _ = new("a-01", "--string-id", "s1", samples=GOOD)
+    folder = tmp_path / "raw" / "a-01"
+    assert status == 0 and "snakemake reads raw/ alone: diagnose it by" in said
+    assert f"python -m pipeline.diagnose {folder} --out reports/diagnosis" in said
+    monkeypatch.chdir(tmp_path)
+    status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
+    assert status == 0 and "make its reports with: snakemake --cores 2" in said

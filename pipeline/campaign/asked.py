@@ -18,7 +18,7 @@ def parser(doc: str | None) -> argparse.ArgumentParser:
     found.add_argument("--model", required=True)
     found.add_argument("--settings", default="{}", metavar="JSON")
     found.add_argument("--seed", type=seed, default=0)
-    found.add_argument("--out", type=Path, required=True)
+    found.add_argument("--out", type=Path, required=True, help="the file to write; required")
     return found
 
 

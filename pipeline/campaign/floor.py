@@ -31,7 +31,7 @@ def main() -> None:
     """Write the floor of every string that models are asked about."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("points", type=Path)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the floor, Parquet; required")
     asked = parser.parse_args()
     file_to_write(asked.out, reads=[asked.points])
     points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")

@@ -73,7 +73,7 @@ def main() -> None:
     """Write `dataset.parquet` of a campaign."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path, help="a folder of run folders")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the points, Parquet; required")
     asked = parser.parse_args()
     file_to_write(asked.out)
     points = campaign_points(asked.folder)

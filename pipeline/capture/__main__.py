@@ -106,7 +106,7 @@ def tell(info: dict[str, Any], folder: Path) -> None:
     try:
         read_run(folder)
     except BadInput as error:
-        print(f"{error} Until then nothing can use this run; python -m pipeline.new_run writes its run.yaml.")
+        print(f"{error} Until then nothing can use this run.")
 
 
 def tell_frames(info: dict[str, Any], folder: Path) -> None:

@@ -22,7 +22,9 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m pipeline.export", description=__doc__)
     parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
     parser.add_argument("--format", required=True, choices=("c", "onnx"))
-    parser.add_argument("--out", type=Path, help="the header, or the graphs' folder; otherwise here, by the name")
+    parser.add_argument(
+        "--out", type=Path, help="the header's file, or the folder of header or graphs; default: this one"
+    )
     parser.add_argument("--name", default="tsa", help="what every name in the export begins with")
     parser.add_argument("--model", help="the model's name; otherwise its folder's")
     parser.add_argument("--dataset", type=Path, help="for models that keep no ranges; otherwise the one beside them")
@@ -60,14 +62,14 @@ def main() -> None:
     if len(asked.name) > LONGEST:
         raise BadInput("--name", f"{asked.name[:40]}…", f"has {len(asked.name)} characters", f"use at most {LONGEST}")
     if asked.format == "c":
-        _header_to_write(
-            asked.out or Path(f"{asked.name}.h"), [asked.file, *([asked.dataset] if asked.dataset else [])]
-        )
+        if asked.out is None or asked.out.is_dir():
+            asked.out = (asked.out or Path()) / f"{asked.name}.h"
+        _header_to_write(asked.out, [asked.file, *([asked.dataset] if asked.dataset else [])])
     else:
         folder_to_write(asked.out or Path())
     source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
     if asked.format == "c":
-        out = asked.out or Path(f"{asked.name}.h")
+        out = asked.out
         with writable(asked.file):
             text = header(source, asked.name)
         write_text(out, text)

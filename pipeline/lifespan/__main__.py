@@ -27,7 +27,9 @@ def main() -> int:
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")
     parser.add_argument("--drift-mm", type=float, default=1.0, help="error of the model that is borne, in mm")
     parser.add_argument("--level", type=float, default=0.9, help="probability that the interval shall hold")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument(
+        "--out", type=Path, required=True, help="the folder in which each string gets a folder; required"
+    )
     told = parser.parse_args()
     for name, value, most in (
         ("loss", told.loss, 1.0),

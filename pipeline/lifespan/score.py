@@ -112,7 +112,7 @@ def main() -> None:
     parser.add_argument("lives", type=Path, help="folder with run folders and truth.parquet")
     parser.add_argument("--loss", type=float, default=0.10)
     parser.add_argument("--drift-mm", type=float, default=1.0)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of lifespan.csv, .md and .svg; required")
     told = parser.parse_args()
     folder_to_write(told.out)
     rows = score(told.lives, told.loss, told.drift_mm)

@@ -103,7 +103,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.addon", description=__doc__)
     parser.add_argument("--cases", type=read, required=True, help="JSON, as pipeline.proof.plan writes it")
     parser.add_argument("--verdicts", type=Path, required=True)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of the added runs; required")
     told = parser.parse_args()
     told.out.mkdir(parents=True, exist_ok=True)
     for planned in told.cases:

@@ -35,7 +35,7 @@ def main() -> None:
     """Write OUT/<run>/diagnosis.json for every run of a folder, and OUT/asked.json."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.ask", description=__doc__)
     parser.add_argument("runs", type=Path, help="folder of run folders")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
     told = parser.parse_args()
     runs = list(find_runs(told.runs))

@@ -15,7 +15,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.compare", description=__doc__)
     parser.add_argument("names", nargs="+", metavar="run")
     parser.add_argument("--runs", type=Path, required=True, help="folder of run folders")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of what is found; required")
     told = parser.parse_args()
     told.out.mkdir(parents=True, exist_ok=True)
     runs = [str(told.runs / name) for name in told.names if (told.runs / name).is_dir()]

@@ -15,7 +15,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.settle", description=__doc__)
     parser.add_argument("--runs", type=Path, required=True, help="folder of the first run folders")
     parser.add_argument("--more", type=Path, required=True, help="folder of <run>/<way>/<run>-more/")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
     told = parser.parse_args()
     asked = {}

@@ -113,7 +113,7 @@ def main() -> None:
     parser.add_argument("--effect", action="append", default=[], choices=NAMED, metavar="ID", help="instead of all")
     parser.add_argument("--kappa", type=float, default=1.0, help="size of the effects, in noise floors")
     parser.add_argument("--protocol", choices=("rich", "poor"), default="rich")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the table, csv; required")
     told = parser.parse_args()
     table = twins(told.effect or NAMED, told.protocol, told.kappa)
     write_text(told.out, table.to_csv(index=False, float_format="%.5g"))

@@ -34,7 +34,7 @@ def main() -> None:
     """Write the verdict on one run, or on several together."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.real.ask", description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of the diagnosis; required")
     told = parser.parse_args()
     print(ask(told.run_dir, told.out))
 

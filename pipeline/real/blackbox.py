@@ -148,7 +148,7 @@ def main() -> None:
     """Write the held-out errors of one run."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.real.blackbox", description=__doc__)
     parser.add_argument("run_dir", type=Path)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the errors, JSON; required")
     told = parser.parse_args()
     errors = None
     if usable(told.run_dir):

@@ -30,7 +30,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.real.bring", description=__doc__)
     parser.add_argument("file", type=Path)
     parser.add_argument("--map", type=Path, required=True)
-    parser.add_argument("--out", type=Path, required=True, help="the run folder to make")
+    parser.add_argument("--out", type=Path, required=True, help="the folder of the run, a new one; required")
     told = parser.parse_args()
     print(bring(told.file, told.map, told.out))
 

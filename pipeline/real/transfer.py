@@ -125,7 +125,7 @@ def main() -> None:
         "--diagnoses", type=Path, required=True, help="the folder with a folder of each run's diagnosis"
     )
     parser.add_argument("--others", type=Path, required=True, help="folder for the diagnoses of all but one")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the table, csv; required")
     told = parser.parse_args()
     read = {folder.name: _read(folder) for folder in told.run_dir}
     runs = {name: one for name, one in read.items() if one is not None}

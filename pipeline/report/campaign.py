@@ -107,7 +107,7 @@ def main() -> None:
     parser.add_argument("--coverage", type=Path, required=True)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--intervals-of", required=True, metavar="TITLE", help="the model that `--coverage` is of")
-    parser.add_argument("--out-dir", type=Path, required=True)
+    parser.add_argument("--out-dir", type=Path, required=True, help="the folder of the page; required")
     add_mark(parser)
     parser.add_argument("--svg-dir", type=Path, help="write the figures as svg there, too")
     asked = parser.parse_args()

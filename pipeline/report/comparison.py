@@ -82,7 +82,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.comparison", description=__doc__)
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument(
+        "--out", type=Path, required=True, help="the file of the page, .md, its .html beside it; required"
+    )
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)

@@ -36,7 +36,7 @@ def main() -> None:
     told = "<model>/within-<seed>.predictions.parquet, of every model"
     parser.add_argument("--predictions", type=Path, nargs="+", required=True, help=told)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
-    parser.add_argument("--out-dir", type=Path, required=True)
+    parser.add_argument("--out-dir", type=Path, required=True, help="the folder of the figures; required")
     add_mark(parser)
     arguments = parser.parse_args()
     titles, mark = titles_of(arguments.titles), mark_from(arguments.made_by)

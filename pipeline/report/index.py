@@ -71,7 +71,7 @@ def main() -> None:
     parser.add_argument("materials", nargs="*")
     parser.add_argument("--runs", nargs="*", default=[], help="runs that are diagnosed")
     parser.add_argument("--reports", type=Path, required=True)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the page, HTML; required")
     add_mark(parser)
     left_out.arguments(parser)
     jumps.arguments(parser)

@@ -57,7 +57,7 @@ def main() -> None:
     """Say which runs were left out: exit 0 and write that there are none, or exit 2."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     arguments(parser)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the runs left out, JSON; required")
     asked = parser.parse_args()
     runs = told(asked)
     if runs:

@@ -31,7 +31,7 @@ def main() -> None:
     """Write `metrics.csv`."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.metrics", description=__doc__)
     parser.add_argument("metrics", type=Path, nargs="*")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the errors, csv; required")
     add_mark(parser)
     arguments = parser.parse_args()
     parts = [schemas.read(path, schemas.METRICS) for path in arguments.metrics]

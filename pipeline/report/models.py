@@ -154,7 +154,9 @@ def main() -> None:
     parser.add_argument("metrics", type=Path)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--directed", nargs="*", default=[], metavar="MODEL", help="models that know the direction")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument(
+        "--out", type=Path, required=True, help="the file of the page, .md, its .html beside it; required"
+    )
     parser.add_argument("--table", type=Path, required=True)
     add_mark(parser)
     arguments = parser.parse_args()

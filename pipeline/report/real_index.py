@@ -108,7 +108,7 @@ def main() -> None:
     """Write the page over all rigs and its table as csv."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.real_index", description=__doc__)
     parser.add_argument("tables", type=Path, nargs="+")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the page; required")
     parser.add_argument("--table", type=Path, required=True)
     told = parser.parse_args()
     rows = pd.concat([pd.read_csv(io.BytesIO(read_regular(path, LARGEST))) for path in told.tables], ignore_index=True)

@@ -27,7 +27,8 @@ def main() -> int:
     setup = read_setup(arguments.setup)
     device, number = Device(simulate(setup, arguments.seed)), 1
     with line(arguments.link) as end:
-        print(f"rig: {arguments.setup} is at {arguments.link}, at {arguments.pace:g} times real time", flush=True)
+        pace = f"at {arguments.pace:g} times real time"
+        print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; Ctrl-C ends it", flush=True)
         try:
             while True:
                 served = serve(end, device, arguments.pace)

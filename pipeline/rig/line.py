@@ -3,6 +3,7 @@
 import math
 import os
 import select
+import stat
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -25,24 +26,33 @@ FORGET_END_S = 10.0
 def line(link: Path) -> Iterator[int]:
     """Open a pseudo-terminal, yield the device's end of it and name the host's end `link`; both go afterwards.
 
-    Raises BadInput when `link` is taken by something that is no link, or the system has no pseudo-terminals.
+    Raises BadInput when `link` is taken by what is no link or by a live rig, or the system has no pseudo-terminals.
     """
     if pty is None:
         raise BadInput(link, "--link", "needs a pseudo-terminal, which this system does not have", "use Linux or macOS")
     if link.exists() and not link.is_symlink():
         raise BadInput(link, "--link", "is there and is no link", "choose a path that is free")
+    if _leads_to_a_rig(link):
+        raise BadInput(link, "--link", "another rig is there", "end it, or choose another --link")
     ours, theirs = pty.openpty()
+    name = os.ttyname(theirs)
     try:
         tty.setraw(theirs)  # a fresh one echoes and turns newlines
         os.set_blocking(ours, False)
         temporary = link.with_name(f".{link.name}.{os.getpid()}")
-        temporary.symlink_to(os.ttyname(theirs))
+        temporary.symlink_to(name)
         temporary.replace(link)
         yield ours
     finally:
         os.close(ours)
         os.close(theirs)  # kept open until now: a host may come, go and come back
-        link.unlink(missing_ok=True)
+        if link.is_symlink() and os.readlink(link) == name:  # another rig may have taken the name since
+            link.unlink(missing_ok=True)
+
+
+def _leads_to_a_rig(link: Path) -> bool:
+    """Whether a link leads to a terminal: that of a rig which has ended is gone, and its link is stale."""
+    return link.is_symlink() and link.exists() and stat.S_ISCHR(link.stat().st_mode)
 
 
 def serve(end: int, device: Device, pace: float = math.inf) -> bool:

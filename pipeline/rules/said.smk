@@ -1,4 +1,5 @@
 from pipeline.report.ended import remove_stale, rewrite, unmade
+from pipeline.report.failures import told
 
 
 # What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
@@ -33,7 +34,10 @@ onerror:
     print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     for line in wrong + [one.why for one in left]:
         print(line)
-    print("Not all was made: see the errors above. What other runs need is made with --keep-going.")
+    failed = [
+        (" ".join([job.rule.name, *map(str, job.wildcards)]), str(job.log)) for job in workflow.scheduler.failed
+    ]
+    print(told(failed, [one.why for one in PLAN.left_out], workflow.execution_settings.keep_going))
     KNOWN.forget_intact()
     end([str(file) for job in last for file in job.output])
 

@@ -225,7 +225,7 @@ def test_ctrl_c_ends_a_recording_in_good_order(rig, tmp_path):
     said, _ = capture.communicate(timeout=20)
     assert capture.returncode == 0, said
     assert "aborted" in said and "samples/s" in said
-    assert "run.yaml: is missing" in said and "python -m pipeline.new_run" in said
+    assert said.count("run.yaml") == said.count("python -m pipeline.new_run") == 1 and "run.yaml: is missing" in said
     recording = read_recording((folder / "recording.frames").read_bytes())
     assert info(folder)["exit_status"] == "aborted"
     assert info(folder)["samples"]["sent"] == info(folder)["samples"]["received"] == len(recording.time_s) > 10

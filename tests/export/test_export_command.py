@@ -153,9 +153,10 @@ def test_strokes_before_the_first_trained_on_are_out_of_range(tmp_path: Path) ->
     assert "#define TSA_STROKE_MIN 51\n" in text and "#define TSA_STROKE_MAX 112\n" in text
 
 
-def test_an_out_that_is_the_other_of_file_and_folder_is_refused(folder: Path, tmp_path: Path) -> None:
+def test_a_header_goes_into_a_folder_that_is_there_and_graphs_into_no_file(folder: Path, tmp_path: Path) -> None:
     model, file = folder / "calibrated" / "within-0.model", tmp_path / "there"
     file.write_text("")
-    for out, form in ((tmp_path, "c"), (file, "onnx")):
-        done = export(model, "--format", form, "--out", out)
-        assert done.returncode == 2 and "--out" in done.stderr
+    assert export(model, "--format", "c", "--name", "arm", "--out", tmp_path).returncode == 0
+    assert (tmp_path / "arm.h").read_text() == header(opened(model, None, Beside()), "arm")
+    done = export(model, "--format", "onnx", "--out", file)
+    assert done.returncode == 2 and "--out" in done.stderr and "name a folder" in done.stderr

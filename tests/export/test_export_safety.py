@@ -170,11 +170,22 @@ def test_the_limit_of_strokes_is_the_users_to_set(source: Any, tmp_path: Any) ->
 
 def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
     need("gcc")
-    for name in ("spline", "cinn"):
-        (tmp_path / "tsa.h").write_text(header(source(name, "one"), "tsa"))
-        built(*C99, "-O1", "-I", tmp_path, ROOT / "examples" / "control_loop.c", "-o", tmp_path / "loop", "-lm")
-        said = subprocess.run([tmp_path / "loop"], capture_output=True, text=True, check=True).stdout
-        assert "turns" in said and "refused" in said and "nan" not in said.lower()
+    example = (ROOT / "examples" / "control_loop.c").read_text()
+
+    def said(name: str, kind: str, text: str) -> str:
+        (tmp_path / "tsa.h").write_text(header(source(name, kind), "tsa"))
+        (tmp_path / "loop.c").write_text(text)
+        built(*C99, "-O1", "-I", tmp_path, tmp_path / "loop.c", "-o", tmp_path / "loop", "-lm")
+        return subprocess.run([tmp_path / "loop"], capture_output=True, text=True, check=True).stdout
+
+    for name, kind in (("spline", "one"), ("cinn", "one"), ("spline", "campaign")):
+        lines = said(name, kind, example)
+        assert "turns" in lines and "nan" not in lines.lower()
+        assert "refused, TSA_BAD_DISPLACEMENT_MM:" in lines  # past the end of the range, and only there
+        assert 0 < int(lines.splitlines()[-1].split()[0]) < 500
+    assert "load_n" in source("spline", "campaign").inputs.names
+    lines = said("spline", "campaign", example.replace("MIDDLE(LOAD_N)", "0"))
+    assert "   0 ms: refused, TSA_BAD_LOAD_N:" in lines and "3000 of 3000 targets refused" in lines
 
 
 def test_a_bin_without_rise_gives_no_nan(source: Any, tmp_path: Any) -> None:

@@ -46,7 +46,7 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.baselines", description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
     told = parser.parse_args()
     for folder in told.run_dir:
         found = baselines(folder)

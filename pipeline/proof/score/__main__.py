@@ -23,7 +23,9 @@ def main() -> None:
     parser.add_argument("batches", nargs="+")
     parser.add_argument("--place", type=Path, required=True, help="processed/proof")
     parser.add_argument("--twins", type=Path, required=True, help="what the library leaves of the rig's effects")
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument(
+        "--out", type=Path, required=True, help="the folder of the tables, the page and the figures; required"
+    )
     parser.add_argument("--note", default="", metavar="TEXT", help="which configuration made it, to stand beneath")
     told = parser.parse_args()
     everyone, sizes = gather(told.place, told.batches)

@@ -19,7 +19,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.rig.endurance", description=__doc__)
     parser.add_argument("--strings", type=int, required=True)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="the folder of the recordings, a new one; required")
     parser.add_argument("--rate-hz", type=float, default=10.0)
     asked = parser.parse_args()
     if not (1 <= asked.strings <= 1000 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):

@@ -1,0 +1,33 @@
+"""What the main job says last when not all was made: each job that failed and each run left out, why, and the mend."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+ELSE = "What other runs need is made with --keep-going."
+
+
+def reasons(log: Path) -> list[str]:
+    """Why a job failed, from its log: what it left out, and its last error, or the last line of a log without one."""
+    try:
+        lines = [line.strip() for line in log.read_text(encoding="utf-8", errors="replace").splitlines()]
+    except OSError:
+        return ["it wrote no log: see what is printed above"]
+    errors = [line.removeprefix("error: ") for line in lines if line.startswith("error: ")]
+    left = [line for line in lines if line.startswith("left out: ")]
+    return left + (errors[-1:] or [next((line for line in reversed(lines) if line), "it said nothing")])
+
+
+def told(failed: Iterable[tuple[str, str]], left_out: Iterable[str], keep_going: bool) -> str:
+    """The last lines: of failed jobs, each a name and a log, and of runs that the plan left out, each its reason.
+
+    A reason is said once. That other runs could still be made is said where the command line did not ask for it.
+    """
+    left, jobs = list(dict.fromkeys(left_out)), sorted(failed)
+    text = [f"left out: {why}" for why in left]
+    for name, log in jobs:
+        for reason in reasons(Path(log)):
+            if reason.removeprefix("left out: ") not in left:
+                left.append(reason.removeprefix("left out: "))
+                text.append(reason if reason.startswith("left out: ") else f"failed: {name}: {reason} Its log: {log}")
+    head = "Not all was made:" if text else "Not all was made: see the errors above."
+    return "\n".join([head, *text, *([] if keep_going else [ELSE])])

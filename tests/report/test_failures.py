@@ -1,0 +1,50 @@
+"""The last lines of a main job that did not make all: each failure with its reason and its mend."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from pipeline.report.failures import ELSE, told
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
+    log, last, silent = (tmp_path / name for name in ("ingest-a-01.log", "all_taken.log", "train.log"))
+    log.write_text("reading\nerror: old. Mend: no.\nerror: raw/a-01: time_s: runs backwards. Mend: record it again.\n")
+    last.write_text("left out: raw/b: x. Mend: y.\nerror: raw/c: x. Mend: y.\n")
+    silent.write_text("Traceback\nZeroDivisionError: division\n\n")
+    failed = [("ingest a-01", str(log)), ("all_taken", str(last)), ("train inn", str(silent)), ("gone", "no.log")]
+    said = told(failed, ["raw/c: x. Mend: y."], keep_going=True).splitlines()
+    assert said[0] == "Not all was made:" and len(said) == 6
+    assert {"left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."} < set(said)
+    assert f"failed: ingest a-01: raw/a-01: time_s: runs backwards. Mend: record it again. Its log: {log}" in said
+    assert f"failed: train inn: ZeroDivisionError: division Its log: {silent}" in said
+    assert told([], [], keep_going=False).splitlines() == ["Not all was made: see the errors above.", ELSE]
+
+
+def test_the_main_job_ends_with_what_failed(tmp_path):
+    """On the real rules, with a recording that ingest refuses beside a folder that can be no run."""
+    shutil.copytree(ROOT / "pipeline", tmp_path / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "Snakefile", tmp_path)
+    run = tmp_path / "raw" / "bad-01"
+    make = ["--material", "nylon", "--radius-mm", "0.4", "--length-mm", "400", "--torsion-zone-mm", "150"]
+    command = [sys.executable, "-m", "pipeline.new_run", "bad-01", *make, "--separator-mm", "8"]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+    (run / "recording.csv").write_text("time_s,motor_turns,displacement_mm\n0,0,0\n")
+    (tmp_path / "raw" / "A copy").mkdir()
+    (tmp_path / "raw" / "A copy" / "run.yaml").write_text("")
+    snakemake = [sys.executable, "-m", "snakemake", "--cores", "1", "--configfile", "pipeline/config/ci.yaml"]
+
+    def last(*words):
+        done = subprocess.run([*snakemake, *words], cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode, done.stdout + done.stderr
+        return done.stdout.rstrip().partition("Not all was made:\n")[2].splitlines()
+
+    folder, ingest, *rest = last("--", "processed/bad-01/samples.parquet")
+    assert folder.startswith("left out: raw/A copy: its name: ") and "Mend: rename the folder" in folder
+    assert ingest.startswith("failed: ingest bad-01: raw/bad-01/recording.csv: ") and "Mend: " in ingest
+    assert ingest.endswith("Its log: processed/logs/ingest-bad-01.log") and rest == [ELSE]
+    _, refused, *rest = last("--keep-going", "--", "processed/nylon/dataset.parquet")
+    assert refused.startswith("left out: raw/bad-01/recording.csv: ") and "Mend: " in refused and not rest
