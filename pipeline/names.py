@@ -28,6 +28,15 @@ def _short(name: str) -> None:
         raise ValueError(f"has {len(name)} characters; give a name of at most {LONGEST}")
 
 
+def _folder_name(name: str, form: re.Pattern[str], mend: str) -> str:
+    """A name that folders carry; raises ValueError for one too long, of another form, or taken."""
+    _short(name)
+    if not form.fullmatch(name):
+        raise ValueError(f"is {name!r}; {mend}")
+    _free(name)
+    return name
+
+
 def _free(name: str) -> None:
     if name.lower() in TAKEN:
         raise ValueError(f"is {name!r}, which reports/ and processed/ use for something else; give another name")
@@ -37,20 +46,12 @@ def _free(name: str) -> None:
 
 def run_name(name: str) -> str:
     """A run's name, which is its folder's."""
-    _short(name)
-    if not RUN_NAME.fullmatch(name):
-        raise ValueError(f"is {name!r}; use lower-case letters, digits and -, as in uhmwpe-20261121-01")
-    _free(name)
-    return name
+    return _folder_name(name, RUN_NAME, "use lower-case letters, digits and -, as in uhmwpe-20261121-01")
 
 
 def material(name: str) -> str:
     """A material's name, which folders under reports/ and processed/ carry."""
-    _short(name)
-    if not MATERIAL_NAME.fullmatch(name):
-        raise ValueError(f"is {name!r}; use letters, digits, _ and -, and begin with a letter or a digit")
-    _free(name)
-    return name
+    return _folder_name(name, MATERIAL_NAME, "use letters, digits, _ and -, and begin with a letter or a digit")
 
 
 def own_material(name: str) -> str:
