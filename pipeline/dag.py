@@ -1,16 +1,16 @@
 """What there is to make: which runs lie in `raw/`, of which material each is, and which fits that asks for."""
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from pipeline import jump_notes
 from pipeline.errors import BadInput
 from pipeline.left_out import LeftOut
 from pipeline.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
 from pipeline.run_yaml import STRING_ACTUATORS
-from pipeline.runs import CAPTURED, RECORDINGS, capture_info, read_run, unfinished
+from pipeline.runs import RECORDINGS, capture_info, find_runs, read_run, unfinished
 from pipeline.strict_yaml import read_yaml
 
 SYNTHETIC_FILES = ("run.yaml", "recording.frames", "capture.json")
@@ -39,23 +39,6 @@ class Plan:
     def left_out(self) -> list[LeftOut]:
         """Folders that nothing is made of."""
         return self.refused + self.unfinished + self.misnamed
-
-
-def _folders(raw: Path) -> list[Path]:
-    """Folders under `raw/` that hold a `run.yaml` or a recording, or that may not be looked into; no hidden ones."""
-    try:
-        names = sorted(name for name in os.listdir(raw) if not name.startswith(".") and os.path.isdir(raw / name))
-    except FileNotFoundError:
-        return []
-    wanted = {"run.yaml", *CAPTURED, *RECORDINGS}
-
-    def holds(folder: Path) -> bool:
-        try:
-            return not wanted.isdisjoint(os.listdir(folder))
-        except OSError:
-            return True  # reading its run.yaml says what is wrong
-
-    return [raw / name for name in names if holds(raw / name)]
 
 
 def _perhaps(folder: Path) -> str:
@@ -107,7 +90,7 @@ def make_plan(raw: Path, synthetic: list[str]) -> Plan:
             mend = "rename the run, or the one under `synthetic` in the configuration"
             raise BadInput(raw / run, "run", "is a real recording under a name of the synthetic rig", mend)
         plan.add(SYNTHETIC, run)
-    for folder in _folders(raw):
+    for folder in find_runs(raw):
         if folder.name not in synthetic:
             _place(plan, folder)
     return plan
@@ -127,7 +110,7 @@ def stored(models: dict[str, Any], plan: Plan) -> Iterator[str]:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
     for material in plan.materials:
         yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))
-        yield f"processed/{material}/left_out.json"
+        yield from (f"processed/{material}/{note}" for note in ("left_out.json", jump_notes.NAME))
         for predictions in fits(models, material):
             yield predictions
             yield predictions.replace(".predictions.parquet", ".model")

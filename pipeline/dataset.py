@@ -5,7 +5,6 @@
 """
 
 import argparse
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -13,7 +12,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pipeline import schemas
+from pipeline import jump_notes, schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.kinematics import TOLERANCE
@@ -180,7 +179,7 @@ def main() -> None:
         write_text(arguments.out_left_out, to_json(refused) + "\n")
     if arguments.out_jumps:
         said = [jump.advice for jump in jumped if not jump.taken_off]
-        write_text(arguments.out_jumps, json.dumps(said, ensure_ascii=False) + "\n")
+        write_text(arguments.out_jumps, jump_notes.to_json(said) + "\n")
     for split in ("within", "later"):
         counts = dataset[split].value_counts()
         print(f"{split}: {counts.get('train', 0)} points to train on, {counts.get('test', 0)} held out")

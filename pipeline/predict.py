@@ -15,7 +15,7 @@ import pandas as pd
 from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
-from pipeline.jump_notes import read_jumps
+from pipeline.jump_notes import NAME, read_jumps
 from pipeline.models.box import COLUMNS
 from pipeline.models.conditions import Conditions
 from pipeline.models.intervals import GIVEN, Intervals, TooFew
@@ -99,7 +99,7 @@ def main() -> None:
     configured(asked.model, asked.settings)  # complains before anything is fitted
     file_to_write(asked.out, reads=[asked.dataset, asked.questions])
     dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
-    for said in read_jumps([asked.dataset.with_name("zero_jumps.json")]):
+    for said in read_jumps([asked.dataset.with_name(NAME)]):
         print(f"beware: {said}", file=sys.stderr)
     points, known = read_questions(asked.questions, dataset)
     intervals = Intervals(lambda: configured(asked.model, asked.settings))

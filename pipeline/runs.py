@@ -90,6 +90,21 @@ def _is_loss(entry: Any) -> bool:
 
 
 def find_runs(raw: Path | str) -> Iterator[Path]:
-    """Run folders under `raw/`, sorted by name: those with a `run.yaml` or a recording, hidden ones left out."""
-    folders = (path for path in sorted(Path(raw).glob("[!.]*")) if path.is_dir())
-    return (path for path in folders if any((path / name).is_file() for name in ("run.yaml", *CAPTURED, *RECORDINGS)))
+    """Run folders under `raw/`, sorted by name, hidden ones left out: those that hold a `run.yaml` or a recording.
+
+    A folder that may not be looked into counts as one: reading its `run.yaml` says what is wrong.
+    """
+    try:
+        names = sorted(name for name in os.listdir(raw) if not name.startswith("."))
+    except FileNotFoundError:
+        return
+    for folder in (Path(raw, name) for name in names):
+        if os.path.isdir(folder) and _holds_a_run(folder):
+            yield folder
+
+
+def _holds_a_run(folder: Path) -> bool:
+    try:
+        return not {"run.yaml", *CAPTURED, *RECORDINGS}.isdisjoint(os.listdir(folder))
+    except OSError:
+        return True

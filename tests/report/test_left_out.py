@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 from made_recording import recording
 
-from pipeline import schemas
+from pipeline import jump_notes, schemas
 from pipeline.dag import Plan, stored
 from pipeline.errors import BadInput
 from pipeline.known_files import KnownFiles
@@ -67,6 +67,19 @@ def test_a_damaged_list_of_what_was_left_out_is_found_at_the_start_and_refused_b
     assert list(known.damaged([str(path)])) == [str(path)]
     with pytest.raises(BadInput, match="JSON: is not what the pipeline writes"):
         left_out.told(asked("--left-out", str(path)))
+
+
+@pytest.mark.parametrize("content", [b"[", b"\xff[]", b"{}", b"[5]", b"[" * 9000, b""])
+def test_a_damaged_note_of_jumps_is_found_at_the_start_and_refused(tmp_path, content):
+    path = tmp_path / jump_notes.NAME
+    path.write_text(jump_notes.to_json(["The zero jumps."]))
+    known = KnownFiles(tmp_path / "known.json")
+    assert "processed/nylon/zero_jumps.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
+    assert known.damaged([str(path)]) == {} and jump_notes.read_jumps([path]) == ["The zero jumps."]
+    path.write_bytes(content)
+    assert list(known.damaged([str(path)])) == [str(path)]
+    with pytest.raises(BadInput, match="JSON: is not what the dataset's stage writes"):
+        jump_notes.read_jumps([path])
 
 
 def test_the_last_rule_fails_for_a_refused_run_and_writes_nothing(tmp_path):
