@@ -31,9 +31,9 @@ FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png"
 PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
 STAGES = "marks record ingest strokes dataset train floor evaluate leak report diagnose proof real campaign known said"
 
-# One thread a job: two small trainings side by side are ten times slower with two threads each.
+# Jobs end with this Snakemake, and say at once what they say. How many threads one has is the package's own rule.
 PREFIX = (
-    f"export PYTHONPATH={shlex.quote(workflow.basedir)} OMP_NUM_THREADS=1 PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"
+    f"export PYTHONPATH={shlex.quote(workflow.basedir)} PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"
 )
 shell.prefix(f"{PREFIX} NOTE_REFUSALS=; ")
 

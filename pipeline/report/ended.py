@@ -74,7 +74,7 @@ def without(command: str, left: list[LeftOut], names: Iterable[str]) -> list[str
 def rewrite(commands: Iterable[str], left: list[LeftOut], names: Iterable[str], project: str) -> list[str]:
     """Run the commands of the last pages without what could not be made; returns what went wrong."""
     wrong = []
-    environment = {**os.environ, "PYTHONPATH": project, "OMP_NUM_THREADS": "1"}
+    environment = {**os.environ, "PYTHONPATH": project}
     for command in commands:
         words = without(command, left, names)
         done = subprocess.run(words, env=environment, capture_output=True, text=True, errors="replace")
