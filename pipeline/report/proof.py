@@ -12,6 +12,8 @@ from pipeline.report.sidecar import Column, describe
 from pipeline.report.web.markdown import web_page
 
 TABLES = {
+    "authors": "Scores by who made the recordings",
+    "laws": "Single effects by the law that hid in them",
     "cases": "Every concealed case and its verdict",
     "sizes": "Every hidden effect's size beside the size that was named",
     "scores": "Every score with its interval",
