@@ -33,10 +33,9 @@ class Health:
     jumps: list[Jump] = field(default_factory=list)
 
 
-def numbered(runs: list[Recorded]) -> list[Stroke]:
-    """Complete strokes of one string's runs, which continue each other's numbers; no jump of the zero is in them."""
-    runs = in_order(runs)
-    moved = frozenset(jump.run for jump in jumps(runs) if not jump.may_be_wear)
+def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Stroke]:
+    """Complete strokes of one string's runs, in order, which continue each other's numbers, without the jumps seen."""
+    moved = frozenset(jump.run for jump in seen if not jump.may_be_wear)
     done, found = 0, list[Stroke]()
     for one, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):
         assert one.run.string is not None
@@ -52,7 +51,9 @@ def health(runs: list[Recorded]) -> Health:
         if one.run.actuator not in STRING_ACTUATORS:
             mend = f"ask about runs of a {' or a '.join(STRING_ACTUATORS)}"
             raise BadInput(one.run.run, "actuator", f"is {one.run.actuator}, which has no string to wear out", mend)
-    strokes = numbered(runs)
+    runs = in_order(runs)
+    seen = jumps(runs)
+    strokes = numbered(runs, seen)
     if not strokes:
         mend = "record whole strokes: a winding and the unwinding after it"
         raise BadInput(runs[0].run.run, "motor_turns", "there is no complete stroke in it", mend)
@@ -63,7 +64,7 @@ def health(runs: list[Recorded]) -> Health:
         problem = f"no stroke winds over the usual {low:.3g} to {high:.3g} turns of the first ones"
         raise BadInput(runs[0].run.run, "motor_turns", problem, "record strokes that all wind over the same range")
     left_out = sorted({one.number for one in strokes} - {one.number for one in same})
-    first = in_order(runs)[0]
+    first = runs[0]
     nominal = np.nan_to_num(
         geometry(first.run).contraction_mm(np.array([low, high]), float(first.samples["load_n"].median()))
     )
@@ -72,6 +73,4 @@ def health(runs: list[Recorded]) -> Health:
          **loop(one, low, high), **stiffness(one.moving), **error}
         for one, error in zip(same, model_errors(same, low, high), strict=True)
     ]  # fmt: skip
-    return Health(
-        first.run.string_id, [one.run.run for one in in_order(runs)], pd.DataFrame(rows), left_out, jumps(runs)
-    )
+    return Health(first.run.string_id, [one.run.run for one in runs], pd.DataFrame(rows), left_out, seen)

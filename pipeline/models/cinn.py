@@ -9,7 +9,6 @@ error alone trains both ways. θ follows by the blocks backwards and eq. 5. Back
 they came out, which is a little off: a few steps of the secant make good for it, and both ways undo each other.
 """
 
-import io
 import math
 from pathlib import Path
 
@@ -23,10 +22,9 @@ from pipeline.models.box import Box
 from pipeline.models.conditions import Conditions
 from pipeline.models.coupling import InvertibleNet
 from pipeline.models.features import conditions
-from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
 from pipeline.models.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
-from pipeline.models.training import minimise, repeatable, tensor
+from pipeline.models.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are among the five
@@ -116,13 +114,11 @@ class Cinn:
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
         }
-        temporary = io.BytesIO()
-        torch.save(saved, temporary)
-        write_bytes(path, temporary.getvalue())
+        write_weights(path, saved)
 
     def load(self, path: Path) -> None:
         """Take over what a file holds."""
-        saved = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
+        saved = read_weights(path)
         self.settings = Settings(**saved["settings"])
         self.box, self.conditions = Box.from_saved(saved["box"]), Conditions.from_saved(saved["conditions"])
         self.shift_mm = saved["shift_mm"]

@@ -17,7 +17,6 @@ The direction of motion is not among the five inputs, faithful to the paper: thi
 unwinding, and half the hysteresis loop is its floor.
 """
 
-import io
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -29,10 +28,9 @@ from torch.nn.functional import mse_loss
 from pipeline.kinematics import Array
 from pipeline.models.coupling import InvertibleNet
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
-from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
 from pipeline.models.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
-from pipeline.models.training import minimise, repeatable, tensor
+from pipeline.models.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 
@@ -98,13 +96,11 @@ class Inn:
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
         }
-        temporary = io.BytesIO()
-        torch.save(saved, temporary)
-        write_bytes(path, temporary.getvalue())
+        write_weights(path, saved)
 
     def load(self, path: Path) -> None:
         """Take over the settings, scalings and weights of a file."""
-        saved = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
+        saved = read_weights(path)
         self.settings = Settings(**saved["settings"])
         scalings = [values.numpy() for values in saved["scalings"]]
         self.inputs, self.outputs = Scaling(*scalings[:2]), Scaling(*scalings[2:])

@@ -4,7 +4,6 @@ Each is the plain regression of its own output, so the two are not exact inverse
 stiffness and material are inputs where they vary.
 """
 
-import io
 import math
 from itertools import pairwise
 from pathlib import Path
@@ -18,10 +17,9 @@ from torch.nn.functional import mse_loss
 from pipeline.kinematics import Array
 from pipeline.models.conditions import Conditions
 from pipeline.models.features import contraction_and_conditions, twist_and_conditions
-from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.models.scaling import Scaling
 from pipeline.models.settings import Batch, Epochs, Layers, Rate, Width, checked, values
-from pipeline.models.training import minimise, repeatable, tensor
+from pipeline.models.training import minimise, read_weights, repeatable, tensor, write_weights
 
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are inputs in any case
 
@@ -82,13 +80,11 @@ class Mlp:
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.networks.state_dict(),
         }
-        temporary = io.BytesIO()
-        torch.save(saved, temporary)
-        write_bytes(path, temporary.getvalue())
+        write_weights(path, saved)
 
     def load(self, path: Path) -> None:
         """Take over the settings, scalings and weights of a file."""
-        saved = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
+        saved = read_weights(path)
         self.settings = Settings(**saved["settings"])
         self.conditions = Conditions.from_saved(saved["conditions"])
         scalings = [values.numpy() for values in saved["scalings"]]

@@ -1,16 +1,33 @@
 """The training loop that the networks share: shuffled batches, Adam, one learning rate an epoch."""
 
+import io
 import logging
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
 
 import torch
 from torch import Tensor, nn
 
+from pipeline.models.saved import read_bytes, write_bytes
 from pipeline.progress import steps
 
 log = logging.getLogger(__name__)
+
+
+def write_weights(path: Path, content: dict[str, Any]) -> None:
+    """Write a network's settings, scalings and weights with their check sum, whole or not at all."""
+    packed = io.BytesIO()
+    torch.save(content, packed)
+    write_bytes(path, packed.getvalue())
+
+
+def read_weights(path: Path) -> dict[str, Any]:
+    """What `write_weights` wrote; raises BadInput for a damaged file, anything for a model of another kind."""
+    content: dict[str, Any] = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
+    return content
 
 
 @contextmanager

@@ -1,13 +1,11 @@
 """The index's first lines: each material's best model beside the floor, each run's verdict and the run to make next."""
 
 import csv
-import json
 from pathlib import Path
-from typing import Any
 
 from markupsafe import Markup
 
-from pipeline.report.diagnoses import named_of, tag, verdict_of
+from pipeline.report.diagnoses import content_of, named_of, tag, verdict_of
 from pipeline.report.web.page import Text, anchor, paragraph, together
 from pipeline.report.web.table import table
 
@@ -53,8 +51,7 @@ def shortened(text: str) -> str:
 
 def next_run(folder: Path) -> str:
     """The run that a diagnosis asks for, in a few words; empty where it asks for none."""
-    path = folder / "diagnosis.json"
-    content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    content = content_of(folder) or {}
     return shortened(str(content.get("next_experiment") or ""))
 
 
