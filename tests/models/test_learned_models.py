@@ -123,7 +123,7 @@ def test_progress_is_logged_and_a_lost_loss_is_an_error(
     with caplog.at_level(logging.INFO):
         minimise(net, lambda rows: net(rows[:, None].float()).square().mean(), 10, 4, [0.1, 0.1])
     assert [record.message.split(",")[0] for record in caplog.records] == ["epoch 2 of 2"]
-    assert capsys.readouterr().err == "epoch 1 of 2, 0 s\nepoch 2 of 2, 0 s\n"
+    assert capsys.readouterr().err == "epoch 1 of 2, 0 s so far\nepoch 2 of 2, 0 s so far\n"
     with pytest.raises(ArithmeticError, match="nan in epoch 1"):
         minimise(net, lambda rows: net(rows[:, None].float()).mean() * torch.nan, 10, 4, [0.1])
 

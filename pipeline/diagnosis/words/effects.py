@@ -24,15 +24,15 @@ def sentence(mechanism: Mechanism, entry: dict[str, Any], span: float | None, wo
     fields = {**words.fields, "size": f"{size(worth, words.unit)} rms"}
     fields["span"] = size(span, words.unit) if span is not None else ""
     fields["times"] = time_constants(entry["parameters"])
-    fields["temperature"] = CALCULATED if calculated(entry) else "the measured temperature"
+    fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
     said = filled(mechanism.sentence, fields).rstrip(".")
     detail = details(mechanism, entry["parameters"], words, units)
     return f"{said}{': ' if detail else ''}{detail}."
 
 
-def calculated(entry: dict[str, Any]) -> bool:
-    """Whether the temperature that a mechanism follows is that of self-heating, from the motion."""
-    return entry["id"] == "thermal" and not entry["parameters"].get("measured", {"value": 0.0})["value"]
+def calculated(mechanism: Mechanism, entry: dict[str, Any]) -> bool:
+    """Whether a mechanism follows a temperature, and this one is that of self-heating, from the motion."""
+    return "{temperature}" in mechanism.sentence and not entry["parameters"].get("measured", {"value": 0.0})["value"]
 
 
 def filled(template: str, fields: dict[str, str]) -> str:

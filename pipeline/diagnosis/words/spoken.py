@@ -19,7 +19,7 @@ def spoken(content: dict[str, Any], system: System) -> dict[str, Any]:
         entry["sentence"] = effects.sentence(mechanism, entry, spans.get(entry["id"]), words, units)
     if content["mismatch"]:
         said = followed(content["mismatch"]["driver"], words, evidence["loaded"])
-        if any(effects.calculated(entry) for entry in content["mechanisms"]):
+        if any(effects.calculated(mechanisms()[entry["id"]], entry) for entry in content["mechanisms"]):
             said = said.replace("the temperature", effects.CALCULATED)
         content["mismatch"]["driver"] = said
     if content["next_run"]:

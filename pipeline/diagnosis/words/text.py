@@ -99,8 +99,9 @@ def follows(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return [f"It follows {content['mismatch']['driver']}."]
     lines = []
     for entry in content["mechanisms"]:
-        said = words.follows(mechanisms()[entry["id"]].driver, content["evidence"]["loaded"])
-        lines.append(f"{entry['id']} follows {effects.CALCULATED if effects.calculated(entry) else said}.")
+        mechanism = mechanisms()[entry["id"]]
+        said = words.follows(mechanism.driver, content["evidence"]["loaded"])
+        lines.append(f"{entry['id']} follows {effects.CALCULATED if effects.calculated(mechanism, entry) else said}.")
     return lines
 
 
