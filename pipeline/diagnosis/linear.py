@@ -5,6 +5,7 @@ about a tenth of a millisecond.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,17 +102,39 @@ class Linear:
         self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])
         self.rows = rows
         table = np.ascontiguousarray(np.vstack([*columns, target]))
-        norms = np.sqrt(np.einsum("ij,ij->i", table, table))
-        self.norm = np.where(norms > 0, norms, 1.0)
         self.table = table
-        whitened = whiten(table, noise.ar, problem.drivers.first[:rows]) / noise.innovation
-        products, raw = _products(whitened), _products(table)
-        self.gram, self.moment, self.square = products[:-1, :-1].copy(), products[-1, :-1].copy(), products[-1, -1]
-        self.raw_gram, self.raw_moment, self.raw_square = raw[:-1, :-1].copy(), raw[-1, :-1].copy(), raw[-1, -1]
-        diagonal = np.arange(len(prior))
-        self.gram[diagonal, diagonal] += prior
+        self.prior = prior
         self.raw_prior = prior * noise.floor**2
-        self.scale = np.sqrt(np.diag(self.gram))
+        self._kept: dict[int, int] = {}
+        self._raw = np.zeros((0, 0))
+
+    @cached_property
+    def products(self) -> Array:
+        """All products of the whitened columns and of the target; the target last."""
+        first = self.problem.drivers.first[: self.rows]
+        return _products(whiten(self.table, self.noise.ar, first) / self.noise.innovation)
+
+    @cached_property
+    def gram(self) -> Array:
+        """Products of the whitened columns, priors included."""
+        gram = self.products[:-1, :-1].copy()
+        gram[np.diag_indices(len(gram))] += self.prior
+        return gram
+
+    @cached_property
+    def moment(self) -> Array:
+        """Products of the whitened columns with the target."""
+        return self.products[-1, :-1].copy()
+
+    @property
+    def square(self) -> float:
+        """The whitened target's square."""
+        return float(self.products[-1, -1])
+
+    @cached_property
+    def scale(self) -> Array:
+        """Lengths of the whitened columns, priors included."""
+        return np.sqrt(np.diag(self.gram))
 
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
         """Calibration's columns and those of some shapes."""
@@ -139,21 +162,35 @@ class Linear:
         )  # fmt: skip
         return self.square + misfit, active
 
+    def raw(self, columns: np.ndarray) -> tuple[Array, Array, float]:
+        """Products of some columns, not whitened; their products with the target; and the target's square.
+
+        Few columns of many are ever asked for, so that products are made when they are, and kept.
+        """
+        wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
+        new = [column for column in wanted if column not in self._kept]
+        if new:
+            known, more = len(self._kept), self.table[new]
+            self._kept |= {column: known + place for place, column in enumerate(new)}
+            across = more @ self.table[list(self._kept)].T
+            grown = np.empty((len(self._kept), len(self._kept)))
+            grown[:known, :known], grown[known:], grown[:, known:] = self._raw, across, across.T
+            self._raw = grown
+        place = np.array([self._kept[column] for column in columns.tolist()], np.intp)
+        target = self._kept[len(self.table) - 1]
+        return self._raw[np.ix_(place, place)], self._raw[place, target], float(self._raw[target, target])
+
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:
         """Squared residual per sample of a solution, not whitened."""
-        gram = self.raw_gram[np.ix_(columns, columns)]
-        return (
-            float(self.raw_square - 2.0 * self.raw_moment[columns] @ solution + solution @ gram @ solution) / self.rows
-        )
+        gram, moment, square = self.raw(columns)
+        return float(square - 2.0 * moment @ solution + solution @ gram @ solution) / self.rows
 
     def plain(self, columns: np.ndarray) -> Fit:
         """Joint fit that weighs all samples alike: what is left after it is what a person sees in the plot."""
-        gram = self.raw_gram[np.ix_(columns, columns)].copy()
+        gram, moment, _ = self.raw(columns)
         gram[np.arange(len(columns)), np.arange(len(columns))] += self.raw_prior[columns]
         start = np.clip(np.zeros(len(columns)), self.low[columns], self.high[columns])
-        solution = boxed(
-            np.ascontiguousarray(gram), self.raw_moment[columns], self.low[columns], self.high[columns], start
-        )
+        solution = boxed(np.ascontiguousarray(gram), moment, self.low[columns], self.high[columns], start)
         return Fit(columns, solution, np.nan, self.raw_energy(columns, solution), 0)
 
     def gap(self, truth: Fit, rival: np.ndarray) -> float:

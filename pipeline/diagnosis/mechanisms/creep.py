@@ -1,5 +1,7 @@
 """Lengthening under load over time, recovering at least partly [A3, A4]."""
 
+import numpy as np
+
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import lowpass
@@ -17,11 +19,15 @@ def shapes(drivers: Drivers) -> list[Shape]:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
     found = []
-    tensions = {"load": drivers.load}
+    tensions = {"load": (drivers.load, drivers.load0)}
+    if drivers.loaded:
+        tensions["steep_load"] = (drivers.load * np.abs(drivers.load), drivers.load0 * abs(drivers.load0))
     if drivers.levered:
-        tensions["twist"] = drivers.load * drivers.tangent**2
-    for name, tension in tensions.items():
-        start = 0.0 if shape["fresh"] else drivers.load0 if name == "load" else float(tension[0])
+        for name, power in (("twist", 2), ("steep_twist", 4)):
+            twisted = drivers.load * drivers.tangent**power
+            tensions[name] = (twisted, float(twisted[0]))
+    for name, (tension, before) in tensions.items():
+        start = 0.0 if shape["fresh"] else before
         for tau_s in within(TIMES_S, shape):
             strain = lowpass(tension, drivers.time_s, tau_s, start) - start
             found.append(Term(f"{name}_{tau_s:g}_s_mm_per_10_n", "length", strain, "mm/10N"))

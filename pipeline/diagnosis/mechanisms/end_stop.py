@@ -4,9 +4,11 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import hinge
 from pipeline.kinematics import Array
 
-UPPER = np.linspace(0.45, 1.09, 44)  # of the nominal range; calibration may stretch it
+UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
+SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
 LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
 LOWER = np.linspace(0.01, 0.3, 14)
 
@@ -15,7 +17,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
     """Where the motion ends, in mm from where it starts; side 1: at its upper end, −1: at its lower end."""
     low, high = float(drivers.contraction.min()), float(drivers.contraction.max())
     places = [(share, 1.0) for share in UPPER] + [(share, -1.0) for share in LOWER]
-    return [{"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side} for share, side in places]
+    return [
+        {"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side, "soft_mm": float(f"{soft:.6g}")}
+        for share, side in places
+        for soft in (0.0, SOFT * (high - low))
+    ]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -23,8 +29,9 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 
     def clipped(reading: Array) -> Array:
         stop = reading[0] + shape["stop_mm"]
-        beyond = np.maximum(reading - stop, 0.0) if shape["side"] > 0 else np.minimum(reading - stop, 0.0)
-        return np.asarray(-beyond)
+        beyond, soft = shape["side"] * (reading - stop), shape["soft_mm"]
+        held = hinge(beyond, 0.0, soft) if soft > 0.0 else np.maximum(beyond, 0.0)
+        return np.asarray(-shape["side"] * held)
 
     return [Term("share_held", "sensor", clipped, "1", LEAST_HELD, 1.4)]
 

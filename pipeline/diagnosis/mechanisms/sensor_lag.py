@@ -8,7 +8,7 @@ from pipeline.diagnosis.recursions import lowpass
 from pipeline.kinematics import Array
 
 TIMES_S = (0.03, 0.1, 0.3, 1.0)
-DELAYS_S = (0.05, 0.2)
+DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

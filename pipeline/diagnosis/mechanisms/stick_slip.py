@@ -23,8 +23,8 @@ def shapes(drivers: Drivers) -> list[Shape]:
     usual = float(f"{np.median(rate[rate > 0.1 * rate.max()]) if rate.max() > 0 else 1.0:.6g}")
     return [
         {"reach_mm": float(f"{value:.6g}"), "back_share": back, "usual_rate": usual}
-        for value in np.geomspace(1e-3, 0.1, 32) * reach_mm
-        for back in (0.0, 0.15, 0.4)
+        for value in np.geomspace(1e-3, 0.1, 20) * reach_mm
+        for back in (0.0, 0.25)
     ]
 
 

@@ -1,0 +1,68 @@
+"""How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
+
+The score of an explanation is a sum: a piecewise linear function of each sign, one for each number of mechanisms, and a
+number for each name. The scores of all explanations and of "none of them" share one softmax, as in McFadden (1974).
+`judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+"""
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.diagnosis.weigh import SIZES, Weighed
+from pipeline.kinematics import Array
+
+HERE = Path(__file__).parent
+OF_NONE = ("left_share", "more_completes")  # signs of the best explanation, that tell whether any is one
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Knots of every sign, and weights: of the ramps between knots and of the names, both by size, and of none."""
+
+    knots: dict[str, list[float]]
+    names: list[str]
+    weights: Array
+    of_none: Array
+
+    def basis(self, some: list[Weighed]) -> Array:
+        """What the weights multiply, shape (explanations, weights)."""
+        signs = {name: np.array([one.signs[name] for one in some]) for name in self.knots}
+        ramps = [
+            np.clip((signs[name] - low) / (high - low), 0.0, 1.0)
+            for name, knots in self.knots.items()
+            for low, high in zip(knots[:-1], knots[1:], strict=True)
+        ]
+        named = [np.array([float(name in one.ids) for one in some]) for name in self.names]
+        sizes = np.array([len(one.ids) for one in some])
+        every = np.column_stack([np.ones(len(some)), *ramps, *named])
+        return np.hstack([every * (sizes == size)[:, None] for size in SIZES])
+
+    def probabilities(self, some: list[Weighed]) -> Array:
+        """Of each explanation, and, last, of none of them."""
+        scores = np.append(self.basis(some) @ self.weights, none_of(some) @ self.of_none)
+        odds = np.exp(scores - scores.max())
+        return np.asarray(odds / odds.sum())
+
+
+def none_of(some: list[Weighed]) -> Array:
+    """What tells that no explanation is one: what the best leaves, of all and of the singles, and how large it all is."""
+    singles = [one for one in some if len(one.ids) == 1]
+    best = min(one.signs["left_share"] for one in some)
+    return np.array([1.0, best, max(best, -3.0), min(one.signs["left_share"] for one in singles or some),
+                     some[0].signs["mismatch_floors"]])  # fmt: skip
+
+
+def read(content: dict[str, Any]) -> Judge:
+    """A judge from the content of its file."""
+    return Judge(content["knots"], content["names"], np.array(content["weights"]), np.array(content["of_none"]))
+
+
+@cache
+def judge() -> Judge:
+    """The judge that is part of the library."""
+    return read(json.loads((HERE / "judge.json").read_text()))
