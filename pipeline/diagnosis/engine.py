@@ -1,4 +1,4 @@
-"""The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism by name."""
+"""The diagnosis, step by step: calibrate, noise, search, refine, judge, decide. It knows no mechanism by name."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, candidates, chance, compare, form, generic, order
+from pipeline.diagnosis import calibrate, candidates, chance, form, generic
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.drivers import Drivers, drivers_of
+from pipeline.diagnosis.judged import NOTHING, judged
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
@@ -137,15 +138,16 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) in (0, len(before.ids)):
                 break
-    say("comparing")
-    sets = order.by_prediction(search.linear, compare.unbeaten(search, chosen, noise.floor))
+    say("judging")
+    found = judged(search, base, noise.floor) if chosen.ids else NOTHING
+    sets = found.sets
     best = at_work(search, sets[0]) if sets else base
     while len(sets) > 1 and cancels(problem, best):  # a balance of two effects is none of what ties
         sets = sets[1:]
         best = at_work(search, sets[0])
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
     random = {id_: shape for id_, shape in random.items() if id_ in still}
-    return decide(problem, nominal, base, noise, best, sets, search, random)
+    return decide(problem, nominal, base, noise, best, replace(found, sets=sets), search, random)
 
 
 def at_work(search: Search, one: Explanation) -> State:

@@ -1,7 +1,7 @@
 """How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
 
-The score of an explanation is a sum: a piecewise linear function of each sign, one for each number of mechanisms, and a
-number for each name. The scores of all explanations and of "none of them" share one softmax, as in McFadden (1974).
+The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, and small
+deviations of both for singles, pairs and triples. The scores of all explanations and of "none of them" share one softmax, as in McFadden (1974).
 `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
 """
 
@@ -17,7 +17,8 @@ from pipeline.diagnosis.weigh import SIZES, Weighed
 from pipeline.kinematics import Array
 
 HERE = Path(__file__).parent
-OF_NONE = ("left_share", "more_completes")  # signs of the best explanation, that tell whether any is one
+BY_SIZE, BY_NAME = 2.0, 1.5  # how freely the number of mechanisms and each name may weigh, beside a ramp's 1
+APART = 0.3  # how freely singles, pairs and triples may be weighed otherwise than all of them
 
 
 @dataclass(frozen=True)
@@ -37,10 +38,11 @@ class Judge:
             for name, knots in self.knots.items()
             for low, high in zip(knots[:-1], knots[1:], strict=True)
         ]
-        named = [np.array([float(name in one.ids) for one in some]) for name in self.names]
+        named = [BY_NAME * np.array([float(name in one.ids) for one in some]) for name in self.names]
         sizes = np.array([len(one.ids) for one in some])
-        every = np.column_stack([np.ones(len(some)), *ramps, *named])
-        return np.hstack([every * (sizes == size)[:, None] for size in SIZES])
+        every = np.column_stack([BY_SIZE * np.ones(len(some)), *ramps, *named])
+        apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
+        return np.hstack([every, APART * apart])
 
     def probabilities(self, some: list[Weighed]) -> Array:
         """Of each explanation, and, last, of none of them."""

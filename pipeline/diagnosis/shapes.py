@@ -45,11 +45,23 @@ def slips(drivers: Drivers) -> list[Shape]:
     return [{**shape, "within_s": 0.0} for shape in at_once] + [{**shape, "within_s": WITHIN_S} for shape in slowly]
 
 
+def jumps(residual: Array) -> Array:
+    """How far a residual jumps at each sample: the mean after it less the mean before it."""
+    size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
+    size[:BESIDE] = size[len(size) - BESIDE :] = 0.0
+    return np.abs(size)
+
+
+def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How far the largest jump of a residual stands out from the usual ones."""
+    height = jumps(residual)
+    usual = 1.4826 * float(np.median(height)) / 0.6745
+    return float(np.clip(np.log(max(height.max() / max(usual, 1e-300) / 4.0, 1.0)) * 2.0, 0.0, 6.0))
+
+
 def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
     """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before."""
-    size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
-    height = np.abs(size)
-    height[:BESIDE] = height[len(height) - BESIDE :] = 0.0
+    height = jumps(residual)
     apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
     found: list[Shape] = []
     for _ in range(SEEN):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import Explanation, Search
 
 SINGLES, PAIRS, TRIPLES = 10, 12, 6  # explanations of each size that are weighed, the cheapest
@@ -35,10 +36,24 @@ def candidates(search: Search) -> list[Explanation]:
     return list(found.values())
 
 
-def weighed(search: Search, floor: float) -> list[Weighed]:
-    """Every explanation that is weighed, with its signs; `floor` is the noise's."""
-    some = candidates(search)
-    return [Weighed(one.ids, signs(search, one, some, floor)) for one in some]
+def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
+    """Every explanation that is weighed, with its signs; `base` is the calibrated simulator, `floor` the noise's."""
+    some, marks = candidates(search), marked(search.linear.problem, base)
+    return [Weighed(one.ids, {**signs(search, one, some, floor), **own(marks, one.ids)}) for one in some]
+
+
+def marked(problem: Problem, base: State) -> dict[str, float]:
+    """How clearly what calibration leaves shows the mark of each mechanism that has one, by id."""
+    predicted = problem.simulate(base)[: problem.rows]
+    residual = problem.measured[: problem.rows] - predicted
+    library = problem.library.items()
+    return {id_: one.mark(problem.drivers, residual, predicted) for id_, one in library if one.mark}
+
+
+def own(marks: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
+    """Each mark, apart for a set that names its mechanism and for one that does not."""
+    found = {f"with_{id_}": mark if id_ in ids else 0.0 for id_, mark in marks.items()}
+    return found | {f"without_{id_}": 0.0 if id_ in ids else mark for id_, mark in marks.items()}
 
 
 def amplitude(energy: float, floor: float) -> float:

@@ -4,7 +4,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import slipped, slips, slips_seen
+from pipeline.diagnosis.shapes import jump_mark, slipped, slips, slips_seen
 from pipeline.kinematics import Array
 
 
@@ -42,5 +42,6 @@ MECHANISM = Mechanism(
     shapes=shapes,
     terms=terms,
     suggest=suggest,
+    mark=jump_mark,
     steps=5,
 )

@@ -10,6 +10,7 @@ from pipeline.kinematics import Array
 UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
 LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
+TOP, FEWEST = 95.0, 20  # percentile of the reading above which it is highest; moving samples there
 LOWER = np.linspace(0.01, 0.3, 14)
 
 
@@ -36,6 +37,16 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     return [Term("share_held", "sensor", clipped, "1", LEAST_HELD, 1.4)]
 
 
+def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How much less than predicted the reading moves where it is highest: 6 where it stands still."""
+    reading, moved = residual + predicted, np.abs(np.diff(predicted))
+    top = (reading[1:] > np.percentile(reading, TOP)) & (moved > 0.2 * np.percentile(moved, 95))
+    if top.sum() < FEWEST:
+        return 0.0
+    share = float(np.sum(np.diff(reading)[top] * np.sign(np.diff(predicted)[top])) / np.sum(moved[top]))
+    return 6.0 * float(np.clip(1.0 - share, 0.0, 1.0))
+
+
 MECHANISM = Mechanism(
     id="end_stop",
     driver="reading at its end",
@@ -47,4 +58,5 @@ MECHANISM = Mechanism(
     details=("the stop is {stop_mm} from where the recording begins",),
     shapes=shapes,
     terms=terms,
+    mark=mark,
 )

@@ -62,6 +62,14 @@ def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:
     return power / (median_filter(power, AROUND, mode="nearest") + 1e-300), 1.0 / (length * step_s)
 
 
+def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How far the strongest line of a residual's spectrum stands out."""
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    height, step_hz = ringing(np.clip(residual, -8.0 * spread, 8.0 * spread), drivers.time_s[: len(residual)])
+    lowest = int(np.ceil(LOWEST_HZ / step_hz))
+    return float(np.clip(np.log(max(float(height[lowest:].max(initial=1.0)), 1.0)), 0.0, 6.0))
+
+
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Response of a damped oscillator to the acceleration of the contraction, in two phases."""
     load = np.maximum(drivers.load, 0.05)
@@ -95,4 +103,5 @@ MECHANISM = Mechanism(
     shapes=shapes,
     terms=terms,
     suggest=suggest,
+    mark=mark,
 )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.diagnosis.judge import Judge
-from pipeline.diagnosis.judged import held
+from pipeline.diagnosis.judged import UNKNOWN, held
 from pipeline.proof.teach.fit import explanations, fitted
 from pipeline.proof.teach.lesson import Lesson
 
@@ -40,7 +40,8 @@ class Judged:
 def judged(judge: Judge, lesson: Lesson) -> Judged:
     """What a judge says of a lesson."""
     some = explanations(lesson)
-    places = held(judge.probabilities(some))
+    *named, none = judge.probabilities(some).tolist()
+    places = held(np.array(named)) if none < UNKNOWN else []
     return Judged(lesson, tuple(some[place].ids for place in places), tuple(places))
 
 

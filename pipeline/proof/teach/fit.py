@@ -8,7 +8,7 @@ from pipeline.diagnosis.weigh import SIZES, Weighed
 from pipeline.kinematics import Array
 from pipeline.proof.teach.lesson import Lesson
 
-QUANTILES = (0.02, 0.2, 0.4, 0.6, 0.8, 0.98)  # of a sign over all explanations: knots of its ramps
+QUANTILES = (0.02, 0.35, 0.65, 0.98)  # of a sign over all explanations: knots of its ramps
 PRIOR = 1.0  # one over the variance of a weight
 
 
@@ -27,7 +27,7 @@ def blank(lessons: list[Lesson]) -> Judge:
             knots[name] = found.tolist()
     names = sorted({id_ for lesson in lessons for ids in lesson.ids for id_ in ids})
     ramps = sum(len(found) - 1 for found in knots.values())
-    return Judge(knots, names, np.zeros(len(SIZES) * (1 + ramps + len(names))), np.zeros(5))
+    return Judge(knots, names, np.zeros((1 + len(SIZES)) * (1 + ramps + len(names))), np.zeros(5))
 
 
 def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:

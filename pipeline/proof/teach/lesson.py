@@ -62,7 +62,7 @@ def learnt(lesson: Lesson) -> Lesson | None:
     found = study(make_problem([run], [made.table]))
     if not found.sets:
         return None
-    return of(lesson, weighed(found.search, found.noise.floor), tuple(found.random))
+    return of(lesson, weighed(found.search, found.base, found.noise.floor), tuple(found.random))
 
 
 def of(lesson: Lesson, some: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
