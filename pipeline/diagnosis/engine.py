@@ -10,6 +10,7 @@ import pandas as pd
 from pipeline.diagnosis import calibrate, candidates, chance, form, generic
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.drivers import Drivers, drivers_of
+from pipeline.diagnosis.judge import Judge, judge
 from pipeline.diagnosis.judged import NOTHING, judged
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
@@ -36,10 +37,12 @@ def make_problem(
     most: int = WORKING_SAMPLES,
     without: frozenset[str] = frozenset(),
     thin: bool = True,
+    by: Judge | None = None,
 ) -> Problem:
     """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput.
 
     No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
+    `by` judges in place of the library's own judge.
     """
     where = (folders or [Path(runs[0].run)])[0]
     system = runs[0].system
@@ -58,7 +61,9 @@ def make_problem(
             raise BadInput(where / "run.yaml", f"simulation[{number}].id", problem, "remove it")
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
     without = without | nowhere
-    return Problem(system, record, drivers, parameters, record.measured, len(record), included, len(homes), without)
+    return Problem(
+        system, record, drivers, parameters, record.measured, len(record), included, len(homes), without, by or judge()
+    )  # fmt: skip
 
 
 def homes_of(system: System, runs: list[Run]) -> list[Parameter]:

@@ -1,24 +1,34 @@
 """How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
 
 The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, and small
-deviations of both for singles, pairs and triples. The scores of all explanations and of "none of them" share one softmax, as in McFadden (1974).
-`judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+deviations of both for singles, pairs and triples. The scores of all explanations and of "none of them" share one
+softmax, as in McFadden (1974). `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
 """
 
 import json
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis.weigh import SIZES, Weighed
+from pipeline.errors import BadInput
 from pipeline.kinematics import Array
 
 HERE = Path(__file__).parent
+SIZES = (1, 2, 3)  # mechanisms in an explanation
 BY_SIZE, BY_NAME = 2.0, 1.5  # how freely the number of mechanisms and each name may weigh, beside a ramp's 1
 APART = 0.3  # how freely singles, pairs and triples may be weighed otherwise than all of them
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """What an explanation names, and its signs by name."""
+
+    ids: tuple[str, ...]
+    signs: dict[str, float]
 
 
 @dataclass(frozen=True)
@@ -36,7 +46,7 @@ class Judge:
         ramps = [
             np.clip((signs[name] - low) / (high - low), 0.0, 1.0)
             for name, knots in self.knots.items()
-            for low, high in zip(knots[:-1], knots[1:], strict=True)
+            for low, high in pairwise(knots)
         ]
         named = [BY_NAME * np.array([float(name in one.ids) for one in some]) for name in self.names]
         sizes = np.array([len(one.ids) for one in some])
@@ -52,7 +62,7 @@ class Judge:
 
 
 def none_of(some: list[Weighed]) -> Array:
-    """What tells that no explanation is one: what the best leaves, of all and of the singles, and how large it all is."""
+    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is."""
     singles = [one for one in some if len(one.ids) == 1]
     best = min(one.signs["left_share"] for one in some)
     return np.array([1.0, best, max(best, -3.0), min(one.signs["left_share"] for one in singles or some),
@@ -65,6 +75,10 @@ def read(content: dict[str, Any]) -> Judge:
 
 
 @cache
-def judge() -> Judge:
-    """The judge that is part of the library."""
-    return read(json.loads((HERE / "judge.json").read_text()))
+def judge(path: Path = HERE / "judge.json") -> Judge:
+    """The judge that is part of the library, or another one's file; raises BadInput for a file that is none."""
+    try:
+        return read(json.loads(path.read_text(encoding="utf-8")))
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        mend = "give a file that `python -m pipeline.proof.teach` wrote"
+        raise BadInput(path, "--judge", f"is no judge: {error}", mend) from None

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.problem import State
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.diagnosis.weigh import weighed
@@ -40,7 +39,7 @@ def held(named: Array) -> list[int]:
 def judged(search: Search, base: State, floor: float) -> Judged:
     """What a search found, judged; `base` is the calibrated simulator, `floor` that of the noise."""
     some = weighed(search, base, floor)
-    *named, none = judge().probabilities(some).tolist()
+    *named, none = search.linear.problem.judge.probabilities(some).tolist()
     places = held(np.array(named))
     likely = {one.ids: share for one, share in zip(some, named, strict=True)}
     return Judged([search.explain(some[place].ids) for place in places], likely, none)

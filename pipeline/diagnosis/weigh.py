@@ -3,27 +3,17 @@
 Every sign is a number that a person can check in `diagnosis.json`; the judge weighs nothing else but the names.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from pipeline.diagnosis.judge import SIZES, Weighed
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import Explanation, Search
 
 SINGLES, PAIRS, TRIPLES = 10, 12, 6  # explanations of each size that are weighed, the cheapest
 BY_ENERGY = 4  # more of each size, by what they leave
-SIZES = (1, 2, 3)
 NO_MORE = {"more_gain": 0.0, "more_completes": 0.0}
 LEAST_LEFT = 1e-4  # of the noise's energy: less is left to the noise's own chance
 MOST_CANCELLED = 5.0
-
-
-@dataclass(frozen=True)
-class Weighed:
-    """What an explanation names, and its signs by name."""
-
-    ids: tuple[str, ...]
-    signs: dict[str, float]
 
 
 def candidates(search: Search) -> list[Explanation]:
@@ -100,7 +90,9 @@ def signs(search: Search, one: Explanation, some: list[Explanation], floor: floa
 
 def _parts(search: Search, one: Explanation, some: list[Explanation], floor: float, whole: float) -> dict[str, float]:
     """What the part that is worth least is worth, and how much of it another in its place would do."""
-    smaller = [search.explain(tuple(id_ for id_ in one.ids if id_ != out)) for out in one.ids] if len(one.ids) > 1 else []
+    smaller = (
+        [search.explain(tuple(id_ for id_ in one.ids if id_ != out)) for out in one.ids] if len(one.ids) > 1 else []
+    )
     without = min(smaller or [search.nothing], key=lambda other: other.energy)
     others = [other for other in some if len(other.ids) == len(one.ids) and set(other.ids) > set(without.ids)]
     instead = max((without.cost - other.cost for other in others if other is not one), default=0.0)

@@ -22,7 +22,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Saturating and straight growth with work, under any load or more under more, and with each new highest tension."""
+    """Saturating and straight growth with work, the same or more under load, and with each new highest tension."""
     grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
     found = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
     if shape["loaded"]:

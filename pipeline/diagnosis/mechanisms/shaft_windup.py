@@ -22,7 +22,9 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     torque = drivers.load * drivers.sine
     side, highest = drivers.directed(shape["loop_turns"]), shape["highest_torque"]
     stops = [
-        Term(f"up_to_{share:g}_turns_per_10_n", "twist", -np.clip(torque, -share * highest, share * highest), "turns/10N")
+        Term(
+            f"up_to_{share:g}_turns_per_10_n", "twist", -np.clip(torque, -share * highest, share * highest), "turns/10N"
+        )
         for share in UP_TO
     ]
     return [

@@ -18,7 +18,9 @@ def shapes(drivers: Drivers) -> list[Shape]:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """A stretch that falls with work, in proportion to the load."""
     in_time = "whole_s" in shape
-    grown = saturations(drivers.elapsed_s, shape["whole_s"]) if in_time else saturations(drivers.worked(1.0), shape["work"])
+    grown = (
+        saturations(drivers.elapsed_s, shape["whole_s"]) if in_time else saturations(drivers.worked(1.0), shape["work"])
+    )
     load = drivers.load - shape["from_load"]
     return [Term(f"{name}_mm_per_10_n", "length", -load * signal, "mm/10N") for name, signal in grown.items()]
 

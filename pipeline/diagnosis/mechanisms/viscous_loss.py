@@ -13,7 +13,10 @@ TWICE_S = 0.12  # of each of two such elements in a row
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """`loaded`: whether the loss may grow with the load, which a constant load cannot show; `steepest`: the largest tangent, for scale."""
+    """`loaded`: whether the loss may grow with the load, which a constant load cannot show.
+
+    `steepest` is the largest tangent of the helix angle, for scale.
+    """
     steepest = float(f"{max(float(np.percentile(np.abs(drivers.tangent), 99.9)), 1e-6):.6g}")
     return [{"loaded": float(drivers.loaded), "steepest": steepest}]
 

@@ -3,8 +3,7 @@
 import numpy as np
 from scipy.optimize import minimize
 
-from pipeline.diagnosis.judge import Judge, none_of
-from pipeline.diagnosis.weigh import SIZES, Weighed
+from pipeline.diagnosis.judge import SIZES, Judge, Weighed, none_of
 from pipeline.kinematics import Array
 from pipeline.proof.teach.lesson import Lesson
 

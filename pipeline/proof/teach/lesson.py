@@ -2,19 +2,20 @@
 
 import json
 import random
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from pipeline.diagnosis.engine import make_problem, study
-from pipeline.diagnosis.weigh import Weighed, weighed
+from pipeline.diagnosis.judge import Weighed
+from pipeline.diagnosis.weigh import weighed
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, OutOfReach, Protocol
 from pipeline.run_yaml import parse_run
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual")
-SINGLES, PAIRS, OPEN = (0.5, 4.0), (0.7, 4.0), (1.0, 4.0)  # sizes in noise floors, drawn evenly in their logarithm
-PAIRS_EACH, OPEN_EACH = 12, 4  # for every round of all single effects
+SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (1.0, 8.0)  # sizes in noise floors, drawn evenly in their logarithm
+PAIRS_EACH, OPEN_EACH = 12, 5  # for every round of all single effects
+DIGITS = 5
 TRIES, APART = 6, 1000  # seeds that are tried where an author's rig cannot show an effect
 
 
@@ -32,23 +33,31 @@ class Lesson:
     right: tuple[bool, ...] = ()
 
 
-def curriculum(who: list[str], rounds: int, seed: int) -> Iterator[Lesson]:
-    """Lessons to make: in every round each effect of each author alone, some pairs, and some that no library has."""
+def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
+    """Lessons to make: in every round each effect of each author alone, some pairs, and some that no library has.
+
+    Their order is drawn, so that any first part of them is a fair sample.
+    """
+    found = []
     for author in who:
         draw = random.Random(f"{author} {seed}")
         known = sorted(authors()[author].laws)
         inside = [name for name in known if not name.startswith("x_")]
         outside = [name for name in known if name.startswith("x_")]
-        wanted = [((name,), SINGLES) for _ in range(rounds) for name in inside]
-        wanted += [(tuple(draw.sample(inside, 2)), PAIRS) for _ in range(PAIRS_EACH * rounds)]
-        wanted += [((draw.choice(outside),), OPEN) for _ in range(OPEN_EACH * rounds)]
+        wanted: list[tuple[tuple[str, ...], tuple[float, float]]] = []
+        for _ in range(rounds):
+            wanted += [((name,), SINGLES) for name in inside]
+            wanted += [(tuple(draw.sample(inside, 2)), PAIRS) for _ in range(PAIRS_EACH)]
+            wanted += [((draw.choice(outside),), OPEN) for _ in range(OPEN_EACH)]
         for number, (effects, (low, high)) in enumerate(wanted):
             kappas = tuple(round(low * (high / low) ** draw.random(), 3) for _ in effects)
-            yield Lesson(author, seed + number, effects, kappas, draw.choice(PROTOCOLS))
+            found.append(Lesson(author, seed + number, effects, kappas, draw.choice(PROTOCOLS)))
+    random.Random(seed).shuffle(found)
+    return found
 
 
-def learnt(lesson: Lesson) -> Lesson | None:
-    """A lesson with what the search makes of its recording; None where nothing was seen, or nothing can be made."""
+def learnt(lesson: Lesson) -> Lesson:
+    """A lesson with what the search makes of its recording: nothing where nothing was seen, or nothing can be made."""
     for number in range(TRIES):
         asked = Asked(lesson.seed + APART * number, lesson.effects, lesson.kappas, lesson.protocol)
         try:
@@ -57,11 +66,11 @@ def learnt(lesson: Lesson) -> Lesson | None:
         except OutOfReach:
             continue
     else:
-        return None
+        return lesson
     run = parse_run({"run": "lesson", **made.content}, Path("lesson/run.yaml"))
     found = study(make_problem([run], [made.table]))
-    if not found.sets:
-        return None
+    if not found.judged.likely:
+        return lesson
     return of(lesson, weighed(found.search, found.base, found.noise.floor), tuple(found.random))
 
 
@@ -69,7 +78,8 @@ def of(lesson: Lesson, some: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
     """A lesson with explanations; what jerks at random is named beside each of them."""
     truth = {name for name in lesson.effects if not name.startswith("x_")}
     right = tuple({*one.ids, *jerks} == truth for one in some)
-    content = {"ids": tuple(one.ids for one in some), "signs": tuple(one.signs for one in some), "right": right}
+    signs = tuple({name: round(sign, DIGITS) for name, sign in one.signs.items()} for one in some)
+    content = {"ids": tuple(one.ids for one in some), "signs": signs, "right": right}
     return Lesson(**{**asdict(lesson), **content})
 
 

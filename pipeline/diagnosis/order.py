@@ -1,0 +1,35 @@
+"""How well explanations predict stretches that they were not fitted to."""
+
+import numpy as np
+
+from pipeline.diagnosis.linear import Linear
+from pipeline.diagnosis.recursions import boxed, whiten
+from pipeline.diagnosis.search import Explanation
+
+STRETCHES = 5  # of the recording, each left out once
+FUTURE = 2  # stretches at its end, left out together: nothing tells as well what would run away
+
+
+def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
+    """Error (rms) of each explanation on stretches that its coefficients were fitted without, shapes held."""
+    wanted = np.unique(np.concatenate([one.fit.columns for one in sets])).astype(int)
+    place = {int(column): number for number, column in enumerate(wanted)}
+    table = np.ascontiguousarray(linear.table[[*wanted, -1]])
+    first = linear.problem.drivers.first[: linear.rows]
+    white = whiten(table, linear.noise.ar, first) / linear.noise.innovation
+    prior = np.diag(linear.gram)[wanted] - np.einsum("ij,ij->i", white[:-1], white[:-1])  # exact: what was added
+    whole = white @ white.T
+    squares, count = np.zeros(len(sets)), 0
+    stretches = np.array_split(np.arange(linear.rows), STRETCHES)
+    for rows in [*stretches, np.concatenate(stretches[-FUTURE:])]:
+        count += len(rows)
+        part = white[:, rows]
+        products = whole - part @ part.T
+        for number, one in enumerate(sets):
+            own = np.array([place[int(column)] for column in one.fit.columns])
+            gram = products[np.ix_(own, own)] + np.diag(np.maximum(prior[own], 0.0))
+            low, high = linear.low[one.fit.columns], linear.high[one.fit.columns]
+            start = linear.begin[one.fit.columns]
+            solution = boxed(np.ascontiguousarray(gram), products[own, -1].copy(), low, high, start)
+            squares[number] += float(np.sum(np.square(table[-1, rows] - solution @ table[np.ix_(own, rows)])))
+    return [float(np.sqrt(square / count)) for square in squares]
