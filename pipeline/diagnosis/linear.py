@@ -5,17 +5,16 @@ about a tenth of a millisecond.
 """
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg.blas import dsyrk
 
 from pipeline.diagnosis.interface import Shape, Term
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.recursions import boxed, fitted, scan, whiten
+from pipeline.diagnosis.products import Products
+from pipeline.diagnosis.recursions import boxed, fitted, scan
 from pipeline.kinematics import Array
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
@@ -33,7 +32,7 @@ class Fit:
     active: int
 
 
-class Linear:
+class Linear(Products):
     """A problem linearised at a state, under a noise model, with columns for the shapes of chosen mechanisms."""
 
     def __init__(
@@ -102,39 +101,7 @@ class Linear:
         self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])
         self.rows = rows
         table = np.ascontiguousarray(np.vstack([*columns, target]))
-        self.table = table
-        self.prior = prior
-        self.raw_prior = prior * noise.floor**2
-        self._kept: dict[int, int] = {}
-        self._raw = np.zeros((0, 0))
-
-    @cached_property
-    def products(self) -> Array:
-        """All products of the whitened columns and of the target; the target last."""
-        first = self.problem.drivers.first[: self.rows]
-        return _products(whiten(self.table, self.noise.ar, first) / self.noise.innovation)
-
-    @cached_property
-    def gram(self) -> Array:
-        """Products of the whitened columns, priors included."""
-        gram = self.products[:-1, :-1].copy()
-        gram[np.diag_indices(len(gram))] += self.prior
-        return gram
-
-    @cached_property
-    def moment(self) -> Array:
-        """Products of the whitened columns with the target."""
-        return self.products[-1, :-1].copy()
-
-    @property
-    def square(self) -> float:
-        """The whitened target's square."""
-        return float(self.products[-1, -1])
-
-    @cached_property
-    def scale(self) -> Array:
-        """Lengths of the whitened columns, priors included."""
-        return np.sqrt(np.diag(self.gram))
+        self.hold(table, prior, noise, problem.drivers.first[:rows])
 
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
         """Calibration's columns and those of some shapes."""
@@ -161,24 +128,6 @@ class Linear:
             self.gram, self.moment, columns, starts, counts, self.low, self.high, self.begin, known
         )  # fmt: skip
         return self.square + misfit, active
-
-    def raw(self, columns: np.ndarray) -> tuple[Array, Array, float]:
-        """Products of some columns, not whitened; their products with the target; and the target's square.
-
-        Few columns of many are ever asked for, so that products are made when they are, and kept.
-        """
-        wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
-        new = [column for column in wanted if column not in self._kept]
-        if new:
-            known, more = len(self._kept), self.table[new]
-            self._kept |= {column: known + place for place, column in enumerate(new)}
-            across = more @ self.table[list(self._kept)].T
-            grown = np.empty((len(self._kept), len(self._kept)))
-            grown[:known, :known], grown[known:], grown[:, known:] = self._raw, across, across.T
-            self._raw = grown
-        place = np.array([self._kept[column] for column in columns.tolist()], np.intp)
-        target = self._kept[len(self.table) - 1]
-        return self._raw[np.ix_(place, place)], self._raw[place, target], float(self._raw[target, target])
 
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:
         """Squared residual per sample of a solution, not whitened."""
@@ -225,9 +174,3 @@ class Linear:
             at += count
         found = tuple(Act(id_, tuple(shapes), tuple(values_)) for id_, (shapes, values_) in acts.items())
         return State(values, fit.coefficients[: problem.runs].copy(), problem.included + found)
-
-
-def _products(table: Array) -> Array:
-    """All products of the rows of a table, symmetric."""
-    upper = dsyrk(1.0, table.T, trans=1)
-    return np.asarray(np.triu(upper) + np.triu(upper, 1).T)

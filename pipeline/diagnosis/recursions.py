@@ -80,16 +80,13 @@ def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
         count = end - start
         before = np.zeros(taps.size + count)
         for j in range(columns.shape[0]):
-            before[taps.size :] = columns[j, start:end]
-            predicted = np.zeros(count)
+            before[taps.size :], predicted = columns[j, start:end], np.zeros(count)
             for k in range(0, taps.size, 6):
                 a, b, c, d, e, f = taps[k], taps[k + 1], taps[k + 2], taps[k + 3], taps[k + 4], taps[k + 5]
                 late = before[taps.size - k - 6 : taps.size - k + count]
                 for i in range(count):
-                    predicted[i] += (
-                        a * late[i + 5] + b * late[i + 4] + c * late[i + 3]
-                        + d * late[i + 2] + e * late[i + 1] + f * late[i]
-                    )  # fmt: skip
+                    predicted[i] += a * late[i + 5] + b * late[i + 4] + c * late[i + 3] + d * late[i + 2]
+                    predicted[i] += e * late[i + 1] + f * late[i]
             out[j, start:end] -= predicted
         start = end
     return out

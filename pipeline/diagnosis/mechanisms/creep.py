@@ -13,14 +13,15 @@ TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)
 def shapes(drivers: Drivers) -> list[Shape]:
     """Freshly loaded at the first sample, or loaded for long before it; the times that the recording can show."""
     taus = time_constants(drivers, TIMES_S)
-    return [{"fresh": fresh, "fastest_s": taus[0], "slowest_s": taus[-1]} for fresh in (1.0, 0.0)]
+    scales = {"fastest_s": taus[0], "slowest_s": taus[-1], "loaded": float(drivers.loaded)}
+    return [{"fresh": fresh, **scales} for fresh in (1.0, 0.0)]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
     found = []
     tensions = {"load": (drivers.load, drivers.load0)}
-    if drivers.loaded:
+    if shape["loaded"]:
         tensions["steep_load"] = (drivers.load * np.abs(drivers.load), drivers.load0 * abs(drivers.load0))
     if drivers.levered:
         for name, power in (("twist", 2), ("steep_twist", 4)):
