@@ -8,6 +8,7 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.problem import Act
 from pipeline.errors import BadInput
+from pipeline.strict_yaml import write_yaml
 
 DIGITS = 6
 
@@ -27,6 +28,11 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
             }
             found.append({"id": act.id, "parameters": parameters})
     return found
+
+
+def block(simulation: list[dict[str, Any]]) -> str:
+    """The lines that say `simulation` in a run.yaml, of the entries of a diagnosis: ready to be pasted there."""
+    return write_yaml({"simulation": simulation})
 
 
 def is_number(value: Any) -> bool:
