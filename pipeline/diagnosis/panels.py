@@ -87,7 +87,7 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
     colours = [STANDINGS[one["standing"]][0] for one in shown]
     axes.barh(range(len(shown)), left, color=colours, height=0.7)
-    bent = [one[f"bent_{ending}"] / floor for one in shown]
+    bent = [min(one[f"bent_{ending}"] / floor, rms) for one, rms in zip(shown, left, strict=True)]
     axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7)
     axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):

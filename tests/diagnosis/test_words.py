@@ -371,6 +371,7 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
         text = adopted(verdict)
         assert "physics is missing" not in text and "with what run.yaml has adopted, " in text.splitlines()[0]
         assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
+        assert "the dimensions alone explain" not in text and "None is needed: nothing is missing that" in text
         assert "can also cover another one that is really there" in text
         assert "Adopted effects bend dimensions as well (creep)" in text
     bare = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None)

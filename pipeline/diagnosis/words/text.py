@@ -150,7 +150,10 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -
     """The protocol, line by line, and the command that diagnoses its recording together with this one."""
     run = content["next_run"]
     if not run:
-        return [NONE_NEEDED[content["verdict"]]] if content["verdict"] in NONE_NEEDED else []
+        known = (
+            "consistent" if content["verdict"] == "parameters" and adoption.included(content) else content["verdict"]
+        )
+        return [NONE_NEEDED[known]] if known in NONE_NEEDED else []
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]
