@@ -389,7 +389,7 @@ def test_a_dimension_at_the_bound_of_calibration_is_told_as_one():
 @pytest.mark.parametrize(
     ("calibrated", "said"),
     [
-        (0.039, "Something small is still missing: the unseen strokes are missed by 1.3 times the noise, those that"),
+        (0.039, "Something systematic is still missing: the unseen strokes are missed by 1.3 times the noise, those"),
         (0.030, "Something changes from stroke to stroke that the fit does not foresee: the unseen strokes are missed"),
     ],
 )
@@ -398,6 +398,7 @@ def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones
     text = adopted(**held, evidence__calibrated_mm=calibrated)
     assert said in text
     assert ("from stroke to stroke" in text) == (calibrated < 0.035)
+    assert ("So nothing is new in the unseen ones." in text) == (calibrated > 0.035)
 
 
 def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():

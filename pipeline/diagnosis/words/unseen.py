@@ -64,7 +64,7 @@ def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, nam
         return f"Something systematic is still missing: {missed}."
     both = f"{missed}, those that the fit has seen by {times(fitted)} times"
     if unseen <= NOTHING_NEW * fitted:
-        return f"Something small is still missing: {both}. So the unseen strokes hold nothing new."
+        return f"Something systematic is still missing: {both}. So nothing is new in the unseen ones."
     if named:
         return f"Something systematic is still missing: {both}."
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
