@@ -11,7 +11,7 @@ from typing import Any
 import yaml
 
 from pipeline.complaint import short
-from pipeline.diagnosis.adopt import acts_from, block, checked
+from pipeline.diagnosis.adopt import block, checked
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.errors import BadInput, program
@@ -20,7 +20,7 @@ from pipeline.ingest import read_samples
 from pipeline.regular_file import read_regular
 from pipeline.run_yaml import parse_run
 from pipeline.runs import RECORDINGS, read_run
-from pipeline.simulate import read_diagnosis
+from pipeline.simulate import read_diagnosis, simulated
 from pipeline.strict_yaml import LARGEST, parse_yaml
 
 KEY = "simulation"
@@ -80,8 +80,8 @@ def check(content: dict[str, Any], source: Path, folder: Path) -> None:
         checked(entry, f"{KEY}[{number}]", str(source))
     if any((folder / name).exists() for name in RECORDINGS):
         run, samples = read_samples(folder)
-        bare = at_own_rate([run.model_copy(update={KEY: []})], [samples])
-        acts_from(content[KEY], bare.drivers, str(source))
+        bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
+        simulated(bare, {"run": run.run, "parameters": {}, KEY: content[KEY]}, source, run.run)
 
 
 @program

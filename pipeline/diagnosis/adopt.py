@@ -41,13 +41,16 @@ def is_number(value: Any) -> bool:
 
 
 def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
-    """Id and parameters of an entry; raises BadInput where it is not what a diagnosis gives."""
+    """Id and parameters of an entry; raises BadInput where it is not what a diagnosis of this library gives."""
     mend = "paste the entry as a diagnosis gives it"
     if not isinstance(entry, dict) or not set(entry) <= {"id", "parameters"}:
         raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
     id_, given = entry.get("id"), entry.get("parameters", {})
     if not isinstance(id_, str) or not isinstance(given, dict):
         raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
+    if id_ not in mechanisms():
+        mend = f"use one of {', '.join(mechanisms())}"
+        raise BadInput(where, f"{field}.id", f"{short(id_)} is not a mechanism of the library", mend)
     for name, value in given.items():
         if not is_number(value):
             problem = f"is {short(value)}, not a number"
@@ -63,9 +66,6 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
     for number, entry in enumerate(content):
         field = f"simulation[{number}]"
         id_, given = checked(entry, field, where)
-        if id_ not in mechanisms():
-            mend = f"use one of {', '.join(mechanisms())}"
-            raise BadInput(where, f"{field}.id", f"{short(id_)} is not a mechanism of the library", mend)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
         options = mechanism.shapes(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])
