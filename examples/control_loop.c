@@ -1,6 +1,6 @@
 /*
  * A 1 kHz control loop around an exported model. On a controller replace the three functions below; on a PC it prints
- * a few lines and ends:
+ * a few lines and ends. Its targets go past the model's range on purpose, to show what a refusal is:
  *     python -m pipeline.export processed/synthetic/spline/within-0.model --format c
  *     cc -I . examples/control_loop.c -lm && ./a.out
  */
@@ -81,7 +81,7 @@ int main(void)
 {
     tsa_state state = first_state();
     tsa_real turns = 0, last_mm = target_mm(0);
-    int refused = 0, tick;
+    int refused = 0, past = 0, tick;
     for (tick = 0; tick < TICKS; ++tick) {
         const tsa_real wanted_mm = target_mm(tick);
         int code;
@@ -90,12 +90,13 @@ int main(void)
         }
         last_mm = wanted_mm;
         code = tsa_inverse(&state, wanted_mm, &turns);
+        past += code > TSA_OK && wanted_mm > TSA_DISPLACEMENT_MM_MAX;
         if (code > TSA_OK && refused++ == 0) {
             printf("%4d ms: refused, %s: the motor stays where it is\n", tick, refusal(code));
         }
         command_motor(turns, tick); /* after a refusal `turns` is the last good one */
         wait_for_next_millisecond();
     }
-    printf("%d of %d targets refused\n", refused, TICKS);
+    printf("%d of %d targets refused, %d of them past the model's range, on purpose\n", refused, TICKS, past);
     return 0;
 }

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
+from pipeline.diagnosis.adopt import block
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.errors import BadInput, program
@@ -76,9 +77,18 @@ def diagnose(
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
-    words = "\n".join([verdict_text(content, problem.system, folders), *(jump.advice for jump in jumps)])
+    write_block(content, out / "simulation.yaml")
+    words = "\n".join([verdict_text(content, problem.system, folders, out), *(jump.advice for jump in jumps)])
     write_text(out / "verdict.txt", words + "\n")
     return words
+
+
+def write_block(content: dict[str, Any], path: Path) -> None:
+    """Write the `simulation` of a diagnosis that names something, ready to be pasted into run.yaml; else remove it."""
+    if content["mechanisms"] and content["simulation"]:
+        write_text(path, block(content["simulation"]))
+    else:
+        path.unlink(missing_ok=True)  # of an earlier diagnosis
 
 
 def described(run: Run, field: str) -> Any:

@@ -84,8 +84,12 @@ def main() -> None:
     """Write the answers to a csv of questions."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.predict", description=__doc__)
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
-    parser.add_argument("questions", type=Path, help="csv: motor_turns or displacement_mm, stroke, direction...")
-    parser.add_argument("--model", default="spline", help="a file of pipeline/models, without .py")
+    parser.add_argument(
+        "questions", type=Path, help="csv: motor_turns or displacement_mm; stroke; direction, 1 winding or -1 unwinding"
+    )
+    parser.add_argument(
+        "--model", default="spline", help="a file of pipeline/models, without .py; fitted anew, no saved one is read"
+    )
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
     parser.add_argument("--seed", type=seed, default=0)

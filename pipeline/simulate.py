@@ -14,11 +14,13 @@ from pipeline.complaint import key_name, short
 from pipeline.diagnosis.adopt import acts_from, is_number
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.words.quantity import listing
 from pipeline.errors import BadInput, program
 from pipeline.ingest import read_samples
 from pipeline.kinematics import Array
 from pipeline.outputs import file_to_write
 from pipeline.regular_file import read_regular
+from pipeline.run_yaml import Run
 
 TARE_S = 1.0
 LARGEST_DIAGNOSIS = 100_000_000  # bytes
@@ -62,6 +64,11 @@ def read_diagnosis(path: Path) -> dict[str, Any]:
     return dict(content)
 
 
+def of_run(run: Run) -> dict[str, Any]:
+    """What a run's own `run.yaml` simulates, as a diagnosis would say it: its dimensions, and what it has adopted."""
+    return {"run": run.run, "parameters": {}, "simulation": run.simulation}
+
+
 def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
     """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample."""
     state = state_of(content, problem, path, run)
@@ -95,29 +102,35 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run_dir", type=Path)
-    parser.add_argument("--simulation", type=Path, required=True, help="a diagnosis.json")
+    parser.add_argument(
+        "--simulation", type=Path, metavar="FILE.json",
+        help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "
+        "twice; default: the mechanisms that run.yaml has adopted, and its dimensions as they were measured",
+    )  # fmt: skip
     parser.add_argument("--out", type=Path, required=True, help="the file of the samples, Parquet; required")
     arguments = parser.parse_args()
-    file_to_write(arguments.out, reads=[arguments.simulation])
+    source = arguments.simulation or arguments.run_dir / "run.yaml"
+    file_to_write(arguments.out, reads=[source])
     run, samples = read_samples(arguments.run_dir)
-    content = read_diagnosis(arguments.simulation)
+    content = read_diagnosis(source) if arguments.simulation else of_run(run)
     problem = at_own_rate([run], [samples], thin=run.system.differentiates)
-    predicted = simulated(problem, content, arguments.simulation, run.run)
+    predicted = simulated(problem, content, source, run.run)
     unit = problem.system.channel.rpartition("_")[2]
     if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
-        predicted = predicted + value_of(content, f"zero_{unit}", arguments.simulation, 0.0)
+        predicted = predicted + value_of(content, f"zero_{unit}", source, 0.0)
     elif problem.system.free_zero:
         predicted = predicted + tare(predicted, problem.measured, problem.record.time_s)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(
-            f"warning: {arguments.simulation} counts time from the start of {key_name(content['run'][0])}",
+            f"warning: {source} counts time from the start of {key_name(content['run'][0])}",
             file=sys.stderr,
         )
     if run.system.differentiates:  # compared, and so simulated, at the working rate
         predicted = at_rows(samples["time_s"].to_numpy(), problem.record.time_s, predicted)
     table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})
     schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
-    print(f"{run.run}: {len(table)} samples simulated")
+    acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
+    print(f"{run.run}: {len(table)} samples simulated with {acting} and the dimensions of {source}")
 
 
 if __name__ == "__main__":

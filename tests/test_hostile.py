@@ -135,6 +135,7 @@ GOOD = {  # command lines that work, or end soon; every try spoils at least one 
     "--dataset dataset.parquet --split within --string made-01",
     "lifespan.__main__": "raw/a-1 --loss 0.1 --drift-mm 1 --level 0.9 --out out/life",
     "simulate": "raw/a-1 --simulation simulation.json --out out/s.parquet",
+    "adopt": "simulation.json raw/a-3",
     "diagnose": "raw/short-1 --out out/d --jobs 1",
     "campaign.points": "locked --out out/c.parquet",
     "campaign.fewshot": "dataset.parquet --model polynomial --settings {} --seed 0 --out out/f.parquet",
@@ -221,17 +222,28 @@ EDITED = {  # what a diagnosis.json is edited to, and the field that is then nam
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("edited", EDITED, ids=range(len(EDITED)))
+OF_MECHANISMS = [text for text in EDITED if EDITED[text] != "parameters.radius_mm"]  # dimensions are not adopted
+TAKEN = [*(("simulate", text) for text in EDITED), *(("adopt", text) for text in OF_MECHANISMS)]
+
+
+@pytest.mark.parametrize(("program", "edited"), TAKEN, ids=range(len(TAKEN)))
 def test_an_edited_diagnosis_is_refused_in_words_and_nothing_is_simulated(
-    place: Path, tmp_path: Path, edited: str
+    place: Path, tmp_path: Path, program: str, edited: str
 ) -> None:
-    path, out = tmp_path / "diagnosis.json", tmp_path / "out.parquet"
+    path, out, described = tmp_path / "diagnosis.json", tmp_path / "out.parquet", place / "raw" / "a-3" / "run.yaml"
+    before = described.read_bytes()
+    words = ["raw/a-3", "--simulation", str(path), "--out", str(out)] if program == "simulate" else [path, "raw/a-3"]
     if edited == "a pipe":
         os.mkfifo(path)
     else:
         path.write_text(edited)
-    code, complaint = ended("pipeline.simulate", ["raw/a-3", "--simulation", str(path), "--out", str(out)], place)
-    assert code == 2 and f"{path}: {EDITED[edited]}: " in complaint and "Mend: " in complaint, complaint[:2000]
+    code, complaint = ended(f"pipeline.{program}", list(map(str, words)), place)
+    assert (
+        code == 2
+        and described.read_bytes() == before
+        and f"{path}: {EDITED[edited]}: " in complaint
+        and "Mend: " in complaint
+    ), complaint[:2000]
     assert len(complaint) < 2000 and not out.exists()
 
 

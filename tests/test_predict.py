@@ -116,6 +116,11 @@ def test_what_varies_must_be_told(dataset: Path) -> None:
         read_questions(questions, varied)
 
 
+def test_help_says_what_directions_are_and_that_the_model_is_fitted_anew(dataset: Path) -> None:
+    said = " ".join(ask(dataset, "", "--help").stdout.split())
+    assert "direction, 1 winding or -1 unwinding" in said and "fitted anew, no saved one is read" in said
+
+
 def test_a_bad_level_and_a_missing_file_end_with_2(dataset: Path) -> None:
     assert ask(dataset, "stroke,direction,motor_turns\n1,1,3\n", "--level", "1.5").returncode == 2
     command = [sys.executable, "-m", "pipeline.predict", dataset, "nowhere.csv", "--out", dataset.with_name("x.csv")]

@@ -8,6 +8,7 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.problem import Act
 from pipeline.errors import BadInput
+from pipeline.strict_yaml import write_yaml
 
 DIGITS = 6
 
@@ -29,19 +30,27 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
     return found
 
 
+def block(simulation: list[dict[str, Any]]) -> str:
+    """The lines that say `simulation` in a run.yaml, of the entries of a diagnosis: ready to be pasted there."""
+    return write_yaml({"simulation": simulation})
+
+
 def is_number(value: Any) -> bool:
     """Whether a value of JSON or YAML is a number that a float can hold; whole ones may have any number of digits."""
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
 
 
 def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
-    """Id and parameters of an entry; raises BadInput where it is not what a diagnosis gives."""
+    """Id and parameters of an entry; raises BadInput where it is not what a diagnosis of this library gives."""
     mend = "paste the entry as a diagnosis gives it"
     if not isinstance(entry, dict) or not set(entry) <= {"id", "parameters"}:
         raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
     id_, given = entry.get("id"), entry.get("parameters", {})
     if not isinstance(id_, str) or not isinstance(given, dict):
         raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
+    if id_ not in mechanisms():
+        mend = f"use one of {', '.join(mechanisms())}"
+        raise BadInput(where, f"{field}.id", f"{short(id_)} is not a mechanism of the library", mend)
     for name, value in given.items():
         if not is_number(value):
             problem = f"is {short(value)}, not a number"
@@ -57,9 +66,6 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
     for number, entry in enumerate(content):
         field = f"simulation[{number}]"
         id_, given = checked(entry, field, where)
-        if id_ not in mechanisms():
-            mend = f"use one of {', '.join(mechanisms())}"
-            raise BadInput(where, f"{field}.id", f"{short(id_)} is not a mechanism of the library", mend)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
         options = mechanism.shapes(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])

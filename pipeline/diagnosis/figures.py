@@ -9,6 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patches import Patch
 
 from pipeline.diagnosis import panels
 from pipeline.diagnosis.outcome import Study
@@ -28,8 +29,9 @@ def title(content: dict[str, Any]) -> str:
         lines.append(TOGETHER.join(entry["id"] for entry in content["mechanisms"]))
     others = [TOGETHER.join(ids) for ids in content["alternatives"]]
     if others:
-        more = [f"one of {len(others) - TIES} others"] if len(others) > TIES else []
-        lines.append("or " + ", or ".join(others[:TIES] + more))
+        shown = others if len(others) == TIES + 1 else others[:TIES]  # one more is named rather than counted
+        more = [f"one of {len(others) - len(shown)} others"] if len(others) > len(shown) else []
+        lines.append("or " + ", or ".join(shown + more))
     return "\n".join(textwrap.fill(line, WIDE, break_on_hyphens=False) for line in lines)
 
 
@@ -74,8 +76,9 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
         panels.by_driver(axes, signal[counts], kept, floor, label)
     for axes in grid[len(followed) :]:
         axes.axis("off")
-    grid[0].legend(fontsize=7, frameon=False)
-    bottom.suptitle(f"mean residual by driver ({unit}); band: noise floor", fontsize=9)
+    handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label="noise floor")]
+    bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
+    bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
     for ending_, metadata in ((".png", {"Software": None}), (".pdf", {"CreationDate": None})):
         with whole(path.with_name(path.name + ending_)) as temporary:
             figure.savefig(temporary, dpi=DOTS, metadata=metadata)

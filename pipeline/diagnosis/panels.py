@@ -17,6 +17,7 @@ from pipeline.diagnosis.words.quantity import size, times
 from pipeline.kinematics import Array
 
 BEFORE, AFTER, TIED, OTHER = "0.45", "#b2182b", "#ef8a62", "0.78"
+BAND = "0.92"  # the noise floor
 BINS = 24
 STANDINGS = {
     "named": (AFTER, "named: the best"),
@@ -83,10 +84,10 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     """What explanations leave of the recording, in noise floors, coloured by how each fared, with a legend."""
     shown = content["evidence"]["explanations"]
     floor = content["evidence"][f"floor_{ending}"]
-    left = [max(one[f"left_{ending}"] / floor, 1e-3) for one in shown]
+    left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
     colours = [STANDINGS[one["standing"]][0] for one in shown]
     axes.barh(range(len(shown)), left, color=colours, height=0.7)
-    bent = [one[f"bent_{ending}"] / floor for one in shown]
+    bent = [min(one[f"bent_{ending}"] / floor, rms) for one, rms in zip(shown, left, strict=True)]
     axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7)
     axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
@@ -156,7 +157,7 @@ def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: flo
     count = np.bincount(bins, minlength=BINS)
     usual = count > RARE * len(signal)
     middle = 0.5 * (edges[1:] + edges[:-1])[usual]
-    axes.axhspan(-floor, floor, color="0.92")
+    axes.axhspan(-floor, floor, color=BAND)
     for (name, residual), colour in zip(residuals.items(), (BEFORE, AFTER), strict=True):
         mean = np.bincount(bins, weights=residual, minlength=BINS)[usual] / count[usual]
         axes.plot(middle, mean, ".-", ms=3, lw=1, color=colour, label=name)

@@ -9,11 +9,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
 
 from pipeline.files import whole
 from pipeline.lifespan.ask import Answer
 from pipeline.lifespan.health import Health
 from pipeline.lifespan.left import BAND_LEVELS
+from pipeline.lifespan.percent import percent
 
 SEEN, LAW, LIMIT = "#0072b2", "#d55e00", "0.25"  # Okabe and Ito: told apart by colour-blind readers too
 FARTHEST = 4.0  # times the strokes seen: as far as is drawn
@@ -44,6 +46,7 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
         for name, label in others:
             axes, table = panels[name], health.strokes
             axes.errorbar(table["stroke"], table[name], table[f"{name}_error"], fmt=".", ms=3, lw=0.6, color=SEEN)
+            axes.xaxis.set_major_locator(MaxNLocator(integer=True))
             axes.set_xlabel("stroke n")
             axes.set_ylabel(label)
         figure.suptitle(f"{health.string}: {len(health.strokes)} strokes seen", fontsize=11)
@@ -63,7 +66,7 @@ def question(axes: Axes, one: Answer, level: float) -> None:
     axes.set_title({"no claim": "no claim: " + left.reason.split(":")[0]}.get(span.state, ""), fontsize=9, loc="left")
     if left.choice and left.band is not None:
         seen = float(one.n[-1])
-        end = seen + min(1.25 * max(span.high if np.isfinite(span.high) else np.inf, 0.3 * seen), FARTHEST * seen)
+        end = seen + farthest(span.high, seen)
         past = np.linspace(one.n[0], seen, 200)
         axes.plot(past, scale * left.choice.curve(past - one.n[0] + 1.0), color=LAW, lw=1.4)
         n, (low, middle, high) = left.band
@@ -71,14 +74,23 @@ def question(axes: Axes, one: Answer, level: float) -> None:
         axes.plot(seen + n, scale * middle, color=LAW, lw=1.4, label=f"median future; law of most weight: {name}")
         axes.fill_between(
             seen + n, scale * low, scale * high, color=LAW, alpha=0.18, lw=0,
-            label=f"{BAND_LEVELS[-1] - BAND_LEVELS[0]:.0%} of the futures",
+            label=f"{percent(BAND_LEVELS[-1] - BAND_LEVELS[0])} of the futures",
         )  # fmt: skip
         axes.set_xlim(one.n[0] - 0.02 * end, end)
         axes.set_ylim(min(0.0, scale * float(np.nanmin(one.values))) - 0.03 * top, top)
         interval(axes, one, level, end, scale * one.limit)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     if len(one.n):
         axes.axvline(one.n[-1], color="0.7", lw=0.8)
-    axes.legend(fontsize=7.5, loc="upper left" if left.band is not None else "center right")
+    if left.band is not None:
+        axes.legend(fontsize=7.5, loc="upper left")
+    else:  # beside the axes: on them it would lie over lines
+        axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, borderaxespad=0.1)
+
+
+def farthest(high: float, seen: float) -> float:
+    """Strokes ahead that are drawn: all of an interval that has an end, else some times the strokes seen."""
+    return FARTHEST * seen if not np.isfinite(high) else max(1.15 * high, 0.375 * seen)
 
 
 def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -> None:
@@ -86,7 +98,7 @@ def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -
     left, seen = one.left.span(level), float(one.n[-1])
     low, high = seen + left.low, seen + left.high
     if low > end:
-        words, place = f"{level:.0%} interval begins at stroke {low:.0f} →", (1.0, height)
+        words, place = f"{percent(level)} interval begins at stroke {low:.0f} →", (1.0, height)
         axes.annotate(words, place, xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=8)
         return
     bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
@@ -96,5 +108,10 @@ def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -
         [min(high, end)], [height], marker="|" if high <= end else ">", ms=11 if high <= end else 6, mew=2.0, color="k"
     )
     words = f"{left.low:.0f} to {left.high:.0f}" if np.isfinite(left.high) else f"more than {left.low:.0f}"
-    words += f" strokes left ({level:.0%})"
-    axes.annotate(words, (low, height), xytext=(3, -6), textcoords="offset points", va="top", fontsize=8)
+    words += f" strokes left ({percent(level)})"
+    late = low > 0.5 * end  # words that begin there would leave the axes
+    place, away = ((min(high, end), height), (-3, -6)) if late else ((low, height), (3, -6))
+    axes.annotate(
+        words, place, xytext=away, textcoords="offset points", ha="right" if late else "left", va="top", fontsize=8,
+        bbox={"facecolor": "w", "edgecolor": "none", "alpha": 0.7, "pad": 0.8},
+    )  # fmt: skip

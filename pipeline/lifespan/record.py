@@ -8,6 +8,7 @@ import pandas as pd
 from pipeline.lifespan.ask import Answer, first
 from pipeline.lifespan.choose import Choice
 from pipeline.lifespan.health import INDICATORS, Health
+from pipeline.lifespan.percent import percent
 
 UNFORESEEN = (
     "An end that has not begun, such as a fibre that breaks or wear that sets in late, cannot be foreseen: the "
@@ -93,7 +94,7 @@ def sentence(one: Answer, level: float) -> str:
     """One question's answer in words."""
     left, span = one.left, one.left.span(level)
     limit = f"the model calibrated on the first strokes is off by {one.limit:g} {one.unit}"
-    limit = f"{one.limit:.0%} of the stroke is lost" if one.unit == "1" else limit
+    limit = f"{percent(one.limit)} of the stroke is lost" if one.unit == "1" else limit
     if span.state == "no claim":
         return f"until {limit}: no claim: {left.reason}."
     if span.state == "passed":
@@ -101,10 +102,10 @@ def sentence(one: Answer, level: float) -> str:
     if span.state == "censored" or left.choice is None:
         return f"until {limit}: not within {left.horizon:.0f} strokes (beyond that nothing is asked: censored)."
     median = f"{span.median:.0f}" if np.isfinite(span.median) else f"more than {left.horizon:.0f}"
-    ends = f"{level:.0%} interval {span.low:.0f} to {span.high:.0f}"
+    ends = f"{percent(level)} interval {span.low:.0f} to {span.high:.0f}"
     if span.state == "one-sided":
-        ends = f"with {level:.0%} more than {span.low:.0f}, no upper end within {left.horizon:.0f}"
-    law = f"law: {left.choice.best.law.name} (weight {left.choice.weights.max():.0%}, by the strokes left out)"
+        ends = f"with {percent(level)} more than {span.low:.0f}, no upper end within {left.horizon:.0f}"
+    law = f"law: {left.choice.best.law.name} (weight {percent(left.choice.weights.max())}, by the strokes left out)"
     return f"until {limit}: {median} strokes left, {ends}; {law}."
 
 

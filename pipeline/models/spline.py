@@ -58,7 +58,7 @@ class Spline:
 
         def error_of(law: Law, known: pd.DataFrame, asked: pd.DataFrame) -> float:
             fitted = self._fitted(known, law, weights, CHOICE_STEPS)
-            error = self._spline(asked, law, fitted)[1] - asked["displacement_mm"].to_numpy()
+            error = self._contraction_mm(asked, law, fitted) - asked["displacement_mm"].to_numpy()
             return float(np.sqrt(np.mean(error**2)))
 
         self.law = Law().standardised(thin["stroke"].to_numpy())
@@ -68,7 +68,7 @@ class Spline:
 
     def forward(self, points: pd.DataFrame) -> Array:
         """Contraction in mm, shape (points,)."""
-        return self._spline(points, self.law, self.weights)[1]
+        return self._contraction_mm(points, self.law, self.weights)
 
     def inverse(self, points: pd.DataFrame) -> Array:
         """Twist in turns, shape (points,), within the twists that were seen."""
@@ -110,16 +110,19 @@ class Spline:
 
     def _knots(self, points: pd.DataFrame, law: Law, weights: Array) -> rational.Knots:
         """Every point's own knots."""
-        bins, linear = self.settings.bins, self._features(points, law) @ weights.T
+        return self._knots_of(self._features(points, law), _zone_mm(points), weights)
+
+    def _knots_of(self, features: Array, zone_mm: Array, weights: Array) -> rational.Knots:
+        """Knots of points by what they depend on."""
+        bins, linear = self.settings.bins, features @ weights.T
         linear[:, 1:] = np.clip(linear[:, 1:], -MOST, MOST)
         rise = np.diff(self.knots_at) * np.exp(linear[:, 1 : bins + 1])
-        start = self.knots_at[0] + linear[:, 0] / _zone_mm(points)
+        start = self.knots_at[0] + linear[:, 0] / zone_mm
         return rational.Knots(self.knots_at, start, rise, np.exp(linear[:, bins + 1 :]))
 
-    def _spline(self, points: pd.DataFrame, law: Law, weights: Array) -> tuple[rational.Knots, Array]:
-        """Every point's knots, and its contraction in mm."""
-        knots = self._knots(points, law, weights)
-        return knots, rational.value(knots, self._coordinate(points)) * _zone_mm(points)
+    def _contraction_mm(self, points: pd.DataFrame, law: Law, weights: Array) -> Array:
+        """Every point's contraction."""
+        return rational.value(self._knots(points, law, weights), self._coordinate(points)) * _zone_mm(points)
 
     def _fitted(self, points: pd.DataFrame, law: Law, start: Array, steps: int) -> Array:
         """Weights that fit the points, of the shape of `start`."""
@@ -127,7 +130,8 @@ class Spline:
         u, zone_mm = self._coordinate(points), _zone_mm(points)
 
         def problem(flat: Array) -> tuple[Array, Array]:
-            knots, predicted_mm = self._spline(points, law, flat.reshape(start.shape))
+            knots = self._knots_of(features, zone_mm, flat.reshape(start.shape))
+            predicted_mm = rational.value(knots, u) * zone_mm
             rises, slopes = rational.by_logarithms(knots, u)
             free = np.abs(features @ flat.reshape(start.shape)[1:].T) < MOST
             by_logarithm = np.column_stack([rises, slopes]) * zone_mm[:, None] * free

@@ -1,4 +1,4 @@
-"""Figure 5 of the paper: models against the measurement, stroke by stroke, and the errors beneath the curves."""
+"""Figure 5 of the paper: models against the measurement, stroke by stroke, and how large the errors are, beneath."""
 
 from typing import Any
 
@@ -7,45 +7,56 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, NullLocator, SymmetricalLogLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
+from pipeline.kinematics import Array
 from pipeline.report import paper
 from pipeline.report.drawing import MILLIMETRES, TURNS, name
 from pipeline.report.strokes_there import drawn
 from pipeline.report.winding import strokes_of, winding
 
+Ends = tuple[float, float]
 MEASURED: dict[str, Any] = {"color": "0.72", "lw": 4.0, "solid_capstyle": "butt"}
 TRADITIONAL: dict[str, Any] = {"color": "#0072b2", "ls": "--", "lw": 1.2}
 LEARNED: tuple[dict[str, Any], ...] = (
     {"color": "#d55e00", "ls": "", "marker": ".", "ms": 4.0, "mew": 0, "zorder": 3},
     {"color": "#00684c", "ls": "", "marker": "x", "ms": 3.0, "mew": 0.7},
 )
-MOST = 0.9  # of the learned errors lie within the decade above the straight part of their axis
+BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 
-def straight_up_to(errors: list[np.ndarray]) -> float:
-    """Where the error's axis turns from straight to logarithmic: the decade below most of the learned errors."""
-    sizes = np.abs(np.concatenate([np.empty(0), *errors]))
-    sizes = sizes[np.isfinite(sizes)]
-    large = float(np.quantile(sizes, MOST)) if len(sizes) else 0.0
-    return float(10.0 ** np.floor(np.log10(large))) if large > 0.0 else 1.0
+def by_range(given: Array, error: Array, low: float, high: float) -> tuple[Array, Array]:
+    """Middles of equal ranges from `low` to `high`, and the root mean square of the errors there.
+
+    NaN where a range holds few points, so that a line breaks between blocks that were held out.
+    """
+    known = np.isfinite(error) & np.isfinite(given)
+    edges = np.linspace(low, high, BINS + 1)
+    place = np.clip(np.digitize(given[known], edges) - 1, 0, BINS - 1)
+    count = np.bincount(place, minlength=BINS)
+    squares = np.bincount(place, weights=np.square(error[known]), minlength=BINS)
+    there = count >= LEAST
+    return 0.5 * (edges[1:] + edges[:-1]), np.sqrt(np.where(there, squares, np.nan) / np.maximum(count, 1))
 
 
-def _scale(axes: Axes, straight: float) -> None:
-    axes.set_yscale("symlog", linthresh=straight, linscale=0.7)
-    axes.yaxis.set_major_locator(SymmetricalLogLocator(base=10.0, linthresh=straight))
+def _logarithmic(axes: Axes) -> None:
+    """Plain numbers on a logarithmic axis: 0.02, 0.05, 0.1."""
+    axes.set_yscale("log")
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_minor_locator(NullLocator())
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}".replace("-", "−")))
-    axes.axhline(0, color="k", lw=0.6)
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
-def _drawn(curve: Axes, below: Axes, shown: pd.DataFrame, way: tuple[str, str, str], style: dict[str, Any]) -> None:
-    """A model's curve, and beneath it the curve minus the measurement."""
+def _drawn(
+    curve: Axes, below: Axes, shown: pd.DataFrame, way: tuple[str, str, str], style: dict[str, Any], ends: Ends
+) -> None:
+    """A model's curve, and beneath it the size of the curve minus the measurement along the stroke."""
     given, asked, said = way
     ordered = shown.dropna().sort_values(given) if style.get("ls") == "--" else shown
     curve.plot(ordered[given], ordered[said], **style)
-    below.plot(shown[given], shown[said] - shown[asked], **{**style, "lw": 0.9})
+    middle, size = by_range(shown[given].to_numpy(float), (shown[said] - shown[asked]).to_numpy(float), *ends)
+    below.plot(middle, size, **{**style, "ls": style.get("ls") or "-", "lw": 1.1})
 
 
 def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str) -> Figure:
@@ -63,24 +74,25 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
     styles = dict(zip(learned, LEARNED, strict=False))
     shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
-        given, asked, said = way
-        errors = [one[said] - one[asked] for windings in shown.values() for one in windings]
-        straight = straight_up_to([error.to_numpy() for error in errors])
-        unit = (MILLIMETRES, "model − measured (mm)") if row == 0 else (TURNS, "model − measured (turns)")
+        given, asked, _ = way
+        unit = (MILLIMETRES, "rms error (mm)") if row == 0 else (TURNS, "rms error (turns)")
         for column, stroke in enumerate(strokes):
             curve, below = grid[2 * row, column], grid[2 * row + 1, column]
             below.sharex(curve)
             curve.tick_params(labelbottom=False)
             measured = winding(recorded, stroke)
             curve.plot(measured[given], measured[asked], label="measured", **MEASURED)
-            _drawn(curve, below, measured, way, {**TRADITIONAL, "label": "traditional model"})
+            known = measured[given].dropna()
+            ends = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+            _drawn(curve, below, measured, way, {**TRADITIONAL, "label": "traditional model"}, ends)
             for title, windings in shown.items():
-                _drawn(curve, below, windings[column], way, {**styles[title], "label": f"{title}, held-out points"})
-            _scale(below, straight)
+                style = {**styles[title], "label": f"{title}, held-out points"}
+                _drawn(curve, below, windings[column], way, style, ends)
+            _logarithmic(below)
             first = column == 0
             letter = "abcdef"[3 * row + column]
             name(curve, f"({letter}) {label[0]}, n={stroke}", "", unit[0] if first else "")
-            name(below, f"error of ({letter}), logarithmic beyond ±{straight:g}", label[1], unit[1] if first else "")
+            name(below, f"error of ({letter}) along the stroke", label[1], unit[1] if first else "")
     if strokes:
         figure.legend(handles=grid[0, 0].get_lines(), loc="outside lower center", ncols=4)
     figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")

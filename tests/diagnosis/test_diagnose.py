@@ -145,16 +145,22 @@ def test_simulate_alone_gives_the_error_that_the_diagnosis_claims(diagnosed, tmp
 
 
 def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
-    folder, _, _, content = diagnosed
+    folder, _, here, content = diagnosed
     adopted = tmp_path / folder.name
     shutil.copytree(folder, adopted)
-    described = yaml.safe_load((adopted / "run.yaml").read_text())
-    described["simulation"] = content["simulation"]
-    (adopted / "run.yaml").write_text(yaml.safe_dump(described))
+    said = command("pipeline.adopt", here / "diagnosis.json", adopted)
+    assert said.returncode == 0, said.stderr
+    block = (here / "simulation.yaml").read_text()  # what may be pasted instead
+    assert block in (adopted / "run.yaml").read_text()
+    assert yaml.safe_load(block) == {"simulation": content["simulation"]}
+    assert f"python -m pipeline.adopt {here / 'diagnosis.json'} {folder}\n" in (here / "verdict.txt").read_text()
+    (tmp_path / "out" / folder.name).mkdir(parents=True)
+    (tmp_path / "out" / folder.name / "simulation.yaml").write_text(block)  # of an earlier diagnosis
     done = command("pipeline.diagnose", adopted, "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     again = json.loads((tmp_path / "out" / folder.name / "diagnosis.json").read_text())
     assert again["verdict"] in ("consistent", "parameters")
+    assert not (tmp_path / "out" / folder.name / "simulation.yaml").exists()
     text = (tmp_path / "out" / folder.name / "verdict.txt").read_text()
     assert "The run to make next\n  None is needed: " in text
     assert (again["verdict"] == "parameters") == bool(re.search(r"The misfit was .* rms .*\n(.|\n)* tolerance\)", text))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from pipeline.diagnosis.figures import title
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
@@ -99,7 +100,7 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
     text = told()
     assert not re.search(r"\de[+-]?\d", text)
     assert "-0.000" not in text and "-0 " not in text
-    assert "0.44 mm rms after calibration, 15 times the noise." in text
+    assert "Over the whole recording 0.44 mm rms after calibration, 15 times the noise." in text
     assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
     assert "friction_hysteresis follows the direction of motion and the load.\n  creep follows time under" in text
 
@@ -184,10 +185,10 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
     beaten = text[text.index("Why no other explanation") :]
     assert "creep: leaves 0.060 mm rms (2.0 times the noise). Its prediction differs from the best one by" in beaten
     assert "at 0 to 12.2 turns, in strokes 2 to 4, at rest. This difference follows the time." in beaten
-    assert "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), no more than the best." in (
+    same = "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), the same as the best one."
+    assert f"{same} Weighed sample by sample, the best one is nearer to the recording by 20 standard deviations." in (
         beaten
     )
-    assert "The best explanation fits the whole recording better, by 20 standard deviations." in beaten
     assert (
         "wear, added to friction_hysteresis + creep: explains 0.0024 mm rms more. That is too little to count."
         in beaten
@@ -202,10 +203,13 @@ def first_lines(**held):
 
 
 def test_what_must_be_known_first_stands_first():
-    assert first_lines() == ["nylon-3: ambiguous: physics is missing; 2 explanations fit alike."]
+    assert first_lines() == [
+        "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations."
+    ]
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
     assert "the calibrated simulator is worse than the nominal one: 1.1 mm against 0.31 mm" in worse
-    assert "Something systematic is still missing: the unseen strokes are missed by 3.4 times the noise." in worse
+    assert "Something systematic is still missing: the unseen strokes are missed by 3.4 times the noise, " in worse
+    assert "those that the fit has seen by 1.0 times." in worse
     assert "improves nothing" in " ".join(first_lines(explained=0.80))
     assert "makes the calibrated simulator worse" in " ".join(first_lines(explained=0.95))
 
@@ -213,7 +217,7 @@ def test_what_must_be_known_first_stands_first():
 def test_the_error_on_unseen_strokes_stands_beside_the_noise():
     text = told()
     assert "nominal 1.9 mm (62 times the noise); calibrated 0.81 mm (26 times the noise); as diagnosed 0.033 mm" in text
-    assert "The noise is 0.031 mm rms. Held out: the last 30 % of strokes." in text
+    assert "Held out: the last 30 % of strokes. The noise here is 0.031 mm rms." in text
     again = "Measure the radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance away."
     assert again in text
 
@@ -269,8 +273,11 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made = content()
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     text = told(made)
-    assert "creep alone would change the reading 8.0 times as much as the mismatch. But most of that looks like" in text
-    assert "friction_hysteresis alone" not in text
+    said = "creep moves the reading by 3.5 mm rms, but only 0.44 mm rms is missing. The rest hides in dimensions that"
+    assert f"{said} calibration moved, and in the other effects. So this recording tells badly how large it is." in text
+    assert "friction_hysteresis moves" not in text
+    made["mechanisms"][1]["rms_mm"]["value"] = 0.6
+    assert "creep moves the reading by 0.60 mm rms" in told(made) and "tells badly" not in told(made)
 
 
 def test_events_are_told_one_by_one():
@@ -349,3 +356,98 @@ def test_the_sentences_keep_their_subject_and_need_no_second_reading():
         text = told(made)
         assert ("does not decide yet" in text) == (gap > 25.0)
         assert not re.search("make up for|a little wrong|slightly wrong|two part|less likely|whatever the rig", text)
+
+
+def adopted(verdict="parameters", **changes):
+    """The words on a run that has adopted creep, whose dimensions alone were then asked."""
+    made = content(verdict=verdict, mechanisms=[], alternatives=[], next_run=None, mismatch=None, **changes)
+    made["simulation"] = [{"id": "creep", "parameters": {}}]
+    made["evidence"]["explanations"] = []
+    return told(made)
+
+
+def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
+    for verdict in ("consistent", "parameters"):
+        text = adopted(verdict)
+        assert "physics is missing" not in text and "with what run.yaml has adopted, " in text.splitlines()[0]
+        assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
+        assert "the dimensions alone explain" not in text and "None is needed: nothing is missing that" in text
+        assert "can also cover another one that is really there" in text
+        assert "Adopted effects bend dimensions as well (creep)" in text
+    bare = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None)
+    said = " ".join(told(bare).split())
+    assert "no physics is missing" in said and "adopted" not in said.lower()
+
+
+def test_a_dimension_at_the_bound_of_calibration_is_told_as_one():
+    text = told(content(evidence__moved_sigma={"radius_mm": 3.0}))
+    assert "3.0 times its tolerance away, as far as calibration may move it." in text
+    assert "the best one may lie beyond it" in text
+    assert "as far as calibration" not in told()
+
+
+@pytest.mark.parametrize(
+    ("calibrated", "said"),
+    [
+        (0.039, "Something systematic is still missing: the unseen strokes are missed by 1.3 times the noise, those"),
+        (0.030, "Something changes from stroke to stroke that the fit does not foresee: the unseen strokes are missed"),
+    ],
+)
+def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones(calibrated, said):
+    held = {"fit__heldout__explained_mm": 0.0415, "fit__heldout__calibrated_mm": 0.0415}
+    text = adopted(**held, evidence__calibrated_mm=calibrated)
+    assert said in text
+    assert ("from stroke to stroke" in text) == (calibrated < 0.035)
+    assert ("So nothing is new in the unseen ones." in text) == (calibrated > 0.035)
+
+
+def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
+    text = told(content(evidence__calibrated_mm=0.4410, evidence__floor_mm=0.018))
+    assert "Over the whole recording 0.44 mm rms after calibration, 24 times the noise." in text
+    assert "The noise of the averages that are compared is 0.018 mm rms." in text
+    assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
+    assert "The noise here is 0.031 mm rms, that of single samples." in text
+    assert "single samples" not in told()
+
+
+def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
+    made = content()
+    for left, said in ((0.0308, "hardly more than the best one (0.030 mm)"), (0.0292, "even less than the best one")):
+        made["evidence"]["explanations"][2]["left_mm"] = left
+        assert f"friction_hysteresis + sensor_drift: leaves {left:.3f} mm rms" in told(made)
+        assert said in told(made) and "no more than the best" not in told(made)
+
+
+def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means():
+    text = told(content(alternatives=[["thermal"]]))
+    assert "The two explanations have no mechanism in common: any of these effects may be the missing one." in text
+
+
+def test_a_run_that_hardly_parts_them_better_is_told_as_that():
+    text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
+    assert "Now the two predictions differ by 53 standard deviations of the noise." in text
+    assert "The run may not decide either: with the run they should differ by 69," in text
+    text = told(content(next_run__gap_now=900.0))
+    assert "With the run they should differ by 73, which is harder to hide." in text and "may not decide" not in text
+
+
+def to_adopt(**changes):
+    """What is said of adopting, from the JSON that lies in reports/nylon-3."""
+    made = spoken(content(**changes), SYSTEMS["mm"])
+    text = verdict_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
+    return text.partition("To adopt it\n")[2].partition("\n\n")[0]
+
+
+def test_what_is_named_comes_with_the_command_that_adopts_it():
+    assert "  python -m pipeline.adopt reports/nylon-3/diagnosis.json raw/nylon-3\n" in to_adopt()
+    assert "Another explanation may be the right one" in to_adopt()
+    assert "Another explanation" not in to_adopt(verdict="explained", next_run=None)
+    assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Do not: on unseen strokes")
+    assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
+
+
+@pytest.mark.parametrize(("count", "said"), [(4, "or a3"), (5, "or a4"), (6, "or one of 2 others"), (9, "or one of 5")])
+def test_a_title_counts_no_single_explanation(count, said):
+    made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}]}
+    text = title(made | {"alternatives": [[f"a{number}"] for number in range(count)]})
+    assert said in text and "1 others" not in text

@@ -9,7 +9,9 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import onnx
+import onnxruntime
 import pandas as pd
 import pytest
 from compiled import ROOT
@@ -72,6 +74,20 @@ def test_it_writes_two_graphs(folder: Path, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     for way in ("forward", "inverse"):
         onnx.checker.check_model(onnx.load(tmp_path / f"tsa.{way}.onnx"))
+
+
+def test_the_documented_query_runs_on_a_model_of_either_type(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (snippet,) = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "export.md").read_text(), re.S)
+    monkeypatch.chdir(tmp_path)
+    kinds = set()
+    for name in ("spline", "mlp"):
+        done = export(saved(name, "one", tmp_path / name), "--format", "onnx", "--out", "out")
+        assert done.returncode == 0, done.stderr
+        said: dict[str, Any] = {"onnxruntime": onnxruntime, "numpy": np}
+        exec(snippet, said)
+        kinds.add(said["kind"])
+        assert np.isfinite(said["value"]).all() and said["inside"].dtype == bool
+    assert kinds == {np.float32, np.float64}
 
 
 def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> None:

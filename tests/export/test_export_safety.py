@@ -182,10 +182,11 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         lines = said(name, kind, example)
         assert "turns" in lines and "nan" not in lines.lower()
         assert "refused, TSA_BAD_DISPLACEMENT_MM:" in lines  # past the end of the range, and only there
-        assert 0 < int(lines.splitlines()[-1].split()[0]) < 500
+        words = lines.splitlines()[-1].split()  # "273 of 3000 targets refused, 273 of them ..., on purpose"
+        assert 0 < int(words[0]) < 500 and words[5] == words[0] and lines.endswith("range, on purpose\n")
     assert "load_n" in source("spline", "campaign").inputs.names
     lines = said("spline", "campaign", example.replace("MIDDLE(LOAD_N)", "0"))
-    assert "   0 ms: refused, TSA_BAD_LOAD_N:" in lines and "3000 of 3000 targets refused" in lines
+    assert "   0 ms: refused, TSA_BAD_LOAD_N:" in lines and "3000 of 3000 targets refused, " in lines
 
 
 def test_a_bin_without_rise_gives_no_nan(source: Any, tmp_path: Any) -> None:

@@ -1,8 +1,10 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
@@ -11,6 +13,7 @@ from made_life import folder, samples
 from pipeline.errors import BadInput
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.ask import first, stroke_loss
+from pipeline.lifespan.figure import question
 from pipeline.lifespan.gather import strings
 from pipeline.lifespan.left import Left
 from pipeline.lifespan.score import held, loses, score
@@ -34,7 +37,7 @@ def done(tmp_path_factory):
 def test_the_program_ends_well(done):
     ran, out = done
     assert ran.returncode == 0, ran.stderr
-    assert "until 10% of the stroke is lost" in ran.stdout and "cannot be foreseen" in ran.stdout
+    assert "until 10 % of the stroke is lost" in ran.stdout and "cannot be foreseen" in ran.stdout
     assert (out / "lifespan.png").stat().st_size > 10_000
 
 
@@ -54,6 +57,42 @@ def test_json_says_what_is_documented(done):
     docs = (ROOT / "docs" / "lifespan.md").read_text()
     for key in (*content, *loss):
         assert f"`{key}`" in docs, key
+
+
+@pytest.fixture(scope="module")
+def drawn(done):
+    """The first question to a string, with futures that pass the limit when a test says, as drawn."""
+    health = strings([done[1].parents[1] / "a-1"])[0]
+    answer = stroke_loss(health, 0.1)
+
+    def draw(*when):
+        left = replace(answer.left, when=np.sort(np.array(when, float)))
+        axes = plt.figure().add_subplot()
+        question(axes, replace(answer, left=left), 0.9)
+        return axes
+
+    yield draw
+    plt.close("all")
+
+
+def test_an_interval_with_an_end_is_drawn_to_its_end_and_one_without_to_an_arrow(drawn):
+    for when, arrow in ((np.linspace(34, 141, 200), False), ([*np.linspace(34, 141, 100), *[np.inf] * 100], True)):
+        axes = drawn(*when)
+        ends = [line for line in axes.get_lines() if line.get_marker() == ">"]
+        assert bool(ends) == arrow
+        assert (axes.get_xlim()[1] > 24 + 136) != arrow
+        assert any(f"{'more than' if arrow else 'to'} " in text.get_text() for text in axes.texts)
+
+
+def test_strokes_are_whole_numbers_and_the_legend_of_no_claim_lies_beside_the_axes(tmp_path):
+    health = strings([folder(tmp_path, "a-1", samples(5, 0.002))])[0]
+    axes = plt.figure().add_subplot()
+    question(axes, stroke_loss(health, 0.1), 0.9)
+    axes.figure.canvas.draw()
+    assert all(tick == round(tick) for tick in axes.get_xticks())
+    box = axes.get_legend().get_window_extent()
+    assert box.y0 >= axes.get_window_extent().y1 - 1.0
+    plt.close("all")
 
 
 def test_too_few_strokes_are_said_and_no_error(tmp_path):

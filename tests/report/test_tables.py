@@ -140,6 +140,19 @@ def test_comparison_shows_the_paper_beside_ours_with_the_spread():
     assert "later strokes, winding" in text and "101.112" in text
 
 
+def test_comparison_says_at_its_top_why_the_inn_is_not_the_papers():
+    floor = made_metrics()[lambda rows: rows["model"] == "inn"].assign(model="floor_blind")
+    metrics = pd.concat([made_metrics(), floor.assign(value=0.9 * floor["value"])])
+    text = comparison(metrics, "synthetic", TITLES)
+    top = text.partition("Errors are on held-out points only")[0]
+    assert "not to those of its INN: forward, winding, n=5, its RMSE is 1.532 mm here and 0.269 mm in the paper" in top
+    assert "not told of are 1.379 mm here" in top
+    assert "Our rig is not the paper's" in comparison(metrics, "nylon", TITLES)
+    assert "1.112" in comparison(metrics, "nylon", TITLES) and "in the paper." not in comparison(
+        made_metrics(), "m", TITLES
+    )
+
+
 def test_comparison_says_when_later_was_skipped():
     metrics = made_metrics()
     assert "Skipped" in comparison(metrics[metrics["split"] == "within"], "m", TITLES)

@@ -3,27 +3,33 @@
 import re
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import number, said_unit, size, times
+from pipeline.diagnosis.words.quantity import listing, number, said_unit, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.schemas import unit_of
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
+BOUND = 2.95  # sigma, from which a dimension stands where calibration had to stop
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
-def remeasured(content: dict[str, Any]) -> list[str]:
-    """A line for each dimension to measure again; where nearly all move, what that means."""
+def remeasured(content: dict[str, Any], adopted: list[str]) -> list[str]:
+    """A line for each dimension to measure again; where nearly all move, or effects are adopted, what that means."""
     moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
     lines = []
     for name, sigma in moved.items():
         nominal, value = from_to(content, name)
         far = f"{abs(sigma):.1f} times its tolerance away"
+        far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
         if name.startswith("stiffness"):  # one that was measured never moves: it was assumed
             lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
         else:
             lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
+    if any(abs(sigma) >= BOUND for sigma in moved.values()):
+        lines.append("A value as far away as that is where calibration had to stop: the best one may lie beyond it.")
+    if moved and adopted:
+        lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}): change none that is not measured.")
     if len(moved) >= MANY:
         lines.append("So many at once are hardly measured wrong: rather physics is missing that bends them.")
     return lines

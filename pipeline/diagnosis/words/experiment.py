@@ -13,7 +13,7 @@ CARE = {
     "twice the load": "Only if the rig bears so much.",
     "another load": "Only if the rig bears so much.",
 }  # by what a title says
-LITTLE = 1.25  # times further apart, expected: less is hardly worth a run
+LITTLE = 2.0  # times further apart, expected: less may not decide
 
 
 def title(run: dict[str, Any], words: Vocabulary) -> str:
@@ -57,12 +57,19 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
     said = f"This run is to tell {tried(*run['parts'])}."
-    if then < LITTLE * now:
-        more = f"{number(then)} standard deviations of the noise with the run, {number(now)} without it"
-        return f"{said} But no run that was tried out in simulation tells the two cases apart much better: {more}."
-    still = " A small error in a formula can make that, so it does not decide yet." if now > PLAIN else ""
-    gap = f"{number(then)} standard deviations of the noise"
-    return f"{said} The two predictions should then differ by {gap}; now they differ by {number(now)}.{still}"
+    unit = "standard deviations of the noise"
+    if now <= PLAIN:
+        return (
+            f"{said} The two predictions should then differ by {number(then)} {unit}; now they differ by {number(now)}."
+        )
+    formula = "An error of a few per cent in a formula can hide as much, so it does not decide yet."
+    said = f"{said} Now the two predictions differ by {number(now)} {unit}. {formula}"
+    if then >= LITTLE * now:
+        return f"{said} With the run they should differ by {number(then)}, which is harder to hide."
+    best = (
+        f"with the run they should differ by {number(then)}, and of all runs that were tried in simulation it is best"
+    )
+    return f"{said} The run may not decide either: {best}. Make it only if the answer matters."
 
 
 def care(run: dict[str, Any]) -> str:

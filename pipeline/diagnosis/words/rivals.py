@@ -9,7 +9,7 @@ from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
-LARGER = 3.0  # times the mismatch: an effect that calibration hides for the most part
+MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides in part, and for the most part
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
 BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
 VISIBLE = 0.4  # noise floors: smaller gains need no further word
@@ -27,9 +27,15 @@ def entries(content: dict[str, Any], *standings: str) -> list[dict[str, Any]]:
     return [one for one in reversed(content["evidence"]["explanations"]) if one["standing"] in standings]
 
 
+def left_of(one: dict[str, Any], content: dict[str, Any], ending: str) -> float:
+    """What an explanation leaves, rms; of calibration alone not what the search's approximation says, but the fit's."""
+    known = content["evidence"].get(f"calibrated_{ending}") if not one["ids"] else None
+    return float(one[f"left_{ending}"] if known is None else known)
+
+
 def left(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
     """What an explanation leaves, and in noise floors."""
-    rms, floor = one[f"left_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    rms, floor = left_of(one, content, words.ending), content["evidence"][f"floor_{words.ending}"]
     return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
 
 
@@ -48,7 +54,8 @@ def shared(content: dict[str, Any]) -> str:
     sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
     common = [id_ for id_ in sets[0] if all(id_ in ids for ids in sets)]
     if not common:
-        return f"The {len(sets)} explanations that fit alike share no mechanism."
+        who = "two explanations have" if len(sets) == 2 else f"{len(sets)} explanations have"
+        return f"The {who} no mechanism in common: any of these effects may be the missing one."
     every = "Both" if len(sets) == 2 else f"All {len(sets)}"
     rests = [" + ".join(id_ for id_ in ids if id_ not in common) or "nothing more" for ids in sets]
     differ = f"They differ in what they add to {'it' if len(common) == 1 else 'them'}"
@@ -81,14 +88,18 @@ def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [f"{who} {_bent(one, content, words)}." for one in entries(content, "named")]
 
 
-def made_up_for(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """Effects far larger than the mismatch, which the dimensions must make up for."""
+def hidden(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Effects that are larger than what is missing, and where the rest of them is hidden."""
     whole, lines = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0, []
     for entry in content["mechanisms"]:
-        ratio = entry[f"rms_{words.ending}"]["value"] / whole if whole else 0.0
-        if ratio > LARGER:
-            alone = f"{entry['id']} alone would change the reading {times(ratio)} times as much as the mismatch."
-            lines.append(f"{alone} But most of that looks like other dimensions of the rig: its size is not sure.")
+        own = entry[f"rms_{words.ending}"]["value"]
+        if not whole or own <= MORE * whole:
+            continue
+        sizes = f"by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is missing"
+        others = ", and in the other effects" if len(content["mechanisms"]) > 1 else ""
+        said = f"{entry['id']} moves the reading {sizes}. The rest hides in dimensions that calibration moved{others}."
+        unsure = " So this recording tells badly how large it is." if own > LARGER * whole else ""
+        lines.append(said + unsure)
     return lines
 
 
@@ -129,11 +140,20 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
         return f"{said}. {differs}"
     if one["worse"] > 0.0:
         far = f"by {times(math.sqrt(one['worse']))} standard deviations"
-        less = f"The best explanation fits the whole recording better, {far}"
-        return f"{said}, no more than the best. {less}. {differs}"
+        less = f"Weighed sample by sample, the best one is nearer to the recording {far}"
+        return f"{said}, {_beside(one, first, words)}. {less}. {differs}"
     if one.get("balanced"):
         return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
-    return f"{said}, about as little as the best, which the search prefers. {differs}"
+    return f"{said}, {_beside(one, first, words)}. The search prefers the best one all the same. {differs}"
+
+
+def _beside(one: dict[str, Any], first: dict[str, Any], words: Vocabulary) -> str:
+    """What an explanation leaves beside what the best one does, which is hardly another size."""
+    mine, best = (size(each[f"left_{words.ending}"], words.unit) for each in (one, first))
+    if mine == best:
+        return "the same as the best one"
+    more = one[f"left_{words.ending}"] > first[f"left_{words.ending}"]
+    return f"{'hardly more' if more else 'even less'} than the best one ({best})"
 
 
 def _saved(base: dict[str, Any], one: dict[str, Any], key: str) -> float:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words import effects, experiment, rivals, unseen
+from pipeline.diagnosis.words import adoption, effects, experiment, rivals, unseen
 from pipeline.diagnosis.words.dimensions import corrected, remeasured
 from pipeline.diagnosis.words.places import place
 from pipeline.diagnosis.words.quantity import listing, size, times
@@ -14,17 +14,21 @@ from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
 
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
-COMMAND = "python -m pipeline.diagnose"
+PROGRAM, COMMAND = "  python -m pipeline.", "python -m pipeline.diagnose"
 WIDE = 112
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor} rms).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
     "explained": "physics is missing, and named.",
-    "ambiguous": "physics is missing; {count} explanations fit alike.",
+    "ambiguous": "physics is missing; this recording cannot decide between {count} explanations.",
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 
+WITH_ADOPTED = {
+    "consistent": "with what run.yaml has adopted, the simulation explains the recording to its noise ({floor} rms).",
+    "parameters": "with what run.yaml has adopted, the simulation explains the recording once its dimensions move.",
+}
 NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
     "would show more.",
@@ -34,20 +38,21 @@ NONE_NEEDED = {
 }
 
 
-def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -> str:
-    """A verdict for a person, whole; `folders` are the runs it is about, for the command that follows the next run."""
+def verdict_text(content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None) -> str:
+    """A verdict for a person, whole; `folders` are the runs it is about and `out` its own folder, for the commands."""
     words = Vocabulary.of(system)
     sections = [
-        (headline(content, words), unseen.cautions(content, words)),
+        (headline(content, words), [*adoption.cautions(content), *unseen.cautions(content, words)]),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
-            [*named(content), *rivals.what_is_left(content, words), *rivals.made_up_for(content, words)],
+            [*named(content), *rivals.what_is_left(content, words), *rivals.hidden(content, words)],
         ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
-        ("Dimensions", [*corrected(content, words), *remeasured(content)]),
+        ("Dimensions", [*corrected(content, words), *remeasured(content, adoption.included(content))]),
         ("The run to make next", following(content, words, folders)),
+        ("To adopt it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", detectable(content, words)),
     ]
@@ -60,7 +65,7 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path]) -
 
 def wrapped(line: str, indent: str) -> list[str]:
     """A line within the width of a page, indented; a command stays whole."""
-    if COMMAND in line:
+    if line.startswith(PROGRAM):
         return [f"{indent}{line}"]
     own = indent + " " * (len(line) - len(line.lstrip()))
     return textwrap.wrap(
@@ -73,7 +78,8 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
     """The verdict in one line."""
     run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
     floor = size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
-    said = SAID[content["verdict"]].format(floor=floor, count=1 + len(content["alternatives"]))
+    known = WITH_ADOPTED if adoption.included(content) and content["verdict"] in WITH_ADOPTED else SAID
+    said = known[content["verdict"]].format(floor=floor, count=1 + len(content["alternatives"]))
     return f"{run}: {content['verdict']}: {said}"
 
 
@@ -85,8 +91,12 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
+    of = "averages" if unseen.averaged(content, words) else "samples"
+    noise = f"The noise of the {of} that are compared is {size(floor, words.unit)} rms."
+    said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
     return [
-        f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise.",
+        f"Over the whole recording {said}.",
+        *([noise] if unseen.averaged(content, words) else []),
         *([small] if rms < SMALL * floor else []),
         f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
         *follows(content, words),
@@ -140,7 +150,10 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -
     """The protocol, line by line, and the command that diagnoses its recording together with this one."""
     run = content["next_run"]
     if not run:
-        return [NONE_NEEDED[content["verdict"]]] if content["verdict"] in NONE_NEEDED else []
+        known = (
+            "consistent" if content["verdict"] == "parameters" and adoption.included(content) else content["verdict"]
+        )
+        return [NONE_NEEDED[known]] if known in NONE_NEEDED else []
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]

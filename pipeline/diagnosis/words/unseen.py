@@ -5,6 +5,7 @@ from typing import Any
 from pipeline.diagnosis.words.quantity import size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
+NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no more is missing on others
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
 AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
 WORSE, NO_BETTER = 1.02, 0.95  # times the other error
@@ -34,17 +35,49 @@ def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
             f"On unseen strokes the calibrated simulator is worse than the nominal one: {sizes}."
             f" What calibration alone learnt does not hold later: do not adopt its dimensions{without}."
         )
-    if named and explained > max(WORSE * calibrated, calibrated + 0.1 * noise):
+    if harmful(content, words):
         said.append("On unseen strokes the explanation makes the calibrated simulator worse: do not adopt it.")
     elif named and explained > NO_BETTER * calibrated:
         said.append("On unseen strokes the explanation improves nothing: it may be no more than a good fit.")
-    if explained > STILL_MISSING * noise:
-        missed = f"the unseen strokes are missed by {times(explained / noise)} times the noise"
-        if named:
-            said.append(f"Something systematic is still missing: {missed}.")
-        elif content["verdict"] != "unknown":
-            said.append(f"Something changes from stroke to stroke that the fit does not foresee: {missed}.")
+    if explained > STILL_MISSING * noise and content["verdict"] != "unknown":
+        said.append(still_missing(content, words, explained / noise, named))
     return said
+
+
+def harmful(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether what is named makes the simulator worse on strokes that no fit has seen."""
+    found = errors(content, words)
+    if found is None or content["verdict"] not in ("explained", "ambiguous"):
+        return False
+    _, calibrated, explained = found
+    return explained > max(WORSE * calibrated, calibrated + 0.1 * float(content["fit"][f"noise_floor_{words.ending}"]))
+
+
+def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, named: bool) -> str:
+    """That unseen strokes are missed by more than the noise, beside what is left of those that the fit has seen.
+
+    `unseen` is the error on unseen strokes in noise floors.
+    """
+    fitted = fitted_times(content, words, named)
+    missed = f"the unseen strokes are missed by {times(unseen)} times the noise"
+    if fitted is None:
+        return f"Something systematic is still missing: {missed}."
+    both = f"{missed}, those that the fit has seen by {times(fitted)} times"
+    if unseen <= NOTHING_NEW * fitted:
+        return f"Something systematic is still missing: {both}. So nothing is new in the unseen ones."
+    if named:
+        return f"Something systematic is still missing: {both}."
+    return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
+
+
+def fitted_times(content: dict[str, Any], words: Vocabulary, named: bool) -> float | None:
+    """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
+    evidence = content["evidence"]
+    left = evidence.get(f"calibrated_{words.ending}")
+    if named:
+        best = [one for one in evidence["explanations"] if one["standing"] == "named"]
+        left = best[0][f"left_{words.ending}"] if best else None
+    return float(left) / float(evidence[f"floor_{words.ending}"]) if left is not None else None
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -59,8 +92,11 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         for name, error in zip(names, found, strict=True)
     ]
     split = content["fit"]["heldout"]["split"]
-    floor = content["evidence"][f"floor_{words.ending}"]
-    other = f" (in averages, which the rest is compared in, {size(floor, words.unit)})"
-    averaged = abs(floor - noise) > AVERAGED * noise
-    known = f"The noise is {size(noise, words.unit)} rms{other if averaged else ''}."
-    return [f"{'; '.join(said)}.", f"{known} Held out: the {split}."]
+    known = f"Held out: the {split}. The noise here is {size(noise, words.unit)} rms"
+    return [f"{'; '.join(said)}.", f"{known}{', that of single samples' if averaged(content, words) else ''}."]
+
+
+def averaged(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether the whole recording was compared in averages, which have less noise than its single samples."""
+    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    return bool(abs(floor - noise) > AVERAGED * noise)

@@ -1,0 +1,40 @@
+"""What run.yaml has adopted, and how what was found is adopted, in words."""
+
+from pathlib import Path
+from typing import Any
+
+from pipeline.diagnosis.words import unseen
+from pipeline.diagnosis.words.quantity import listing
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+COMMAND = "python -m pipeline.adopt"
+
+
+def included(content: dict[str, Any]) -> list[str]:
+    """Ids that the simulator had from run.yaml before it was asked."""
+    new = {entry["id"] for entry in content["mechanisms"]}
+    return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
+
+
+def cautions(content: dict[str, Any]) -> list[str]:
+    """What a verdict without a name is worth where run.yaml has adopted effects."""
+    ids = included(content)
+    if not ids or content["verdict"] not in ("consistent", "parameters"):
+        return []
+    return [
+        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with "
+        f"{'it' if len(ids) == 1 else 'them'}. An adopted effect can also cover another one that is really there."
+    ]
+
+
+def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+    """The command that puts what is named into run.yaml; `out` is the folder of the diagnosis."""
+    if out is None or content["verdict"] not in ("explained", "ambiguous"):
+        return []
+    if unseen.harmful(content, words):
+        return ["Do not: on unseen strokes it makes the simulator worse."]
+    lines = ["This puts it into run.yaml, from which the next diagnosis starts (or paste simulation.yaml there):"]
+    lines += [f"  {COMMAND} {out / 'diagnosis.json'} {folder}" for folder in folders]
+    if content["verdict"] == "ambiguous":
+        lines.append("Another explanation may be the right one: decide between them first, if you can.")
+    return lines

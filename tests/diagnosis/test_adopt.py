@@ -1,0 +1,151 @@
+"""Adopting a diagnosis: its block goes into run.yaml, all else stays; what was adopted simulates alone, once."""
+
+import json
+import os
+import stat
+import subprocess
+import sys
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import yaml
+
+from pipeline.adopt import adopted, with_block
+from pipeline.errors import BadInput
+from pipeline.strict_yaml import parse_yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+LAG = [{"id": "sensor_lag", "parameters": {"late_s": 0.02}}, {"id": "backlash", "parameters": {"width": 1e-07}}]
+TEXTS = {
+    "at the end": "run: a\nrig: {load_n: 20}  # kept\n# the end\n",
+    "no last newline": "run: a\nrig:\n  load_n: 20",
+    "empty list": "run: a\nsimulation: []  # none yet\nrig: {load_n: 20}\n",
+    "block before others": (
+        "# head\nrun: a\nsimulation:\n  - id: creep\n    parameters:\n      tau_s: 31.0\n\n"
+        "# of the rig\nrig: {load_n: 20}\n"
+    ),
+    "unindented block at the end": "run: a\nsimulation:\n- id: creep\n  parameters: {}\n",
+    "pasted json": 'run: a\n"simulation": [\n  {"id": "creep", "parameters": {"tau_s": 31.0}}\n ]\nrig: {load_n: 20}\n',
+    "all json": '{"run": "a", "rig": {"load_n": 20}}\n',
+    "all json with one": '{"run": "a", "simulation": [{"id": "creep"}], "rig": {"load_n": 20}}\n',
+    "indented": "  run: a\n  rig: {load_n: 20}\n",
+    "windows": "run: a\r\nsimulation: []\r\nrig: {load_n: 20}  # kept\r\n",
+}
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_the_block_comes_in_and_all_else_stays(name: str) -> None:
+    before = TEXTS[name]
+    after = with_block(before, LAG)
+    where = Path("run.yaml")
+    assert parse_yaml(after, where) == {**parse_yaml(before, where), "simulation": LAG}
+    for kept in ("# kept", "# the end", "# head", "\n# of the rig\nrig: {load_n: 20}", "# none yet"):
+        assert (kept in after) == (kept in before), kept
+    assert ("\r" in before) == ("\r" in after) and after.count("\r") in (0, after.count("\n"))
+    assert with_block(after, LAG) == after
+
+
+def run(*words: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", *map(str, words)], cwd=ROOT, capture_output=True, text=True)
+
+
+@pytest.fixture
+def folder(conceal, tmp_path: Path) -> Path:
+    """A copy of a run with nothing in it but its dimensions, and a comment in its run.yaml."""
+    source, _ = conceal("creep")
+    copy = tmp_path / source.name
+    copy.mkdir()
+    for path in source.iterdir():
+        (copy / path.name).write_bytes(path.read_bytes())
+    with open(copy / "run.yaml", "a") as file:
+        file.write("# measured by hand\n")
+    return copy
+
+
+@pytest.fixture
+def diagnosis(folder: Path, tmp_path: Path) -> Path:
+    """A diagnosis of the run that names nothing and moves a dimension."""
+    path = tmp_path / "diagnosis.json"
+    radius_mm = yaml.safe_load((folder / "run.yaml").read_text())["string"]["radius_mm"]
+    content = {"run": folder.name, "parameters": {"radius_mm": {"value": 1.02 * radius_mm}}, "simulation": []}
+    path.write_text(json.dumps(content))
+    return path
+
+
+def simulated(folder: Path, *words: object) -> pd.Series:
+    """What the simulator alone says of a run."""
+    out = folder.parent / "simulated.parquet"
+    done = run("pipeline.simulate", folder, *words, "--out", out)
+    assert done.returncode == 0, done.stderr
+    return pd.read_parquet(out)["displacement_mm"]
+
+
+def named(path: Path, **parameters: float) -> Path:
+    """A diagnosis that names one effect."""
+    content = json.loads(path.read_text())
+    content["simulation"] = [{"id": "sensor_drift", "parameters": parameters}] if parameters else []
+    path.write_text(json.dumps(content))
+    return path
+
+
+DRIFT = {"whole_s": 200.0, "straight_mm": 0.7}
+
+
+def test_adopting_changes_run_yaml_alone_and_once(folder: Path, diagnosis: Path) -> None:
+    named(diagnosis, **DRIFT)
+    before = (folder / "run.yaml").read_text()
+    os.chmod(folder / "run.yaml", 0o640)
+    done = run("pipeline.adopt", diagnosis, folder)
+    assert done.returncode == 0 and "simulation holds sensor_drift now" in done.stdout, done.stderr
+    after = (folder / "run.yaml").read_text()
+    assert yaml.safe_load(after) == {
+        **yaml.safe_load(before),
+        "simulation": json.loads(diagnosis.read_text())["simulation"],
+    }
+    assert "# measured by hand" in after and all(line in after for line in before.splitlines())
+    assert stat.S_IMODE((folder / "run.yaml").stat().st_mode) == 0o640
+    assert sorted(path.name for path in folder.iterdir()) == ["recording.parquet", "run.yaml"]
+    again = run("pipeline.adopt", diagnosis, folder)
+    assert again.returncode == 0 and "holds sensor_drift already" in again.stdout
+    assert (folder / "run.yaml").read_text() == after
+
+
+def test_what_was_adopted_simulates_without_being_given_and_counts_once(folder: Path, diagnosis: Path) -> None:
+    bare = simulated(folder)
+    given = simulated(folder, "--simulation", named(diagnosis, **DRIFT))
+    assert run("pipeline.adopt", diagnosis, folder).returncode == 0
+    own = simulated(folder)
+    assert abs(own - bare).max() > 0.3
+    pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), given)
+    content = json.loads(diagnosis.read_text())
+    diagnosis.write_text(json.dumps({**content, "run": "another-01", "parameters": {}}))
+    pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), own)
+
+
+def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosis: Path) -> None:
+    before = (folder / "run.yaml").read_bytes()
+    done = run("pipeline.adopt", named(diagnosis), folder)
+    assert done.returncode == 0 and "there is nothing to adopt" in done.stdout
+    wrong = run("pipeline.adopt", named(diagnosis, whole_s=200.0, crooked_mm=1.0), folder)
+    assert (
+        wrong.returncode == 2 and "diagnosis.json: simulation[0].parameters.crooked_mm: is not one of" in wrong.stderr
+    )
+    diagnosis.write_text('{"parameters": {}, "simulation": [3]}')
+    assert run("pipeline.adopt", diagnosis, folder).returncode == 2
+    assert run("pipeline.adopt", folder / "run.yaml", folder).returncode == 2
+    assert (folder / "run.yaml").read_bytes() == before
+
+
+def test_a_block_that_cannot_be_replaced_is_told_so() -> None:
+    text = "run: a\nrig: &all {load_n: 20}\nsimulation: *all\n"
+    with pytest.raises(BadInput) as refused:
+        adopted(text, LAG, Path("a/run.yaml"))
+    assert refused.value.field == "simulation" and "by hand" in refused.value.mend
+
+
+def test_another_runs_diagnosis_is_adopted_with_a_warning(folder: Path, diagnosis: Path) -> None:
+    content = json.loads(named(diagnosis, **DRIFT).read_text())
+    diagnosis.write_text(json.dumps({**content, "run": ["other-01", "other-02"]}))
+    done = run("pipeline.adopt", diagnosis, folder)
+    assert done.returncode == 0 and "beware: " in done.stderr and "the same string on the same rig" in done.stderr
