@@ -13,6 +13,7 @@ from snakemake.utils import update_config, validate
 from pipeline.dag import fits, make_plan, recorded_files
 from pipeline.errors import BadInput
 from pipeline.fingerprint import fingerprint, reachable
+from pipeline.left_out import LeftOut
 
 ROOT = Path(__file__).parent.parent
 
@@ -79,6 +80,26 @@ def test_no_word_that_names_no_material_reaches_the_pages(make_run, tmp_path, na
     (make_run("bad-01") / "run.yaml").write_text(text)
     (one,) = make_plan(tmp_path / "raw", []).refused
     assert one.material == "" and all(sign.isprintable() for sign in one.why)
+
+
+@pytest.mark.parametrize("material", ["nylon", '"nylon"', "'nylon' # soft", "nylon}"])
+def test_a_run_yaml_that_cannot_be_read_still_tells_its_material(make_run, tmp_path, material):
+    opening = "{" if material.endswith("}") else "\n  "
+    text = f"run: bad-01\n# material: silk\nradius: .nan\nstring: {opening}material: {material}\n"
+    (make_run("bad-01") / "run.yaml").write_text(text)
+    (one,) = make_plan(tmp_path / "raw", []).refused
+    assert one.material == "nylon" and ".nan is no finite number" in one.why
+
+
+def test_a_run_that_is_refused_leaves_the_plan_and_with_it_a_material_of_its_own(make_run, tmp_path):
+    silk = {**content("x")["string"], "material": "silk"}
+    for name, changes in (("a-01", {}), ("a-02", {}), ("s-01", {"string": silk})):
+        make_run(name, **changes)
+    make_run("mass-01", actuator="moving_mass", string=None, rig={"mass_kg": 90.0})
+    plan = make_plan(tmp_path / "raw", [])
+    plan.leave_out({run: LeftOut(run, "", "f", "g", "h", "i") for run in ("a-02", "s-01", "mass-01")})
+    assert plan.materials == {"UHMWPE": ["a-01"]} and plan.others == []
+    assert [(one.run, one.material) for one in plan.refused] == [("a-02", "UHMWPE"), ("s-01", "silk"), ("mass-01", "")]
 
 
 def test_a_run_yaml_that_is_none_costs_its_own_run(make_run, tmp_path):
