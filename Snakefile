@@ -25,10 +25,6 @@ RAW, SYNTHETIC = Path("raw"), list(config["synthetic"])
 include: "pipeline/rules/plan.smk"
 
 
-MATERIALS = list(PLAN.materials)
-DIAGNOSED = PLAN.runs
-# The tables' order is a contract, and a configuration on top of the default one comes before it.
-MODELS = ["inn", *(model for model in config["models"] if model not in ("inn", "traditional")), "traditional"]
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]

@@ -1,7 +1,7 @@
 """What there is to make: which runs lie in `raw/`, of which material each is, and which fits that asks for."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -142,3 +142,14 @@ def fits(models: dict[str, Any], material: str, only: str | None = None) -> Iter
             if only is None or (model == only and split == "within"):
                 for seed in range(count):
                     yield f"processed/{material}/{model}/{split}-{seed}.predictions.parquet"
+
+
+def table_order(models: Iterable[str], default: Iterable[str]) -> list[str]:
+    """Models in the order of the tables: the INN, the others as in the default configuration, others, the traditional.
+
+    Snakemake puts what a configuration on top of the default one names before all else.
+    """
+    asked, first, last = list(models), "inn", "traditional"
+    known = [model for model in default if model in asked]
+    middle = [model for model in dict.fromkeys([*known, *asked]) if model not in (first, last)]
+    return [first, *middle, last]

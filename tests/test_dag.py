@@ -10,7 +10,7 @@ from made_recording import content
 from snakemake.exceptions import WorkflowError
 from snakemake.utils import update_config, validate
 
-from pipeline.dag import fits, make_plan, recorded_files
+from pipeline.dag import fits, make_plan, recorded_files, table_order
 from pipeline.errors import BadInput
 from pipeline.fingerprint import fingerprint, reachable
 from pipeline.left_out import LeftOut
@@ -133,6 +133,15 @@ def test_recorded_files_are_what_is_there(make_run, tmp_path):
     make_run("a-01", suffix=".csv")
     files = recorded_files(tmp_path / "raw", "a-01", ["synthetic-01"])
     assert [name.rsplit("/", 1)[1] for name in files] == ["run.yaml", "recording.csv"]
+
+
+def test_the_tables_order_is_the_default_ones_whatever_a_configuration_begins_with():
+    folder = ROOT / "pipeline" / "config"
+    default, small = (yaml.safe_load((folder / name).read_text())["models"] for name in ("default.yaml", "ci.yaml"))
+    merged = list(dict.fromkeys([*small, *default]))
+    assert merged != list(default)
+    assert table_order(merged, default) == table_order(default, default) == list(default)
+    assert table_order(["mine", *merged], default) == [*list(default)[:-1], "mine", "traditional"]
 
 
 def test_fits():

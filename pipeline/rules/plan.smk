@@ -1,4 +1,6 @@
-from pipeline.dag import make_plan
+import yaml
+
+from pipeline.dag import make_plan, table_order
 from pipeline.known_files import KnownFiles
 from pipeline.usable import refusals
 
@@ -10,3 +12,8 @@ RECORDED = {run: content for run, content in CONTENT.items() if run not in SYNTH
 READS = fingerprint("pipeline.ingest", "pipeline.systems.*")
 UNUSABLE, KNOWN.notes["usable"] = refusals(RAW, RECORDED, READS, KNOWN.notes.get("usable"))
 PLAN.leave_out(UNUSABLE)
+MATERIALS = list(PLAN.materials)
+DIAGNOSED = PLAN.runs
+# The tables' order is that of the default configuration, whatever a configuration on top of it begins with.
+DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml").read_text(encoding="utf-8"))
+MODELS = table_order(config["models"], DEFAULT["models"])
