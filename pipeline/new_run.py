@@ -112,7 +112,8 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
 def following(folder: Path, recorded: bool) -> str:
     """What is done next with a run folder: the main job finds runs in raw/ alone."""
     if not recorded:
-        return f"record into it with: python -m pipeline.capture PORT {folder}"
+        command = f"python -m pipeline.capture PORT {folder}"
+        return f"record into it with: {command} (add --text where the rig prints lines of numbers)"
     if folder.parent.resolve() == Path("raw").resolve():
         return "make its reports with: snakemake --cores 2"
     return f"snakemake reads raw/ alone: diagnose it by python -m pipeline.diagnose {folder} --out reports/diagnosis"
