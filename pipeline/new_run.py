@@ -14,6 +14,7 @@ from pipeline.files import write_text
 from pipeline.folders import whole_folder
 from pipeline.ingest import check, questions
 from pipeline.names import checked, own_material, run_name
+from pipeline.next_command import following
 from pipeline.recording import read_recording, to_samples
 from pipeline.run_yaml import STRING_ACTUATORS, Run, parse_run
 from pipeline.runs import RECORDINGS, recording_path, unfinished
@@ -107,16 +108,6 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
     terminal = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
     found = string_id(run.string, out, run.run, input if terminal else None)
     return {**content, "string": {**content["string"], "id": found}} if found else content
-
-
-def following(folder: Path, recorded: bool) -> str:
-    """What is done next with a run folder: the main job finds runs in raw/ alone."""
-    if not recorded:
-        command = f"python -m pipeline.capture PORT {folder}"
-        return f"record into it with: {command} (add --text where the rig prints lines of numbers)"
-    if folder.parent.resolve() == Path("raw").resolve():
-        return "make its reports with: snakemake --cores 2"
-    return f"snakemake reads raw/ alone: diagnose it by python -m pipeline.diagnose {folder} --out reports/diagnosis"
 
 
 @program
