@@ -1,7 +1,22 @@
+import snakemake.exceptions
+from snakemake.exceptions import WorkflowError
+
 from pipeline.errors import BadInput
 from pipeline.report.ended import remove_stale, rewrite, unmade
 from pipeline.report.failures import told, without
 from pipeline.report.left_out import noted_in
+
+
+# What a second start in this folder is told while a first one holds its files.
+class Busy(WorkflowError):
+    def __init__(self):
+        super().__init__(
+            "A main job runs in this folder already, and makes the same files: wait until it has ended, then run this"
+            " again. If it was killed, python3 env/run.py snakemake … removes the locks that it left."
+        )
+
+
+snakemake.exceptions.LockException = Busy
 
 
 # What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
