@@ -32,7 +32,9 @@ def is_stale(owner: int, seen: Running | None) -> bool:
 
 def at_work(seen: Running | None) -> int | None:
     """A Snakemake that is known to be at work in this folder: the id of its process."""
-    for process in seen.processes if seen else ():
+    if seen is None:
+        return None
+    for process in seen.processes:
         if process.id not in seen.line and is_snakemake(process.words) and process.folder is not None:
             try:
                 if os.path.samefile(process.folder, "."):

@@ -6,6 +6,11 @@ import subprocess
 import time
 
 
+def held(locks):
+    """Whether a Snakemake has written down which files it holds."""
+    return any(path.stat().st_size for path in locks.glob("*.lock"))
+
+
 def test_a_second_main_job_says_that_one_runs_already(bare_project):
     target = "raw/synthetic-01/run.yaml"
     locks = bare_project.folder / ".snakemake" / "locks"
@@ -14,7 +19,7 @@ def test_a_second_main_job_says_that_one_runs_already(bare_project):
     )
     try:
         until_s = time.monotonic() + 300
-        while not any(path.stat().st_size for path in locks.glob("*.lock")) and first.poll() is None and time.monotonic() < until_s:
+        while not held(locks) and first.poll() is None and time.monotonic() < until_s:
             time.sleep(0.01)
         os.kill(first.pid, signal.SIGSTOP)  # it holds its locks for as long as the second one needs
         assert list(locks.glob("*.lock")) and first.poll() is None
