@@ -109,7 +109,9 @@ def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
         return None
 
 
-def _one(folder: Path, out: Path, without: frozenset[str], note: bool, by: Path | None) -> tuple[str, bool | None]:
+def _one(
+    folder: Path, out: Path, without: frozenset[str], note: bool, by: Path | None = None
+) -> tuple[str, bool | None]:
     """Words on one run, or its error, and whether that counts as done, None for a fault of ours.
 
     `note` writes a refusal where the words would be.

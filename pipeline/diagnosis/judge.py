@@ -42,7 +42,7 @@ class Judge:
 
     def basis(self, some: list[Weighed]) -> Array:
         """What the weights multiply, shape (explanations, weights)."""
-        signs = {name: np.array([one.signs[name] for one in some]) for name in self.knots}
+        signs = {name: np.array([one.signs.get(name, 0.0) for one in some]) for name in self.knots}  # 0: no such mark
         ramps = [
             np.clip((signs[name] - low) / (high - low), 0.0, 1.0)
             for name, knots in self.knots.items()

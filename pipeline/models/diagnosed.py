@@ -6,6 +6,7 @@ A run of which no training points were seen is simulated by the nominal equation
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -24,6 +25,7 @@ from pipeline.models.saved import read_json, write_json
 from pipeline.models.settings import checked
 from pipeline.run_yaml import Run
 
+UNDONE_TURNS = 0.02  # rms by which an inverse may miss what its forward map made
 LEAST_POINTS = 20  # in which a stroke can be seen at all; a run with fewer stays nominal
 KNOWN = ["time_s", "stroke", "phase", "motor_turns", "load_n"]
 TOLERANCES = {
@@ -112,25 +114,40 @@ def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
     """The simulator that the training points of one run of a string make, whatever they can show."""
     known = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
     run, samples = run_of(known), known[SAMPLES]
-    named: list[list[str]] = []
     try:
         found = engine.study(holed(run, samples, without))
         outcome.refuse_faint(found, Path(run.run))
-        verdict, base, best = found.verdict, found.base, found.base
-        if verdict in ("explained", "ambiguous"):
-            best, named = foreseeing(found), [list(one.ids) for one in found.sets]
-        level_mm = float(np.mean(found.problem.simulate(best)))
     except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
-        base = best = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
-        verdict, level_mm = str(error), 0.0
-    return Simulator(
-        run, known[KNOWN], verdict, named, best.values.tolist(), float(best.zeros[0]), best.acts, level_mm,
-        (base.values.tolist(), float(base.zeros[0])),
-    )  # fmt: skip
+        base = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
+        alone = (base.values.tolist(), float(base.zeros[0]))
+        return Simulator(run, known[KNOWN], str(error), [], *alone, base.acts, 0.0, alone)
+    explained = found.verdict in ("explained", "ambiguous")
+    named = [list(one.ids) for one in found.sets] if explained else []
+
+    def simulator(state: State) -> Simulator:
+        level_mm = float(np.mean(found.problem.simulate(state)))
+        return Simulator(
+            run, known[KNOWN], found.verdict, named, state.values.tolist(), float(state.zeros[0]), state.acts, level_mm,
+            (found.base.values.tolist(), float(found.base.zeros[0])),
+        )  # fmt: skip
+
+    tried = [simulator(state) for state in (foreseeing(found) if explained else [found.base])]
+    return next((one for one in tried if len(tried) == 1 or undone(one) < UNDONE_TURNS), tried[0])
 
 
-def foreseeing(found: outcome.Study) -> State:
-    """The simulator that best foresees stretches left out of its fit, of those that tie and the best of every size.
+def undone(simulator: Simulator) -> float:
+    """How far the inverse is from undoing the forward map at every other known point, rms in turns.
+
+    What acts by the speed of a motor needs a motion that is known better than points far apart tell.
+    """
+    asked = simulator.known.iloc[1::2]
+    half = replace(simulator, known=simulator.known.iloc[::2])
+    there = asked.assign(displacement_mm=half.forward(asked), motor_turns=np.nan)
+    return float(np.sqrt(np.mean(np.square(half.inverse(there) - asked["motor_turns"].to_numpy(float)))))
+
+
+def foreseeing(found: outcome.Study) -> list[State]:
+    """The simulators that best foresee stretches left out of their fit, of what ties and the best of every size.
 
     A name should be as simple as a recording allows; a prediction need not.
     """
@@ -138,11 +155,11 @@ def foreseeing(found: outcome.Study) -> State:
     beside = [one for size in range(1, LARGEST + 1) for one in search.all_of(size)[:TRIED]]
     tried = list({one.keys: one for one in [*found.sets, *beside]}.values())
     errors = order.left_out_errors(search.linear, tried)
-    for place in np.argsort(errors, kind="stable")[:TRIED]:
-        state = found.best if tried[place] is found.sets[0] else engine.at_work(search, tried[place])
-        if not outcome.cancels(found.problem, state):
-            return state
-    return found.best
+    states = [
+        found.best if tried[place] is found.sets[0] else engine.at_work(search, tried[place])
+        for place in np.argsort(errors, kind="stable")[:TRIED]
+    ]
+    return [state for state in states if not outcome.cancels(found.problem, state)] or [found.best]
 
 
 MODEL = Diagnosed
