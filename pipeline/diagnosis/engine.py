@@ -18,12 +18,13 @@ from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.outcome import Study, bare, cancels, decide, rms
 from pipeline.diagnosis.problem import Problem, State, placed
 from pipeline.diagnosis.record import WORKING_SAMPLES, joined
-from pipeline.diagnosis.search import INEXACT, Explanation, Search
+from pipeline.diagnosis.search import Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run
 from pipeline.systems import Parameter, System
 from pipeline.systems.interface import PORTS
 
+ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
 LEAST_SAMPLES, LEAST_STROKES = 200, 2
 INEXACT_FROM = 0.2  # noise floors between two ways to weigh the samples: more shows that no formula is exact
@@ -125,7 +126,7 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     random = chance.seen(problem, base)
     least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
     if problem.included:  # what was adopted is as inexact as any formula
-        least = max(least, INEXACT * bare(problem, noise))
+        least = max(least, ADOPTED * bare(problem, noise))
     say("searching explanations")
     search = Search(Linear(problem, base, noise, shapes), least)
     chosen, best = search.select(noise.floor, largest=1), base
