@@ -66,16 +66,9 @@ def relay(turns: Array, born: float, memory: float) -> Array:
     return out
 
 
-@njit(cache=True)
 def coiled(turns: Array, critical: float, memory: float) -> Array:
     """Twist beyond a coil's melting point while there is a coil: from the critical twist until `memory` below it."""
-    out = np.zeros_like(turns)
-    there = False
-    for i in range(turns.size):
-        there = turns[i] > critical or (there and turns[i] > critical - memory)
-        if there:
-            out[i] = turns[i] - (critical - memory)
-    return out
+    return relay(turns, critical, memory) * (turns - (critical - memory))
 
 
 MECHANISM = Mechanism(
