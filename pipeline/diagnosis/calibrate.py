@@ -34,16 +34,16 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
     return state
 
 
-def _between(candidates: list[Shape], shape: Shape, width: float) -> list[Shape]:
+def _between(candidates: list[Shape], shape: Shape, width: float, kinds: bool) -> list[Shape]:
     """Shapes near one, by a share of the distance to its neighbours among the candidates, along each parameter.
 
-    A parameter of a few values takes each of them.
+    With `kinds` a parameter of a few values takes each of them.
     """
     found = []
     for name in shape:
         others = sorted({other[name] for other in candidates if set(other) == set(shape)})
         if len(others) < FEW:
-            found += [{**shape, name: other} for other in others if other != shape[name]]
+            found += [{**shape, name: other} for other in others if kinds and other != shape[name]]
             continue
         place = int(np.searchsorted(others, shape[name]))
         lower, upper = others[max(place - 1, 0)], others[min(place + 1, len(others) - 1)]
@@ -57,6 +57,7 @@ def _between(candidates: list[Shape], shape: Shape, width: float) -> list[Shape]
 
 def refine(problem: Problem, noise: Noise, state: State) -> State:
     """Search between the grid's candidates for the shapes of what acts, one mechanism after the other."""
+    kinds = problem.drivers.levered  # the loop of a drive would be bent to anything by mixing its kinds
     for level in range(EVENT_REFINEMENTS):
         for place, act in enumerate(state.acts):
             if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
@@ -64,7 +65,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
             candidates = mechanisms()[act.id].shapes(problem.drivers)
             for number in range(len(act.shapes)):
                 act = state.acts[place]
-                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level)]
+                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level, kinds)]
                 if len(near) == 1:
                     continue
                 own = [other for other in state.acts if other not in problem.included]

@@ -17,7 +17,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.outcome import Study, bare, cancels, decide, rms
 from pipeline.diagnosis.problem import Problem, State, placed
-from pipeline.diagnosis.record import WORKING_SAMPLES, joined
+from pipeline.diagnosis.record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run
@@ -35,19 +35,20 @@ def make_problem(
     runs: list[Run],
     tables: list[pd.DataFrame],
     folders: list[Path] | None = None,
-    most: int = WORKING_SAMPLES,
+    most: int | None = None,
     without: frozenset[str] = frozenset(),
     thin: bool = True,
     by: Judge | None = None,
 ) -> Problem:
-    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput.
+    """The problem of one or more runs of one rig, averaged to `most` samples (the working number); raises BadInput.
 
     No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
     `by` judges in place of the library's own judge.
     """
     where = (folders or [Path(runs[0].run)])[0]
     system = runs[0].system
-    record = joined(runs, tables, most, thin)
+    working = WORKING_SAMPLES if system.levered else DRIVES_SAMPLES
+    record = joined(runs, tables, most or working, thin)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
         problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
@@ -145,7 +146,7 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             if len(chosen.ids) in (0, len(before.ids)):
                 break
     say("judging")
-    found = judged(search, base, noise.floor) if chosen.ids else NOTHING
+    found = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
     sets = found.sets
     best = at_work(search, sets[0]) if sets else base
     while len(sets) > 1 and cancels(problem, best):  # a balance of two effects is none of what ties

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.diagnosis import engine, generic, locate, named
+from pipeline.diagnosis.compare import price
 from pipeline.diagnosis.outcome import Study, cancels, rms
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.search import Explanation, Search
@@ -64,11 +65,6 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
                 entry["balanced"] = cancels(found.problem, engine.at_work(search, one))
         entries.append(entry)
     return entries
-
-
-def price(search: Search, one: Explanation) -> float:
-    """Misfit, and two numbers (when, how much) for every sudden event after the first of its kind."""
-    return one.fit.misfit + 2.0 * search.penalty * (len(one.keys) - len(one.ids))
 
 
 def fitted(search: Search, one: Explanation) -> Array:

@@ -16,7 +16,7 @@ LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas o
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 INEXACT = 0.035  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
 LARGEST = 3
-PARTNERS = 6
+PARTNERS = 8
 TRIED = 4  # of the best larger explanations
 SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
 

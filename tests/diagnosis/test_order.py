@@ -1,10 +1,34 @@
-"""What is at work foresees stretches that it was not fitted to."""
+"""Of what ties, the smallest that foresees as well as any stands first."""
+
+from types import SimpleNamespace
+
+import pytest
 
 from pipeline.diagnosis import order
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.ingest import read_samples
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
+
+
+def sets(*names):
+    """Explanations by their ids."""
+    return [SimpleNamespace(ids=tuple(name.split())) for name in names]
+
+
+@pytest.mark.parametrize(
+    ("errors", "first"),
+    [
+        ([1.0, 1.3, 2.0], "creep jam"),  # a third worse at most is as well, and smaller
+        ([1.0, 1.5, 2.0], "creep jam wear"),
+        ([1.0, 1.2, 1.1], "thermal"),
+    ],
+)
+def test_the_smallest_that_foresees_as_well_stands_first_and_the_rest_stay(monkeypatch, errors, first):
+    tied = sets("creep jam wear", "creep jam", "thermal")
+    monkeypatch.setattr(order, "left_out_errors", lambda linear, sets: errors)
+    ordered = [" ".join(one.ids) for one in order.by_prediction(None, tied)]
+    assert ordered == [first, *(" ".join(one.ids) for one in tied if " ".join(one.ids) != first)]
 
 
 def test_what_is_there_foresees_stretches_that_what_is_not_does_not(tmp_path):

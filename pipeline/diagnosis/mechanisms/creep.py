@@ -21,7 +21,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
     found = []
     tensions = {"load": (drivers.load, drivers.load0)}
-    if shape["loaded"]:
+    if shape["loaded"] and drivers.levered:
         tensions["steep_load"] = (drivers.load * np.abs(drivers.load), drivers.load0 * abs(drivers.load0))
     if drivers.levered:
         for name, power in (("twist", 2), ("steep_twist", 4)):

@@ -21,7 +21,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [
         {"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side, "soft_mm": float(f"{soft:.6g}")}
         for share, side in places
-        for soft in (0.0, SOFT * (high - low))
+        for soft in ((0.0, SOFT * (high - low)) if drivers.levered else (0.0,))
     ]
 
 

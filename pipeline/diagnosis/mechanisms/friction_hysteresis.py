@@ -10,23 +10,32 @@ from pipeline.kinematics import Array
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
+ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive's loop has two stops, out of these
+WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
 SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
 SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
 TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n"}
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Stretch, by stops of every width; or a play of twist as wide as the load is heavy.
+    """Stretch, by stops of every width, or of two where nothing is twisted; or a play of twist as wide as the load.
 
     Where nothing is twisted it may also be dry alone: open at once, closed at rest. `loaded`: whether the recording
     can tell a loop that follows the load from one that does not.
     """
     fastest = float(np.percentile(np.abs(drivers.rate), 99))
-    loop = {"span_turns": float(f"{drivers.span:.6g}"), "loaded": float(drivers.loaded)}
+    loaded = float(drivers.loaded)
     if not drivers.levered:
-        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": float(drivers.loaded)} for share in DRY]
-        return [loop, *dry]
-    stretch = [{**loop, "fastest_turns_per_s": float(f"{fastest:.6g}")}]
+        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": loaded} for share in DRY]
+        pairs = [(float(f"{a * drivers.span:.6g}"), float(f"{b * drivers.span:.6g}")) for a, b in ROUNDINGS]
+        return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded} for a, b in pairs), *dry]
+    stretch = [
+        {
+            "span_turns": float(f"{drivers.span:.6g}"),
+            "fastest_turns_per_s": float(f"{fastest:.6g}"),
+            "loaded": loaded,
+        }
+    ]
     usual = float(f"{max(float(np.median(drivers.load)), 1e-3):.6g}")
     plays = [
         {**shape, "usual_load": usual} for shape in grid("play_turns", 1e-3 * drivers.span, 0.1 * drivers.span, 14)
@@ -47,6 +56,8 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         return [Term("share", "twist", lost, "1", high=1.25), Term("inner_share", "twist", half, "1", high=1.25)]
     if "slow_turns_per_s" in shape:
         sides = {"dry": np.tanh(drivers.rate / shape["slow_turns_per_s"])}
+    elif "half_turns" in shape:
+        sides = {name: drivers.directed(shape[key]) for name, key in WIDTHS.items()}
     else:
         sides = {f"stop_{share:g}": drivers.directed(share * shape["span_turns"]) for share in STOPS}
     found = []

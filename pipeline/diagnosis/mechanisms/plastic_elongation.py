@@ -25,7 +25,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Saturating and straight growth with work, the same or more under load, and with each new highest tension."""
     grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
     found = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
-    if shape["loaded"]:
+    if shape["loaded"] and drivers.levered:
         for name, signal in grown.items():
             for power, share in SHARES.items():
                 found.append(Term(f"{name}_{power}_load_mm", "length", signal * np.abs(drivers.load) ** share))

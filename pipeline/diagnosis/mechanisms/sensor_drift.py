@@ -20,7 +20,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     share = drivers.elapsed_s / shape["whole_s"]
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
-    if drivers.free_zero:
+    if drivers.free_zero and drivers.levered:
         signals |= {f"wandering_{k}_mm": np.cos(np.pi * k * np.clip(share, 0.0, 1.0)) for k in WANDERING}
         means = dict.fromkeys(signals, 0.0)
     return [Term(name, "sensor", signal - means[name], "mm", -np.inf) for name, signal in signals.items()]

@@ -1,0 +1,92 @@
+"""Compare by Cox's idea: an explanation beats another if the gap between them is as large as its truth implies."""
+
+from pipeline.diagnosis.search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
+
+CONTENDER = 0.75  # of the best one's gain: less is no contender
+LEAST_GAP = 10.0
+SHARE, CLEAR = 0.4, 0.85  # of the expected gap: what must be seen at least, and what leaves no doubt
+FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
+COMPLETED = 0.8  # of what an explanation leaves: a larger one that takes so much of it explains to the noise
+REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
+
+
+def price(search: Search, one: Explanation) -> float:
+    """Misfit, and two numbers (when, how much) for every sudden event after the first of its kind."""
+    return one.fit.misfit + 2.0 * search.penalty * (len(one.keys) - len(one.ids))
+
+
+def beats(search: Search, one: Explanation, other: Explanation) -> bool:
+    """Whether the recording tells `one` from `other`.
+
+    The gap must be what the truth of `one` implies; where it is less, it must remain if both formulas may bend.
+    """
+    for first, second in ((one, other), (search.bent(one), search.bent(other))):
+        seen = price(search, second) - price(search, first)
+        if seen <= LEAST_GAP:
+            return False
+        expected = search.linear.gap(first.fit, second.fit.columns)
+        if expected <= LEAST_GAP or seen <= SHARE * expected:
+            return False
+        if seen >= CLEAR * expected:
+            return True
+    return True
+
+
+def explains(search: Search, one: Explanation, floor: float) -> bool:
+    """Whether an explanation takes enough of the mismatch to be one."""
+    return one.energy - floor**2 <= (1.0 - EXPLAINED) * (search.nothing.energy - floor**2)
+
+
+def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
+    """Every explanation as small as the chosen one that the best one does not beat, the best first."""
+    if not chosen.ids:
+        return []
+    larger = search.forward(floor)
+    if len(larger.ids) > len(chosen.ids):
+        holds = explains(search, chosen, floor)  # which it does only if its formula may bend
+        return [chosen, larger] if holds else [larger]
+    nothing = search.nothing.fit.misfit
+    rivals = search.all_of(len(chosen.ids))
+    whole = nothing - min(rival.fit.misfit for rival in rivals)
+    close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
+    best = min(close, key=lambda one: price(search, one), default=chosen)
+    sets = sorted((one for one in close if not beats(search, best, one)), key=lambda one: one.cost) or [chosen]
+    simpler = without_flaw(search, sets[0], rivals, floor)
+    found = [*to_the_noise(search, chosen, floor), *([simpler] if simpler else []), *sets]
+    core = search.explain(tuple(set.intersection(*(set(one.ids) for one in sets))))
+    bare = core.ids and core.ids not in [one.ids for one in found] and explains(search, core, floor)
+    return [*found, core] if bare else found  # where any other will do beside it, none may be needed
+
+
+def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
+    """Larger explanations that leave noise where the chosen one leaves more, which only a bent formula could mend.
+
+    Whether a formula is wrong or a weak mechanism is missing, the recording cannot tell.
+    """
+    if any(id_.startswith("x_") for id_ in chosen.ids):
+        return []  # what has no physics may leave something
+    left = chosen.energy - floor**2
+    least = max(LEAST_EFFECT * floor, INEXACT * search.mismatch(floor)) ** 2
+    complete = [
+        one
+        for one in search.all_of(len(chosen.ids) + 1)[:TRIED]
+        if chosen.energy - one.energy >= max(COMPLETED * left, least) and one.cost <= chosen.cost - LEAST_MORE
+    ]
+    return [one for one in complete if one is complete[0] or not beats(search, complete[0], one)]
+
+
+def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], floor: float) -> Explanation | None:
+    """The explanation without its last mechanism, where that one may be no more than a flaw of another's formula.
+
+    So it may where it takes away little, and where another in its place would take away nearly as much.
+    """
+    if len(one.ids) < 2:
+        return None
+    smaller = [search.explain(tuple(other for other in one.ids if other != id_)) for id_ in one.ids]
+    small = min(smaller, key=lambda other: other.cost)
+    bent, whole = search.bent(small), search.bent(one)
+    if bent.energy - whole.energy > (FLAW * search.mismatch(floor)) ** 2 or not explains(search, small, floor):
+        return None
+    needed = REPLACED * (bent.cost - whole.cost)
+    others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]
+    return small if any(bent.cost - search.bent(rival).cost >= needed for rival in others) else None
