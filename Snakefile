@@ -10,7 +10,7 @@ from snakemake.utils import min_version, validate
 min_version("9.27")
 sys.path.insert(0, workflow.basedir)
 
-from pipeline.dag import SYNTHETIC_FILES, fits, make_plan, recorded_files, stored
+from pipeline.dag import SYNTHETIC_FILES, fits, recorded_files, stored
 from pipeline.fingerprint import fingerprint
 from pipeline.report.summary import summary
 
@@ -20,11 +20,11 @@ configfile: str(Path(workflow.basedir) / "pipeline/config/default.yaml")
 
 validate(config, str(Path(workflow.basedir) / "pipeline/config/schema.yaml"))
 RAW, SYNTHETIC = Path("raw"), list(config["synthetic"])
-PLAN = make_plan(RAW, SYNTHETIC)
-MATERIALS = list(PLAN.materials)
-DIAGNOSED = PLAN.runs
-# The tables' order is a contract, and a configuration on top of the default one comes before it.
-MODELS = ["inn", *(model for model in config["models"] if model not in ("inn", "traditional")), "traditional"]
+
+
+include: "pipeline/rules/plan.smk"
+
+
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]

@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from pipeline.errors import BadInput
+from pipeline.units import ending_of
 
 LONGEST = 60
 _SHORT = reprlib.Repr()
@@ -33,6 +34,14 @@ def meant(key: str, known: Iterable[str]) -> str:
     return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(known)}"
 
 
+def _as_keys(where: tuple[Any, ...], given: Any, section: type[BaseModel]) -> str:
+    """How to write what was given as keys and values, ready to be copied where a column's name was given alone."""
+    if where[0] == "channels" and len(where) == 2 and isinstance(given, str | int) and not isinstance(given, bool):
+        unit = ending_of(str(given), str(where[1]))
+        return f"write {key_name(where[1])}: {{column: {key_name(given)}, unit: {unit}}}"
+    return f"write {key_name(where[-1])}: {{{', '.join(f'{key}: …' for key in section.model_fields)}}}"
+
+
 def bad_section(
     path: Path, error: ValidationError, whole: type[BaseModel], sections: Mapping[str, type[BaseModel]]
 ) -> BadInput:
@@ -54,6 +63,10 @@ def bad_section(
         return BadInput(path, field, "is not a known key", meant(str(where[-1]), section.model_fields))
     info = section.model_fields.get(str(where[-1]))
     hint = f" ({info.description})" if info is not None and info.description else ""
+    if kind in ("model_type", "dict_type"):
+        return BadInput(
+            path, field, f"is {short(given)}, where keys and values belong", _as_keys(where, given, section)
+        )
     if kind == "missing":
         return BadInput(path, field, "is missing", f"add it{hint}")
     if kind == "value_error" and "; " in said:

@@ -1,7 +1,8 @@
 """What there is to make: which runs lie in `raw/`, of which material each is, and which fits that asks for."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -9,10 +10,13 @@ from pipeline import jump_notes
 from pipeline.errors import BadInput
 from pipeline.left_out import LeftOut
 from pipeline.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
+from pipeline.regular_file import read_regular
 from pipeline.run_yaml import STRING_ACTUATORS
 from pipeline.runs import RECORDINGS, capture_info, find_runs, read_run, unfinished
-from pipeline.strict_yaml import read_yaml
+from pipeline.strict_yaml import LARGEST, read_yaml
 
+# The material in a run.yaml that cannot be read as a whole, such as one with a NaN: on a line that is no comment.
+NAMED = re.compile(r"""^[^#\n]*\bmaterial: *(["']?)([A-Za-z0-9][A-Za-z0-9_-]*)\1 *([,}\n#]|$)""", re.MULTILINE)
 SYNTHETIC_FILES = ("run.yaml", "recording.frames", "capture.json")
 
 
@@ -24,11 +28,21 @@ class Plan:
     others: list[str] = field(default_factory=list)  # no string
     unfinished: list[LeftOut] = field(default_factory=list)  # a capture under way, or cut off
     misnamed: list[LeftOut] = field(default_factory=list)  # a folder whose name no run can have
-    refused: list[LeftOut] = field(default_factory=list)  # a run.yaml that cannot be used
+    refused: list[LeftOut] = field(default_factory=list)  # a run.yaml or a recording that cannot be used
 
     def add(self, material: str, run: str) -> None:
         """Put a run under its material."""
         self.materials.setdefault(material, []).append(run)
+
+    def leave_out(self, refused: Mapping[str, LeftOut]) -> None:
+        """Make nothing of runs that are refused, as of those whose run.yaml is; a material without another run goes."""
+        for material, runs in list(self.materials.items()):
+            self.refused += [replace(refused[run], material=material) for run in runs if run in refused]
+            self.materials[material] = [run for run in runs if run not in refused]
+            if not self.materials[material]:
+                del self.materials[material]
+        self.refused += [refused[run] for run in self.others if run in refused]
+        self.others = [run for run in self.others if run not in refused]
 
     @property
     def runs(self) -> list[str]:
@@ -43,12 +57,17 @@ class Plan:
 
 def _perhaps(folder: Path) -> str:
     """The material that a bad `run.yaml` names, if it does and the word is one that a material may have."""
+    path = folder / "run.yaml"
     try:
-        named = read_yaml(folder / "run.yaml")["string"]["material"]
-        shown = isinstance(named, str) and len(named) <= LONGEST and MATERIAL_NAME.fullmatch(named)
-        return named if shown else ""
+        named = read_yaml(path)["string"]["material"]
     except (BadInput, KeyError, TypeError, IndexError):
-        return ""
+        try:
+            found = NAMED.search(read_regular(path, LARGEST, path.name).decode("utf-8"))
+        except (BadInput, UnicodeDecodeError):
+            return ""
+        named = found[2] if found else ""
+    shown = isinstance(named, str) and len(named) <= LONGEST and MATERIAL_NAME.fullmatch(named)
+    return named if shown else ""
 
 
 def _place(plan: Plan, folder: Path) -> None:
@@ -123,3 +142,14 @@ def fits(models: dict[str, Any], material: str, only: str | None = None) -> Iter
             if only is None or (model == only and split == "within"):
                 for seed in range(count):
                     yield f"processed/{material}/{model}/{split}-{seed}.predictions.parquet"
+
+
+def table_order(models: Iterable[str], default: Iterable[str]) -> list[str]:
+    """Models in the order of the tables: the INN, the others as in the default configuration, others, the traditional.
+
+    Snakemake puts what a configuration on top of the default one names before all else.
+    """
+    asked, first, last = list(models), "inn", "traditional"
+    known = [model for model in default if model in asked]
+    middle = [model for model in dict.fromkeys([*known, *asked]) if model not in (first, last)]
+    return [first, *middle, last]

@@ -4,6 +4,7 @@ A mapping is a `run.yaml` without `run`: the string, the rig, how the file is wr
 """
 
 import argparse
+import hashlib
 import sys
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
 from pipeline.named_units import in_its_unit
 from pipeline.names import checked, own_material, run_name
+from pipeline.next_command import following
 from pipeline.recording import to_samples
 from pipeline.run_yaml import parse_run
 from pipeline.strict_yaml import read_yaml, write_yaml
@@ -90,11 +92,23 @@ def read_mapping(path: Path) -> dict[str, Any]:
     return content
 
 
-def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path) -> None:
+def origin(file: Path, mapping: Path) -> str:
+    """Where a run came from, as comments of YAML: both files by name and check sum."""
+    told = (("imported from", file), ("through the mapping", mapping))
+    return "".join(f"# {what} {str(path)!a}, sha256 {sha256(path)}\n" for what, path in told)
+
+
+def sha256(path: Path) -> str:
+    """Check sum of a file's bytes."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came_from: str) -> None:
     """Make a run folder, whole or not at all; raises BadInput when it is there already."""
     with whole_folder(folder, "run", "choose another --run; runs are never overwritten") as temporary:
         schemas.write(samples, schemas.samples(list(samples.columns)), temporary / "recording.parquet")
-        (temporary / "run.yaml").write_text(write_yaml(content), encoding="utf-8")
+        (temporary / "run.yaml").write_text(came_from + write_yaml(content), encoding="utf-8")
 
 
 def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
@@ -122,7 +136,7 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     if not loads:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
-    write_run({**kept, **({"mended": mended} if mended else {})}, samples, folder)
+    write_run({**kept, **({"mended": mended} if mended else {})}, samples, folder, origin(file, mapping))
     said = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
     return f"{folder}: {len(samples)} samples" + (f"; mended {said}" if said else "")
 
@@ -132,13 +146,15 @@ def main() -> None:
     """Import one file."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("file", type=Path)
-    parser.add_argument("--map", type=Path, required=True, help="mapping, such as pipeline/mappings/tsa_haptic_1.yaml")
+    mapping = "what is where in the file (docs/import.md), such as pipeline/mappings/tsa_haptic_1.yaml"
+    parser.add_argument("--map", type=Path, required=True, help=mapping)
     parser.add_argument("--run", required=True, help="name of the new run: lower-case letters, digits and -")
     parser.add_argument(
         "--out", type=Path, default=Path("raw"), help="the folder in which the run's folder is made; default: raw"
     )
     arguments = parser.parse_args()
     print(import_run(arguments.file, arguments.map, arguments.run, arguments.out))
+    print(following(arguments.out / arguments.run, recorded=True))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """A new run folder: `run.yaml` from what was measured, and the recording beside it if there is one already."""
 
 import argparse
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -13,12 +14,15 @@ from pipeline.files import write_text
 from pipeline.folders import whole_folder
 from pipeline.ingest import check, questions
 from pipeline.names import checked, own_material, run_name
+from pipeline.next_command import following
 from pipeline.recording import read_recording, to_samples
 from pipeline.run_yaml import STRING_ACTUATORS, Run, parse_run
 from pipeline.runs import RECORDINGS, recording_path, unfinished
 from pipeline.same_string import string_id
 from pipeline.strict_yaml import parse_yaml, write_yaml
 from pipeline.table_file import read_table
+
+KEY = re.compile(r"\b(channels|file)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
 
 
 def recording_name(recording: Path) -> str:
@@ -40,6 +44,19 @@ def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool) -> No
         print(f"warning: {question}", file=sys.stderr)
 
 
+def by_option(error: BadInput) -> BadInput:
+    """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet."""
+    found = KEY.search(error.mend)
+    if found is None:
+        return error
+    section, keys = found[1], found[2].split(".")
+    value = "…"
+    for key in reversed(keys):
+        value = f"{{{key}: {value}}}"
+    mend = error.mend.removesuffix(" in run.yaml")
+    return BadInput(error.file, error.field, error.problem, f"{mend}: here by --{section} '{value}'")
+
+
 def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False) -> Path:
     """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput."""
     name = checked(run_name, str(content["run"]), out / "run.yaml", "run")
@@ -52,8 +69,11 @@ def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: b
         raise BadInput(folder, "run", "is there already", taken)
     if recording is not None:
         kept = recording_name(recording)
-        samples = to_samples(run, read_table(recording, run.file), recording, path)
-        check_samples(run, samples, recording, sure)
+        try:
+            samples = to_samples(run, read_table(recording, run.file), recording, path)
+            check_samples(run, samples, recording, sure)
+        except BadInput as error:
+            raise by_option(error) from None
     if folder.exists():  # recorded before it was described
         if any((folder / there).exists() for there in RECORDINGS) and not unfinished(folder):
             check_samples(run, read_recording(run, folder), recording_path(folder), sure)
@@ -90,27 +110,23 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
     return {**content, "string": {**content["string"], "id": found}} if found else content
 
 
-def following(folder: Path, recorded: bool) -> str:
-    """What is done next with a run folder: the main job finds runs in raw/ alone."""
-    if not recorded:
-        return f"record into it with: python -m pipeline.capture PORT {folder}"
-    if folder.parent.resolve() == Path("raw").resolve():
-        return "make its reports with: snakemake --cores 2"
-    return f"snakemake reads raw/ alone: diagnose it by python -m pipeline.diagnose {folder} --out reports/diagnosis"
-
-
 @program
 def main() -> None:
     """Make one run folder."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
-    parser.add_argument("--actuator", choices=STRING_ACTUATORS, default="separator")
+    kinds = "separator (default), or twisted_pair: two strings without a separator, x = L - sqrt(L^2 - (theta r)^2)"
+    parser.add_argument("--actuator", choices=STRING_ACTUATORS, default="separator", help=kinds)
     parser.add_argument("--material", required=True)
     for name in ("radius-mm", "length-mm"):
         parser.add_argument(f"--{name}", type=float, required=True)
     parser.add_argument("--stiffness-n-per-mm", type=float, help="leave it out where nobody measured it")
-    for name in ("torsion-zone-mm", "separator-mm", "load-n"):
-        parser.add_argument(f"--{name}", type=float)
+    for name, meaning in (
+        ("torsion-zone-mm", "length of the zone that twists; needed with a separator"),
+        ("separator-mm", "how far the separator holds the strings apart; needed with a separator"),
+        ("load-n", "load, where no channel load_n tells it; default: 0"),
+    ):
+        parser.add_argument(f"--{name}", type=float, help=meaning)
     parser.add_argument("--string-id", help="name of this very string, if more than one run is made with it")
     parser.add_argument("--strokes-before", type=int)
     parser.add_argument("--recording", type=Path, help="a .csv, .csv.gz or .parquet with the contract's channels")

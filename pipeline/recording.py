@@ -19,8 +19,8 @@ from pipeline.text_layout import DECIMAL_COMMA, with_point
 from pipeline.units import conversion
 
 
-def _place(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool) -> int:
-    """Index of a channel's column; raises BadInput when the file does not have it, or has it twice."""
+def _place(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool, described: Path) -> int:
+    """Index of a channel's column, which `described` tells; raises BadInput where the file has none, or two."""
     key = name if channel.column is None else channel.column
     if isinstance(key, int):
         if not 0 <= key < table.shape[1]:
@@ -34,7 +34,7 @@ def _place(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: 
     if not places:
         there = ", ".join(key_name(name) for name in table.columns[:12])
         where = f"correct channels.{name}.column" if given else f"name the column under channels.{name}.column"
-        raise BadInput(path, name, f"there is no column {key!r}, only {there}", f"{where} in run.yaml")
+        raise BadInput(path, name, f"there is no column {key!r}, only {there}", f"{where} in {described.name}")
     return places[0]
 
 
@@ -94,7 +94,7 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
                 print(f"{path}: {name} is read from its column {there[0]}, in {there[1]}", file=sys.stderr)
             elif name not in required:
                 continue
-        place = _place(table, name, channel, path, given)
+        place = _place(table, name, channel, path, given, mapping)
         if place in taken:
             field = name if given else taken[place]
             problem = f"is column {key_name(table.columns[place])}, which is {taken[place] if given else name} as well"

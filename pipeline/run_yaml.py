@@ -134,11 +134,17 @@ class Run(_Section):
                 raise ValueError(f"rig.{key}: is {value:g}; give {keys[key]} that was measured")
         for key, meaning in system.rig.items():
             if key not in self.rig:
-                raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig")
+                raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig{self._or_else}")
         for key in self.tolerance:
             if key not in system.tolerance:
                 raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {meant(key, system.tolerance)}")
         return self
+
+    @property
+    def _or_else(self) -> str:
+        """What to write for a rig that has no such part."""
+        without = "; a rig without a separator is actuator: twisted_pair, as an option --actuator twisted_pair"
+        return without if self.actuator == "separator" else ""
 
     @property
     def system(self) -> System:

@@ -56,3 +56,16 @@ def conversion(column: str, unit: str | None, counts_per_turn: float | None = No
     if unit not in UNITS:
         raise ValueError(f"is not a known unit; {_near(unit)}known are {', '.join(UNITS)}")
     raise ValueError(f"does not measure what the channel is; give a unit that converts to {own}")
+
+
+def ending_of(column: str, channel: str) -> str:
+    """The unit in which a foreign column such as `slide_cm` ends, if the channel converts from it; else its own."""
+    suffix = column.rpartition("_")[2].lower()
+    for unit in UNITS:
+        if unit.lower() == suffix and unit not in ("V", "count"):
+            try:
+                conversion(channel, unit)
+            except ValueError:
+                continue
+            return unit
+    return unit_of(channel)

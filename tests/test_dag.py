@@ -10,9 +10,10 @@ from made_recording import content
 from snakemake.exceptions import WorkflowError
 from snakemake.utils import update_config, validate
 
-from pipeline.dag import fits, make_plan, recorded_files
+from pipeline.dag import fits, make_plan, recorded_files, table_order
 from pipeline.errors import BadInput
 from pipeline.fingerprint import fingerprint, reachable
+from pipeline.left_out import LeftOut
 
 ROOT = Path(__file__).parent.parent
 
@@ -81,6 +82,26 @@ def test_no_word_that_names_no_material_reaches_the_pages(make_run, tmp_path, na
     assert one.material == "" and all(sign.isprintable() for sign in one.why)
 
 
+@pytest.mark.parametrize("material", ["nylon", '"nylon"', "'nylon' # soft", "nylon}"])
+def test_a_run_yaml_that_cannot_be_read_still_tells_its_material(make_run, tmp_path, material):
+    opening = "{" if material.endswith("}") else "\n  "
+    text = f"run: bad-01\n# material: silk\nradius: .nan\nstring: {opening}material: {material}\n"
+    (make_run("bad-01") / "run.yaml").write_text(text)
+    (one,) = make_plan(tmp_path / "raw", []).refused
+    assert one.material == "nylon" and ".nan is no finite number" in one.why
+
+
+def test_a_run_that_is_refused_leaves_the_plan_and_with_it_a_material_of_its_own(make_run, tmp_path):
+    silk = {**content("x")["string"], "material": "silk"}
+    for name, changes in (("a-01", {}), ("a-02", {}), ("s-01", {"string": silk})):
+        make_run(name, **changes)
+    make_run("mass-01", actuator="moving_mass", string=None, rig={"mass_kg": 90.0})
+    plan = make_plan(tmp_path / "raw", [])
+    plan.leave_out({run: LeftOut(run, "", "f", "g", "h", "i") for run in ("a-02", "s-01", "mass-01")})
+    assert plan.materials == {"UHMWPE": ["a-01"]} and plan.others == []
+    assert [(one.run, one.material) for one in plan.refused] == [("a-02", "UHMWPE"), ("s-01", "silk"), ("mass-01", "")]
+
+
 def test_a_run_yaml_that_is_none_costs_its_own_run(make_run, tmp_path):
     make_run("good-01")
     (make_run("nameless-01") / "run.yaml").unlink()
@@ -112,6 +133,15 @@ def test_recorded_files_are_what_is_there(make_run, tmp_path):
     make_run("a-01", suffix=".csv")
     files = recorded_files(tmp_path / "raw", "a-01", ["synthetic-01"])
     assert [name.rsplit("/", 1)[1] for name in files] == ["run.yaml", "recording.csv"]
+
+
+def test_the_tables_order_is_the_default_ones_whatever_a_configuration_begins_with():
+    folder = ROOT / "pipeline" / "config"
+    default, small = (yaml.safe_load((folder / name).read_text())["models"] for name in ("default.yaml", "ci.yaml"))
+    merged = list(dict.fromkeys([*small, *default]))
+    assert merged != list(default)
+    assert table_order(merged, default) == table_order(default, default) == list(default)
+    assert table_order(["mine", *merged], default) == [*list(default)[:-1], "mine", "traditional"]
 
 
 def test_fits():

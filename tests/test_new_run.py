@@ -148,3 +148,40 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
     monkeypatch.chdir(tmp_path)
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
     assert status == 0 and "make its reports with: snakemake --cores 2" in said
+
+
+def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys):
+    pair = ["a-01", "--material", "nylon", "--radius-mm", "0.4", "--length-mm", "400"]
+    monkeypatch.setattr(sys, "argv", ["new_run", *pair])
+    with pytest.raises(SystemExit) as end:
+        main()
+    said = capsys.readouterr().err
+    assert end.value.code == 2 and "rig.torsion_zone_mm: is missing" in said and "--actuator twisted_pair" in said
+    monkeypatch.setattr(sys, "argv", ["new_run", "--help"])
+    with pytest.raises(SystemExit):
+        main()
+    words = " ".join(capsys.readouterr().out.split())
+    assert "separator (default), or twisted_pair: two strings without a separator" in words
+
+
+def test_a_column_given_by_its_name_alone_is_answered_with_what_to_write(new):
+    samples = GOOD.rename(columns={"displacement_mm": "slide_cm"})
+    samples["slide_cm"] /= 10
+    status, _, said = new("a-01", "--channels", "{displacement_mm: slide_cm}", samples=samples)
+    mend = "write displacement_mm: {column: slide_cm, unit: cm}"
+    assert status == 2 and "channels.displacement_mm: is 'slide_cm', where keys and values belong" in said
+    assert mend in said and "Input should be" not in said
+    status, _, said = new("a-01", "--channels", f"{{{mend.removeprefix('write ')}}}", samples=samples)
+    assert status == 0, said
+
+
+@pytest.mark.parametrize(
+    ("samples", "option"),
+    [
+        (GOOD.rename(columns={"motor_turns": "theta"}), "--channels '{motor_turns: {column: …}}'"),
+        (spoiled("motor_turns", lambda v: v * 360), "--channels '{motor_turns: {unit: …}}'"),
+    ],
+)
+def test_before_there_is_a_run_yaml_a_mend_names_the_option(new, samples, option):
+    status, _, said = new("a-01", samples=samples)
+    assert status == 2 and option in said and "run.yaml" not in said.partition("Mend: ")[2]

@@ -30,6 +30,20 @@ def is_stale(owner: int, seen: Running | None) -> bool:
     return True
 
 
+def at_work(seen: Running | None) -> int | None:
+    """A Snakemake that is known to be at work in this folder: the id of its process."""
+    if seen is None:
+        return None
+    for process in seen.processes:
+        if process.id not in seen.line and is_snakemake(process.words) and process.folder is not None:
+            try:
+                if os.path.samefile(process.folder, "."):
+                    return process.id
+            except OSError:
+                continue
+    return None
+
+
 def clear_stale_locks() -> None:
     """Remove the locks that a killed Snakemake left in this folder; say what to do about those that stay."""
     try:
@@ -50,7 +64,10 @@ def clear_stale_locks() -> None:
                 stay.append(path)
         except OSError:
             stay.append(path)
-    if stay:
+    number = at_work(seen)
+    if stay and number is not None:
+        say(f"a main job runs in this folder already (process {number}): wait until it has ended")
+    elif stay:
         say(
             f"{LOCKS}: a Snakemake may be at work in this folder, so its locks stay; "
             "when none is, on any machine: snakemake --unlock"

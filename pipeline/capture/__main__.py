@@ -101,8 +101,9 @@ def tell(info: dict[str, Any], folder: Path) -> None:
         tell_lines(info, folder)
     else:
         tell_frames(info, folder)
-    if info["fault"]:
-        print(f"{folder}: {info['fault']}; what had come is kept")
+    ended = f"ended by {info['ended_by']}" if info["ended_by"] else None
+    if ended or info["fault"]:
+        print(f"{folder}: {'; '.join(filter(None, (ended, info['fault'])))}; what had come is kept")
     try:
         read_run(folder)
     except BadInput as error:

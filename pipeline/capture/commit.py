@@ -30,7 +30,7 @@ def judged(outcome: Outcome, frames: Account) -> Outcome:
         wrong = "it holds no sample"
     if wrong is None:
         return outcome
-    return Outcome("fault", "; ".join(filter(None, (outcome.fault, wrong))))
+    return Outcome("fault", "; ".join(filter(None, (outcome.fault, wrong))), outcome.ended_by)
 
 
 def told(frames: Account) -> Outcome:
@@ -48,6 +48,7 @@ def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: O
         "schema": SCHEMA,
         "exit_status": outcome.status,
         "fault": outcome.fault,
+        "ended_by": outcome.ended_by,
         "started_utc": began.astimezone(UTC).isoformat(timespec="milliseconds"),
         "ended_utc": ended.astimezone(UTC).isoformat(timespec="milliseconds"),
         "bytes": size,

@@ -143,7 +143,8 @@ class Lines:
     def problem(self) -> tuple[str, str]:
         """Why no line is read, and the mend."""
         count, between, line = self.wrong
-        mend = "name them, as many as a line has numbers: --columns time_ms,motor_turns,displacement_mm"
+        named = "--columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)"
+        mend = f"name them, as many as a line has numbers: {named}"
         if not count:
             return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
         if self._foreign:

@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import time
 from types import TracebackType
 
 import serial
@@ -15,6 +16,7 @@ except ImportError:  # no POSIX system
 
 CHUNK = 4096
 WAIT_S = 0.05
+PATIENCE_S, LOOK_S = 10.0, 0.1  # a port that is not there yet: a rig that starts, a cable that is being plugged in
 # pyserial lets termios.error, which is no OSError, and TypeError, from a port closed under it, through
 _GONE = (serial.SerialException, OSError, TypeError, *([termios.error] if termios is not None else []))
 
@@ -26,12 +28,20 @@ class Unplugged(Exception):
 class Port:
     """An open port; every error of its driver becomes Unplugged."""
 
-    def __init__(self, name: str, baud: int) -> None:
-        """Open it; raises BadInput when it is not there, not ours to open or in use."""
-        try:
-            self._serial = serial.Serial(name, baud, timeout=WAIT_S, write_timeout=2.0, exclusive=True)
-        except (*_GONE, ValueError) as error:
-            raise BadInput(name, "port", *_why(error)) from None
+    def __init__(self, name: str, baud: int, patience_s: float = PATIENCE_S) -> None:
+        """Open it, or wait for it so long; raises BadInput when it is not there, not ours to open or in use."""
+        until_s: float | None = None
+        while True:
+            try:
+                self._serial = serial.Serial(name, baud, timeout=WAIT_S, write_timeout=2.0, exclusive=True)
+                return
+            except (*_GONE, ValueError) as error:
+                if getattr(error, "errno", None) != errno.ENOENT or (until_s and time.monotonic() > until_s):
+                    raise BadInput(name, "port", *_why(error)) from None
+            if until_s is None:
+                until_s = time.monotonic() + patience_s
+                print(f"{name}: is not there yet; waiting {patience_s:g} s for it", flush=True)
+            time.sleep(LOOK_S)
 
     def read(self) -> bytes:
         """What has come, at most CHUNK bytes; nothing when nothing comes for WAIT_S."""

@@ -16,6 +16,7 @@ from pipeline.errors import BadInput
 
 HEADER_S = 5.0  # a board that was reset by opening its port needs some of them
 SILENCE_S = 3.0
+SIZES_TOLD = 5  # of holes
 SOON_S = 1.0  # after so long it says what is read as what, or why nothing is
 
 
@@ -111,7 +112,7 @@ def follow(
         if stops():
             outcome = Outcome("ended")
         elif now_s - began_s > longest_s:
-            outcome = Outcome("ended", f"ended by --longest after {longest_s:g} s")
+            outcome = Outcome("ended", None, f"--longest after {longest_s:g} s")
         elif now_s - heard_s > SILENCE_S:
             silence = f"the rig said nothing for {SILENCE_S:g} s; whether it was done, text cannot say"
             outcome = Outcome("ended", silence)
@@ -127,6 +128,22 @@ def follow(
     return outcome
 
 
+def missing(holes: list[dict[str, Any]]) -> str:
+    """Where samples seem to be missing: holes of the same size are told together, by the first of them."""
+    sizes: dict[int, list[float]] = {}
+    for hole in holes:
+        sizes.setdefault(hole["samples_about"], []).append(hole["after_time"])
+    parts, smaller = [], sorted(sizes, reverse=True)[SIZES_TOLD:]
+    for size in sorted(sizes, reverse=True)[:SIZES_TOLD]:
+        times = sizes[size]
+        often, first = (f"{len(times)} times ", "first ") if len(times) > 1 else ("", "")
+        words = f"{often}about {size} sample{'s' * (size != 1)} missing"
+        parts.append(f"{words}, {first}after the device's time {times[0]:g}")
+    if smaller:
+        parts.append(f"and {sum(len(sizes[size]) for size in smaller)} smaller holes, see capture.json")
+    return "; ".join(parts)
+
+
 def tell_lines(info: dict[str, Any], folder: Path) -> None:
     """Say what was recorded, what was no line of numbers and where samples seem to be missing."""
     lines = info["lines"]
@@ -140,8 +157,7 @@ def tell_lines(info: dict[str, Any], folder: Path) -> None:
         print(f"{folder}: the rig named other columns {lines['other_headers']} times; lines after that are bad ones")
     if not lines["device_time"]:
         print(f"{folder}: the rig prints no time, so lost lines cannot be seen; print millis() first in every line")
-    for hole in info["holes"][:5]:
-        missing, after = hole["samples_about"], hole["after_time"]
-        print(f"{folder}: about {missing} samples missing after the device's time {after:g}")
+    if info["holes"]:
+        print(f"{folder}: {missing(info['holes'])}")
     if lines["time_backward"]:
         print(f"{folder}: the device's time stands or falls back {lines['time_backward']} times: was it reset?")

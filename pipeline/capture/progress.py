@@ -9,6 +9,7 @@ from pipeline.wire import Event, Frame, Hello, Kind
 from pipeline.wire.belief import LATE, Numbers
 from pipeline.wire.frames import EVENT
 
+PACE_AFTER_S, PACE_DIFFERS = 5.0, 0.1  # from when, and by which share, a device's clock goes at another pace
 SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}
 
 
@@ -56,10 +57,12 @@ class Progress:
     def parts(self, free_bytes: int = 0) -> list[str]:
         """What the line says, the most important first."""
         passed_s = time.monotonic() - self._began_s
+        recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
+        other_pace = passed_s > PACE_AFTER_S and abs(recorded_s - passed_s) > PACE_DIFFERS * passed_s
         of = f" of {self.hello.strokes}" if self.hello.strokes else ""
         left_s = self.left.at(passed_s)
         return [
-            f"{clock(self.samples / self.hello.rate_hz)} recorded",
+            f"{clock(recorded_s)} recorded{f' in {clock(passed_s)}' if other_pace else ''}",
             f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} strokes done",
             *([f"about {clock(left_s)} left"] if left_s is not None else []),
             f"{self.lost} frames lost",

@@ -19,10 +19,14 @@ WRONG_ENDS = 3  # an END that cannot be true is a fault when it comes again and 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How it ended: complete, aborted, recovered or fault; `fault` is a sentence where there is more to say."""
+    """How it ended: complete, aborted, recovered or fault.
+
+    `fault` is a sentence where something went wrong, `ended_by` says what ended it where that was asked for.
+    """
 
     status: str
     fault: str | None = None
+    ended_by: str | None = None
 
 
 class Listener:
@@ -72,7 +76,7 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
     silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
     began_s = heard_s = new_s = time.monotonic()
     stopped_s, newest = math.inf, 0
-    over: str | None = None  # why it was stopped, if nobody asked
+    over: str | None = None  # what stopped it, if nobody asked
     outcome: Outcome | None = None
     try:
         port.write(encode(Kind.START, 0, protocol=hello.protocol))
@@ -91,7 +95,7 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
             elif stops() > 1:
                 outcome = Outcome("aborted")
             elif math.isinf(stopped_s) and (stops() or now_s - began_s > longest_s):
-                over = None if stops() else f"ended by --longest after {longest_s:g} s"
+                over = None if stops() else f"--longest after {longest_s:g} s"
                 stopped_s = now_s
                 port.write(encode(Kind.STOP, 1, protocol=hello.protocol))
             elif now_s - heard_s > silence_s:
@@ -111,9 +115,9 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
 
 
 def _told(outcome: Outcome, stopped: bool, over: str | None) -> Outcome:
-    """The outcome of a recording that was perhaps stopped, with the word that says why."""
+    """The outcome of a recording that was perhaps stopped, with what stopped it."""
     status = "aborted" if stopped and outcome.status == "complete" else outcome.status
-    return Outcome(status, "; ".join(filter(None, (over, outcome.fault))) or None)
+    return Outcome(status, outcome.fault, over)
 
 
 def _same(payload: bytes, hello: Hello) -> bool:

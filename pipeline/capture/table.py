@@ -142,7 +142,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
 
 def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime, datetime, Outcome]:
     """What capture.json says of a text recording's columns, beginning, end and outcome; raises BadInput."""
-    columns, status, fault = (info.get(key) for key in ("columns", "exit_status", "fault"))
+    columns, status, fault, ended_by = (info.get(key) for key in ("columns", "exit_status", "fault", "ended_by"))
     mend = "restore it from a copy, or move it away and run --recover again"
     field = "columns"
     try:
@@ -155,13 +155,16 @@ def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime
         field = "exit_status"
         if status not in ("ended", "fault", "recovered"):
             raise ValueError
+        field = "ended_by"
+        if not (ended_by is None or isinstance(ended_by, str)):
+            raise ValueError
         field = "fault"
         if not (fault is None or isinstance(fault, str)):
             raise ValueError
     except (KeyError, TypeError, ValueError, OverflowError):
         problem = "is not what the capture program writes"
         raise BadInput(folder / "capture.json", field, problem, mend) from None
-    return tuple(columns), began, ended, Outcome(status, fault)
+    return tuple(columns), began, ended, Outcome(status, fault, ended_by)
 
 
 def _sha256(path: Path) -> str | None:

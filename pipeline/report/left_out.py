@@ -1,7 +1,7 @@
 """Runs that were left out → a line beneath a table, a part of the page, and the end of the main job, which fails."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -24,10 +24,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--planned", default="[]", metavar="JSON", help="what the plan left out, as JSON")
 
 
-def told(asked: argparse.Namespace) -> list[LeftOut]:
-    """Runs that such a command line names, in order of name."""
-    runs = from_json(asked.planned)
-    for path in asked.left_out:
+def noted_in(paths: Iterable[Path]) -> list[LeftOut]:
+    """Runs that the stages left out, by what they wrote: JSON of a material, or in place of a run's table."""
+    runs = []
+    for path in paths:
         if path.suffix == ".json":
             runs += read_left_out(path)
             continue
@@ -35,6 +35,12 @@ def told(asked: argparse.Namespace) -> list[LeftOut]:
             schemas.read(path, schemas.STROKES)
         except schemas.Refused as error:
             runs.append(LeftOut.of(path.parent.name, error))
+    return runs
+
+
+def told(asked: argparse.Namespace) -> list[LeftOut]:
+    """Runs that such a command line names, in order of name."""
+    runs = from_json(asked.planned) + noted_in(asked.left_out)
     return sorted(dict.fromkeys(runs), key=lambda one: one.run)
 
 

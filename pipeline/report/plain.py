@@ -5,11 +5,17 @@ import re
 from pipeline.made_by import MadeBy, sentence
 
 SPECIAL = re.compile(r"([\\`*\[\]<|])")
+ESCAPED = re.compile(r"\\([\\`*\[\]<|])")
 
 
 def plain(text: str) -> str:
     """One line of text in which no name becomes a link, a table's border or HTML."""
     return SPECIAL.sub(r"\\\1", " ".join(text.splitlines()))
+
+
+def spoken(text: str) -> str:
+    """Markdown as a terminal shows it: what `plain` wrote, as it was before."""
+    return ESCAPED.sub(r"\1", text)
 
 
 def note(mark: MadeBy) -> str:

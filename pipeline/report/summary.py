@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from pipeline.report.diagnoses import verdicts
+from pipeline.report.plain import spoken
 
 PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
 FIGURES = ("figure_4.png", "figure_5.png")
@@ -16,7 +17,9 @@ WHOLE = {
 def of_material(folder: Path, there: set[Path]) -> list[str]:
     """Both tables of a material and where its other pages are; nothing of what was not asked for."""
     text = [
-        (folder / name).read_text(encoding="utf-8") for name in ("table_1.md", "table_2.md") if folder / name in there
+        spoken((folder / name).read_text(encoding="utf-8"))
+        for name in ("table_1.md", "table_2.md")
+        if folder / name in there
     ]
     figures = [str(folder / name) for name in FIGURES if folder / name in there]
     if figures:

@@ -1,7 +1,10 @@
 """Be a synthetic rig behind a pseudo-terminal: one recording after another, at a pace that a person can watch."""
 
 import argparse
+import signal
+import sys
 from pathlib import Path
+from types import FrameType
 
 from pipeline.errors import program
 from pipeline.rig.device import Device
@@ -10,6 +13,11 @@ from pipeline.rig.setup import names, read_setup
 from pipeline.rig.simulate import simulate
 
 PACE = 5.0  # the paper's nine strokes in a minute
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    """End in good order, with the status of a program that the signal ended."""
+    sys.exit(128 + number)
 
 
 @program
@@ -26,6 +34,7 @@ def main() -> int:
         parser.error("--seed and --recordings must be 0 or more, --pace above 0")
     setup = read_setup(arguments.setup)
     device, number = Device(simulate(setup, arguments.seed)), 1
+    signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
         pace = f"at {arguments.pace:g} times real time"
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; Ctrl-C ends it", flush=True)

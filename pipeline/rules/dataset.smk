@@ -1,9 +1,18 @@
+from snakemake.exceptions import WorkflowError
+
+
+def runs_of(wildcards):
+    if wildcards.material not in PLAN.materials:
+        raise WorkflowError(f"no run in raw/ is of material {wildcards.material}, but for those that are left out")
+    return PLAN.materials[wildcards.material]
+
+
 def folders_of_runs(wildcards):
-    return expand("raw/{run}", run=PLAN.materials[wildcards.material])
+    return expand("raw/{run}", run=runs_of(wildcards))
 
 
 def stages_of_runs(wildcards):
-    runs, stages = PLAN.materials[wildcards.material], ["samples", "strokes"]
+    runs, stages = runs_of(wildcards), ["samples", "strokes"]
     return ancient(expand("raw/{run}/run.yaml", run=runs)) + expand(
         "processed/{run}/{stage}.parquet", run=runs, stage=stages
     )

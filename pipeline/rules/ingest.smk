@@ -1,9 +1,3 @@
-from pipeline.known_files import KnownFiles
-
-KNOWN = KnownFiles(Path(".snakemake/known_files.json"))
-CONTENT = {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in DIAGNOSED}
-
-
 # A recording goes stale by its content, not by its time; one that a rule makes, when that rule runs. Everything stands
 # on recordings, so whoever plans comes by here and learns which files are to be made again whatever their times say.
 def recording(wildcards):

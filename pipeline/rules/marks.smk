@@ -1,11 +1,8 @@
-import yaml
-
 from pipeline.made_by import NOT_HASHED, called, made_by, unpacked
 from pipeline.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from pipeline.report.plain import note
 
 # Which configuration made what: a mark that every page, table and figure carries.
-DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml").read_text(encoding="utf-8"))
 OPTIONS = set(workflow.config_settings.config) - set(NOT_HASHED)
 CALLED = called([str(file) for file in workflow.overwrite_configfiles], bool(OPTIONS))
 

@@ -1,11 +1,38 @@
+import snakemake.exceptions
+from snakemake.exceptions import WorkflowError
+
+from pipeline.errors import BadInput
 from pipeline.report.ended import remove_stale, rewrite, unmade
-from pipeline.report.failures import told
+from pipeline.report.failures import told, without
+from pipeline.report.left_out import noted_in
+
+
+# What a second start in this folder is told while a first one holds its files.
+class Busy(WorkflowError):
+    def __init__(self):
+        super().__init__(
+            "A main job runs in this folder already, and makes the same files: wait until it has ended, then run this"
+            " again. If it was killed, python3 env/run.py snakemake … removes the locks that it left."
+        )
+
+
+snakemake.exceptions.LockException = Busy
 
 
 # What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
 def made():
     jobs = [job for job in workflow.dag.jobs if workflow.dag.noneedrun_finished(job)]
     return [str(file) for job in jobs for file in job.output]
+
+
+def left():
+    # By the plan, and by the stages of what the workflow was asked for. An unreadable note is made again at the next start.
+    planned, there = PLAN.left_out, {str(file) for job in workflow.dag.jobs for file in job.output}
+    try:
+        found = noted_in(path for path in map(Path, LEFT_OUT) if str(path) in there and path.is_file())
+    except BadInput:
+        found = []
+    return [one.why for one in dict.fromkeys([*planned, *found])]
 
 
 def end(rewritten):
@@ -28,20 +55,21 @@ onstart:
 
 onerror:
     jobs = list(workflow.dag.needrun_jobs())
-    left = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
+    lost = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
     last = [job for name in ("metrics", "index") for job in jobs if job.rule.name == name]
-    wrong = rewrite([job.shellcmd for job in last], left, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
+    wrong = rewrite([job.shellcmd for job in last], lost, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
     print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
-    for line in wrong + [one.why for one in left]:
+    for line in wrong + [one.why for one in lost]:
         print(line)
     failed = [
         (" ".join([job.rule.name, *map(str, job.wildcards)]), str(job.log)) for job in workflow.scheduler.failed
     ]
-    print(told(failed, [one.why for one in PLAN.left_out], workflow.execution_settings.keep_going))
+    print(told(failed, left(), workflow.execution_settings.keep_going))
     KNOWN.forget_intact()
     end([str(file) for job in last for file in job.output])
 
 
 onsuccess:
     print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    print(without(left()))
     end([])

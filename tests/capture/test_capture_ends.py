@@ -67,7 +67,7 @@ def test_a_device_that_does_not_stop_is_left(monkeypatch):
     monkeypatch.setattr(stream, "STOP_S", 0.2)
     said = frames(100_000)
     outcome = record(Line([b"", *said[1:-1]]), Kept(), hello(), lambda: 0, longest_s=0.1)
-    assert outcome == Outcome("fault", "ended by --longest after 0.1 s; the device went on though it was told to stop")
+    assert outcome == Outcome("fault", "the device went on though it was told to stop", "--longest after 0.1 s")
 
 
 def test_a_word_of_stop_that_is_obeyed_is_no_fault():

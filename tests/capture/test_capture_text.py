@@ -331,7 +331,52 @@ def test_a_rig_that_prints_for_ever_is_ended_by_longest(rig, tmp_path):
         number += 1
         time.sleep(0.02)
     assert process.returncode == 0 and "ended by --longest after 1 s" in process.stdout.read()
-    assert json.loads((folder / "capture.json").read_text())["samples"]["received"] > 3
+    info = json.loads((folder / "capture.json").read_text())
+    assert info["samples"]["received"] > 3
+    assert (info["exit_status"], info["fault"], info["ended_by"]) == ("ended", None, "--longest after 1 s")
+    assert start("--recover", str(folder), "--columns", "time_ms,turns,mm").wait(60) == 0  # and is kept
+    assert json.loads((folder / "capture.json").read_text())["ended_by"] == "--longest after 1 s"
+
+
+def test_holes_of_one_size_are_told_in_one_line(rig, tmp_path):
+    _, start = rig
+    folder = tmp_path / "run-1"
+    folder.mkdir()
+    left = [one for number, one in enumerate(LINES) if number not in (5, 10, 15, 20, 30, 31, 32)]
+    (folder / "recording.lines").write_bytes(b"".join([HEADER, *left]))
+    said, _ = start("--recover", str(folder)).communicate(timeout=60)
+    holes = "about 3 samples missing, after the device's time 580; 4 times about 1 sample missing, first after"
+    assert len(re.findall("samples? missing", said)) == 2 and f"{folder}: {holes} the device's time 80\n" in said
+
+
+def test_the_mend_for_columns_without_names_knows_seconds_and_milliseconds():
+    read = Read(b"".join(LINES))
+    assert "--columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)" in read.lines.problem()[1]
+
+
+def test_a_port_that_comes_late_is_waited_for(tmp_path):
+    ours, theirs = pty.openpty()
+    tty.setraw(theirs)
+    link, folder = tmp_path / "port", tmp_path / "run-1"
+    command = [sys.executable, "-m", "pipeline.capture", "--text", str(link), str(folder), "--longest", "1"]
+    command += ["--columns", "time_ms,motor_turns,displacement_mm"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    try:
+        assert process.stdout.readline() == f"{link}: is not there yet; waiting 10 s for it\n"
+        link.symlink_to(os.ttyname(theirs))
+        until((folder / "recording.lines").exists, process)
+        for number in range(3000):
+            if process.poll() is not None:
+                break
+            os.write(ours, line(number))
+            time.sleep(0.02)
+        said, _ = process.communicate(timeout=60)
+        assert process.returncode == 0 and "ended by --longest" in said, said
+    finally:
+        process.kill()
+        process.wait()
+        os.close(theirs)
+        os.close(ours)
 
 
 COMMAS = b"".join(b"%d,%d,25,%d,1\r\n" % (number * 20, number, number) for number in range(300))

@@ -93,3 +93,12 @@ def test_a_frame_that_comes_late_is_not_shown_as_lost(numbers, lost):
     for number in numbers:
         progress.count(Frame(Kind.EVENT, number))
     assert progress.lost == lost
+
+
+@pytest.mark.parametrize(("passed_s", "said"), [(10.0, "0:10 recorded"), (2.0, "0:10 recorded"), (50.0, "in 0:50")])
+def test_a_device_at_another_pace_is_told_beside_the_persons_time(monkeypatch, passed_s, said):
+    shown = Progress(HELLO)
+    shown.samples = round(10 * RATE_HZ)
+    shown._began_s -= passed_s
+    words = shown.parts()[0]
+    assert words.endswith(said) and words.startswith("0:10 recorded")

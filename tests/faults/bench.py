@@ -123,7 +123,7 @@ class Bench:
         lines = [
             line
             for line in text.splitlines()
-            if line and not re.search("recorded, |^scripted rig, |^reads |run.yaml: is missing", line)
+            if line and not re.search("recorded(, | in )|^scripted rig, |^reads |run.yaml: is missing", line)
         ]
         return " / ".join(line.removeprefix("error: ") for line in lines)
 

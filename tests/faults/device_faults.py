@@ -140,7 +140,7 @@ def _endless(bench: Bench, again: bytes, arrived: str) -> Row:
     device.silent.set()
     device.join()
     info = bench.info()
-    assert info["exit_status"] == "fault" and info["fault"].startswith("ended by --longest after 2 s")
+    assert info["exit_status"] == "fault" and info["ended_by"] == "--longest after 2 s"
     assert bench.recorded().startswith(said[0]) and info["samples"]["received"] == 0
     return row(bench, host, arrived=arrived, lost="nothing")
 

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pipeline.report.failures import ELSE, told
+from pipeline.report.failures import ALL_ELSE, ELSE, told, without
 
 ROOT = Path(__file__).parents[2]
 
@@ -21,6 +21,9 @@ def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
     assert {"left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."} < set(said)
     assert f"failed: ingest a-01: raw/a-01: time_s: runs backwards. Mend: record it again. Its log: {log}" in said
     assert f"failed: train inn: ZeroDivisionError: division Its log: {silent}" in said
+    alone = told([("all_taken", str(last))], ["raw/c: x. Mend: y."], keep_going=False).splitlines()
+    assert alone == [ALL_ELSE, "left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."]
+    assert without(["a", "a"]).splitlines() == [ALL_ELSE, "left out: a"] and without([]) == ""
     assert told([], [], keep_going=False).splitlines() == ["Not all was made: see the errors above.", ELSE]
 
 
@@ -42,9 +45,11 @@ def test_the_main_job_ends_with_what_failed(tmp_path):
         assert done.returncode, done.stdout + done.stderr
         return done.stdout.rstrip().partition("Not all was made:\n")[2].splitlines()
 
-    folder, ingest, *rest = last("--", "processed/bad-01/samples.parquet")
+    refused, folder, *rest = last("--", "processed/bad-01/samples.parquet")
     assert folder.startswith("left out: raw/A copy: its name: ") and "Mend: rename the folder" in folder
-    assert ingest.startswith("failed: ingest bad-01: raw/bad-01/recording.csv: ") and "Mend: " in ingest
-    assert ingest.endswith("Its log: processed/logs/ingest-bad-01.log") and rest == [ELSE]
-    _, refused, *rest = last("--keep-going", "--", "processed/nylon/dataset.parquet")
-    assert refused.startswith("left out: raw/bad-01/recording.csv: ") and "Mend: " in refused and not rest
+    assert refused.startswith("left out: raw/bad-01/recording.csv: ") and "Mend: " in refused and rest == [ELSE]
+    command = [*snakemake, "--", "reports/nylon/table_1.csv"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert (
+        done.returncode == 1 and "no run in raw/ is of material nylon, but for those that are left out" in done.stderr
+    )

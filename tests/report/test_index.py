@@ -176,6 +176,17 @@ def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
     assert "raw/short: too short" in said and "proof" not in said.replace(str(reports), "")
 
 
+def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_path, reports):
+    (tmp_path / "zero_jumps.json").write_text('["write `tare: run` in a_1\\\\b [c]"]')
+    metrics, folder = str(reports.parent / "tables.parquet"), tmp_path / MATERIAL
+    run(
+        "tables", metrics, "--titles", "inn=INN", "--jumps", str(tmp_path / "zero_jumps.json"), "--out-dir", str(folder)
+    )
+    assert r"write \`tare: run\` in a_1\\b \[c\]" in (folder / "table_1.md").read_text()
+    said = summary([str(folder / "table_1.md")], tmp_path, [MATERIAL], [])
+    assert r"write `tare: run` in a_1\b [c]" in said
+
+
 def test_a_jump_of_the_zero_is_said_on_the_page(tmp_path):
     text = page(tmp_path, [], [], [], MadeBy("default.yaml", "abc1234", "default", "", ()), ["The zero <jumps>."])
     assert "The zero &lt;jumps&gt;." in text and 'id="jumps"' in text

@@ -31,3 +31,15 @@ def test_a_second_rig_takes_no_link_of_a_live_one_and_a_stale_one_is_replaced(tm
     finally:
         first.kill()
         first.communicate()
+
+
+def test_a_rig_that_is_told_to_end_takes_its_link_with_it(tmp_path):
+    link = tmp_path / "port"
+    rig = start(link)
+    try:
+        assert "Ctrl-C ends it" in rig.stdout.readline() and link.is_symlink()
+        rig.send_signal(signal.SIGTERM)
+        assert rig.wait(timeout=300) == 128 + signal.SIGTERM and not link.is_symlink()
+    finally:
+        rig.kill()
+        rig.communicate()

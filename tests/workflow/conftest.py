@@ -52,6 +52,12 @@ def copy_project(folder: Path) -> Project:
     return Project(folder)
 
 
+@pytest.fixture(scope="module")
+def bare_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """A project of which nothing is made."""
+    return copy_project(tmp_path_factory.mktemp("bare"))
+
+
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, str]:
     """A project whose main job has run, and what it printed. Tests leave it finished."""
