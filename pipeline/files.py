@@ -1,6 +1,7 @@
-"""Files that are either whole or not there: every stage writes to a temporary name, then renames."""
+"""Files that are either whole or not there: every stage writes to a temporary name, then renames; and check sums."""
 
 import errno
+import hashlib
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -53,3 +54,9 @@ def write_text(path: Path | str, text: str, new: bool = False) -> None:
     """Write `text` as UTF-8, whole or not at all; with `new` FileExistsError where a file is there."""
     with whole(path, new) as temporary:
         temporary.write_text(text, encoding="utf-8")
+
+
+def sha256(path: Path) -> str:
+    """Check sum of a file's bytes, in hexadecimal digits."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -4,7 +4,6 @@ A mapping is a `run.yaml` without `run`: the string, the rig, how the file is wr
 """
 
 import argparse
-import hashlib
 import sys
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ import pandas as pd
 
 from pipeline import schemas
 from pipeline.errors import BadInput, program
+from pipeline.files import sha256
 from pipeline.folders import whole_folder
 from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
@@ -96,12 +96,6 @@ def origin(file: Path, mapping: Path) -> str:
     """Where a run came from, as comments of YAML: both files by name and check sum."""
     told = (("imported from", file), ("through the mapping", mapping))
     return "".join(f"# {what} {str(path)!a}, sha256 {sha256(path)}\n" for what, path in told)
-
-
-def sha256(path: Path) -> str:
-    """Check sum of a file's bytes."""
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came_from: str) -> None:

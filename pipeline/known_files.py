@@ -14,10 +14,9 @@ from typing import Any
 
 from pipeline import jump_notes, left_out, seal
 from pipeline.errors import BadInput
-from pipeline.files import write_text
+from pipeline.files import sha256, write_text
 
 SETTLED_S = 2.0  # a file that changed this lately may change again under the same times
-CHUNK_BYTES = 1 << 20
 
 
 class KnownFiles:
@@ -51,7 +50,7 @@ class KnownFiles:
         whole = hashlib.sha256()
         for path in map(Path, paths):
             try:
-                whole.update(f"{path.name} {self._fact(path, _sha256)}\n".encode())
+                whole.update(f"{path.name} {self._fact(path, sha256)}\n".encode())
             except OSError:
                 continue
         return whole.hexdigest()[:32]
@@ -76,14 +75,6 @@ class KnownFiles:
         """Keep what is known; without a place to keep it, the next start reads the files again."""
         with suppress(OSError):
             write_text(self.cache, json.dumps({"facts": self.facts, "notes": self.notes}))
-
-
-def _sha256(path: Path) -> str:
-    digest = hashlib.sha256()
-    with open(path, "rb") as file:
-        while part := file.read(CHUNK_BYTES):
-            digest.update(part)
-    return digest.hexdigest()
 
 
 def _wrong(path: Path) -> str:

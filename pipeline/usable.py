@@ -45,21 +45,19 @@ def refusals(
 
     `contents` has a digest of each run's files; a run is read again when that, or the `code` that reads, is new.
     """
-    known: dict[str, list[str]] = {}
+    told: dict[str, list[LeftOut]] = {}
     for run, content in contents.items():
         entry = kept.get(run) if isinstance(kept, dict) else None
         if isinstance(entry, list) and len(entry) == 3 and entry[:2] == [content, code]:
             with contextlib.suppress(BadInput, AttributeError):
-                from_json(entry[2])
-                known[run] = entry
-    new = [raw / run for run in contents if run not in known]
+                told[run] = from_json(entry[2])
+    new = [raw / run for run in contents if run not in told]
     if new:
         names = ", ".join(folder.name for folder in new[:SHOWN]) + (", …" if len(new) > SHOWN else "")
         print(f"read once before the plan, new or changed: {len(new)} ({names})", file=sys.stderr, flush=True)
-    for run, told in answers(new).items():
-        known[run] = [contents[run], code, to_json(told)]
-    read = {run: from_json(entry[2]) for run, entry in known.items()}
-    return {run: told[0] for run, told in read.items() if told}, known
+    told |= answers(new)
+    refused = {run: why[0] for run, why in told.items() if why}
+    return refused, {run: [contents[run], code, to_json(why)] for run, why in told.items()}
 
 
 @program

@@ -45,7 +45,7 @@ def test_a_file_is_read_once(tmp_path, known, monkeypatch):
     files = known()
     first = files.digest([str(path)])
     files.save()
-    monkeypatch.setattr(known_files, "_sha256", lambda path: pytest.fail("it was read again"))
+    monkeypatch.setattr(known_files, "sha256", lambda path: pytest.fail("it was read again"))
     assert known().digest([str(path)]) == first
 
 

@@ -13,7 +13,7 @@ from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import LINES, in_use
 from pipeline.capture.stream import Outcome
 from pipeline.errors import BadInput
-from pipeline.files import whole
+from pipeline.files import sha256, whole
 
 CSV = "recording.csv"
 
@@ -168,7 +168,4 @@ def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime
 
 
 def _sha256(path: Path) -> str | None:
-    if not path.is_file():
-        return None
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+    return sha256(path) if path.is_file() else None

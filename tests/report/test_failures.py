@@ -1,5 +1,6 @@
 """The last lines of a main job that did not make all: each failure with its reason and its mend."""
 
+import os
 import shutil
 import subprocess
 import sys
@@ -28,7 +29,10 @@ def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
 
 
 def test_the_main_job_ends_with_what_failed(tmp_path):
-    """On the real rules, with a recording that ingest refuses beside a folder that can be no run."""
+    """On the real rules, with a recording that ingest refuses beside a folder that can be no run.
+
+    The launcher sets a profile that keeps going. This test sets it aside, to see both ways of ending.
+    """
     shutil.copytree(ROOT / "pipeline", tmp_path / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "Snakefile", tmp_path)
     run = tmp_path / "raw" / "bad-01"
@@ -40,16 +44,20 @@ def test_the_main_job_ends_with_what_failed(tmp_path):
     (tmp_path / "raw" / "A copy" / "run.yaml").write_text("")
     snakemake = [sys.executable, "-m", "snakemake", "--cores", "1", "--configfile", "pipeline/config/ci.yaml"]
 
-    def last(*words):
-        done = subprocess.run([*snakemake, *words], cwd=tmp_path, capture_output=True, text=True)
-        assert done.returncode, done.stdout + done.stderr
-        return done.stdout.rstrip().partition("Not all was made:\n")[2].splitlines()
+    environment = {name: value for name, value in os.environ.items() if name != "SNAKEMAKE_PROFILE"}
 
-    refused, folder, *rest = last("--", "processed/bad-01/samples.parquet")
+    def last(*words, status, title):
+        done = subprocess.run([*snakemake, *words], cwd=tmp_path, env=environment, capture_output=True, text=True)
+        assert done.returncode == status, done.stdout + done.stderr
+        return done.stdout.rstrip().partition(f"{title}\n")[2].splitlines()
+
+    samples = ("--", "processed/bad-01/samples.parquet")
+    refused, folder, *rest = last(*samples, status=1, title="Not all was made:")
     assert folder.startswith("left out: raw/A copy: its name: ") and "Mend: rename the folder" in folder
     assert refused.startswith("left out: raw/bad-01/recording.csv: ") and "Mend: " in refused and rest == [ELSE]
+    assert last("--keep-going", *samples, status=0, title=ALL_ELSE) == [refused, folder]
     command = [*snakemake, "--", "reports/nylon/table_1.csv"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
     assert (
         done.returncode == 1 and "no run in raw/ is of material nylon, but for those that are left out" in done.stderr
     )
