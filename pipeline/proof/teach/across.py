@@ -57,7 +57,7 @@ def left_out(lessons: list[Lesson]) -> list[Judged]:
 def table(found: list[Judged]) -> str:
     """Outcomes by stratum and author, one line each, with the mean size of the sets."""
     lines = []
-    for stratum in ("single", "pair", "open"):
+    for stratum in (*STRATA.values(), "open"):
         for author in [*sorted({one.lesson.author for one in found}), "all"]:
             some = [one for one in found if one.stratum == stratum and author in (one.lesson.author, "all")]
             count = Counter(one.outcome for one in some)

@@ -12,9 +12,9 @@ from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, OutOfReach, Protocol
 from pipeline.run_yaml import parse_run
 
-PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual")
-SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (1.0, 8.0)  # sizes in noise floors, drawn evenly in their logarithm
-PAIRS_EACH, OPEN_EACH = 12, 5  # for every round of all single effects
+PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
+SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm
+PAIRS_EACH, OPEN_EACH = 12, 8  # for every round of all single effects
 DIGITS = 5
 TRIES, APART = 6, 1000  # seeds that are tried where an author's rig cannot show an effect
 
