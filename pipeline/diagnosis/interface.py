@@ -40,7 +40,8 @@ class Mechanism:
     act several times (sudden events), each with a shape of its own. `suggest` adds the shapes that a residual of
     calibration makes plausible. `random` gives a shape where a residual shows an effect whose every move is chance.
     `mark` says how clearly a residual of calibration, beside the prediction, shows what only this mechanism leaves:
-    about 0 without it, and never more than about 6. An id that begins with `x_` is no physics of the library: alone it
+    about 0 without it, and never more than about 6; where it is less than `least_mark`, no explanation names the
+    mechanism. An id that begins with `x_` is no physics of the library: alone it
     names nothing.
 
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
@@ -65,3 +66,4 @@ class Mechanism:
     suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []
     random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None
     mark: Callable[[Drivers, Array, Array], float] | None = None
+    least_mark: float = 0.0

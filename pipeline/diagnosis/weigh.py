@@ -6,7 +6,6 @@ Every sign is a number that a person can check in `diagnosis.json`; the judge we
 import numpy as np
 
 from pipeline.diagnosis.judge import SIZES, Weighed
-from pipeline.diagnosis.order import left_out_errors
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import Explanation, Search
 
@@ -15,7 +14,6 @@ BY_ENERGY = 4  # more of each size, by what they leave
 NO_MORE = {"more_gain": 0.0, "more_completes": 0.0}
 LEAST_LEFT = 1e-4  # of the noise's energy: less is left to the noise's own chance
 MOST_CANCELLED = 5.0
-LEAST_GAP, MOST_TOLD = 10.0, 3.0
 
 
 def candidates(search: Search) -> list[Explanation]:
@@ -29,14 +27,15 @@ def candidates(search: Search) -> list[Explanation]:
 
 
 def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
-    """Every explanation that is weighed, with its signs; `base` is the calibrated simulator, `floor` the noise's."""
-    some, marks = candidates(search), marked(search.linear.problem, base)
-    whole, errors = amplitude(search.nothing.energy, floor), left_out_errors(search.linear, some)
+    """Every explanation that is weighed, with its signs; `base` is the calibrated simulator, `floor` the noise's.
+
+    A mechanism whose mark the recording lacks is in none of them.
+    """
+    some, marks, library = candidates(search), marked(search.linear.problem, base), search.linear.problem.library
     return [
-        Weighed(
-            one.ids, {**signs(search, one, some, floor), **own(marks, one.ids), **foreseen(one, error, whole, floor)}
-        )
-        for one, error in zip(some, errors, strict=True)
+        Weighed(one.ids, {**signs(search, one, some, floor), **own(marks, one.ids)})
+        for one in some
+        if all(marks.get(id_, 0.0) >= library[id_].least_mark for id_ in one.ids)
     ]
 
 
@@ -91,34 +90,9 @@ def signs(search: Search, one: Explanation, some: list[Explanation], floor: floa
         found[f"behind_{size}"] = cost(one.cost - min(other.cost for other in group))
         least = amplitude(min(other.energy for other in group), floor)
         found[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (left - least) / whole))
-    alone = {"cancels": cancelled(search, one), "pulls": pulled(search, one)}
-    return (
-        found
-        | alone
-        | _parts(search, one, some, floor, whole)
-        | _more(one, some, floor, whole)
-        | _told(search, one, some)
-    )
-
-
-def foreseen(one: Explanation, error: float, whole: float, floor: float) -> dict[str, float]:
-    """What an explanation leaves of stretches that its numbers were fitted without, beside what it leaves of all."""
-    beyond = amplitude(error**2, floor)
-    return {
-        "unseen_share": float(np.log(min(beyond / max(whole, 1e-12), 1e3) + 0.003)),
-        "unseen_more": float(np.log(min(error / np.sqrt(max(one.energy, 1e-300)), 1e3))),
-    }
-
-
-def pulled(search: Search, one: Explanation) -> float:
-    """The logarithm of how far an explanation moves the dimensions that were measured, rms in their tolerances."""
-    known = search.linear.calibration[search.linear.problem.runs :]
-    tolerances = np.sqrt(search.linear.prior[known])
-    return (
-        float(np.log(0.1 + np.sqrt(np.mean(np.square(one.fit.coefficients[known] * tolerances)))))
-        if len(known)
-        else 0.0
-    )
+    return found | _parts(search, one, some, floor, whole) | _more(one, some, floor, whole) | {
+        "cancels": cancelled(search, one)
+    }  # fmt: skip
 
 
 def _parts(search: Search, one: Explanation, some: list[Explanation], floor: float, whole: float) -> dict[str, float]:
@@ -150,20 +124,6 @@ def _more(one: Explanation, some: list[Explanation], floor: float, whole: float)
         "more_floors": float(np.log(worth(one, best) / floor + 0.01)),
         "more_completes": completes(one, best, floor),
     }
-
-
-def _told(search: Search, one: Explanation, some: list[Explanation]) -> dict[str, float]:
-    """How the best other explanation of its size fares beside it: as it would if this one, or that one, were true."""
-    others = [other for other in some if len(other.ids) == len(one.ids) and other is not one]
-    if not others:
-        return {"told": 0.0, "untold": 0.0, "apart": 0.0}
-    other = min(others, key=lambda rival: rival.fit.misfit)
-    seen = other.fit.misfit - one.fit.misfit
-    own, its = (search.linear.gap(a.fit, b.fit.columns) for a, b in ((one, other), (other, one)))
-    shares = [
-        float(np.clip(gap / max(least, LEAST_GAP), -MOST_TOLD, MOST_TOLD)) for gap, least in ((seen, own), (-seen, its))
-    ]
-    return {"told": shares[0], "untold": shares[1], "apart": cost(min(own, its))}
 
 
 def cancelled(search: Search, one: Explanation) -> float:

@@ -94,4 +94,5 @@ MECHANISM = Mechanism(
     terms=terms,
     random=random,
     mark=mark,
+    least_mark=2.0,
 )
