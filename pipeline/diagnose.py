@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
 from pipeline.diagnosis.adopt import block
+from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
@@ -24,10 +25,17 @@ from pipeline.zero_beside import jumps_into
 Result = TypeVar("Result")
 
 
-def diagnose(folders: list[Path], out: Path, together: bool = False, without: frozenset[str] = frozenset()) -> str:
+def diagnose(
+    folders: list[Path],
+    out: Path,
+    together: bool = False,
+    without: frozenset[str] = frozenset(),
+    judge_file: Path | None = None,
+) -> str:
     """Diagnose one run, or several of one rig together; write json, words and figures; return the words.
 
-    The library lacks the mechanisms in `without`. Raises BadInput for runs that are none, or not of one rig.
+    The library lacks the mechanisms in `without`; `judge_file` holds a judge in place of the library's. Raises BadInput
+    for runs that are none, or not of one rig.
     """
     started = time.monotonic()
     name = "+".join(folder.name for folder in folders)
@@ -50,7 +58,8 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
         if load and (load in table) != (load in tables[0]):
             mend = "diagnose runs with and without it apart"
             raise BadInput(folder, load, f"is in {'it' if load in table else folders[0]} only", mend)
-    problem = engine.make_problem(runs, tables, folders, without=without)
+    by = judge(judge_file) if judge_file else None
+    problem = engine.make_problem(runs, tables, folders, without=without, by=by)
     found = engine.study(problem, say)
     outcome.refuse_faint(found, folders[0])
     say("held out")
@@ -100,14 +109,16 @@ def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
         return None
 
 
-def _one(folder: Path, out: Path, without: frozenset[str], note: bool) -> tuple[str, bool | None]:
+def _one(
+    folder: Path, out: Path, without: frozenset[str], note: bool, by: Path | None = None
+) -> tuple[str, bool | None]:
     """Words on one run, or its error, and whether that counts as done, None for a fault of ours.
 
     `note` writes a refusal where the words would be.
     """
     folder_out = out / Path(os.path.realpath(folder)).name
     try:
-        return diagnose([folder], folder_out, without=without), True
+        return diagnose([folder], folder_out, without=without, judge_file=by), True
     except BadInput as error:
         if note:
             write_text(folder_out / "verdict.txt", f"{folder.name}: not decided: {error}\n")
@@ -128,6 +139,9 @@ def main() -> int:
         "--without", action="append", default=[], metavar="ID", help="a mechanism that the library shall lack"
     )
     parser.add_argument(
+        "--judge", type=Path, metavar="FILE", help="a judge taught otherwise, in place of the library's"
+    )
+    parser.add_argument(
         "--note-refusals", action="store_true", help="write why a run is refused as its verdict.txt, and exit with 0"
     )
     arguments = parser.parse_args()
@@ -136,18 +150,17 @@ def main() -> int:
     without = frozenset(arguments.without)
     for id_ in sorted(without - set(library.mechanisms())):
         raise BadInput("arguments", "--without", f"{id_} is no mechanism", f"use {', '.join(library.mechanisms())}")
+    asked = (arguments.out, without, arguments.note_refusals, arguments.judge)
     if arguments.together:
-        print(diagnose(folders, arguments.out, together=True, without=without))
+        print(diagnose(folders, arguments.out, together=True, without=without, judge_file=arguments.judge))
         return 0
     outcomes: list[tuple[str, bool | None]] = []
     if arguments.jobs > 1 and len(folders) > 1:
         with ProcessPoolExecutor(arguments.jobs) as pool:
-            waiting: list[Any] = [
-                pool.submit(_one, folder, arguments.out, without, arguments.note_refusals) for folder in folders
-            ]
+            waiting: list[Any] = [pool.submit(_one, folder, *asked) for folder in folders]
             outcomes = [future.result() for future in waiting]
     else:
-        outcomes = [_one(folder, arguments.out, without, arguments.note_refusals) for folder in folders]
+        outcomes = [_one(folder, *asked) for folder in folders]
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2

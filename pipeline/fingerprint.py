@@ -5,7 +5,7 @@ import hashlib
 from functools import cache
 from pathlib import Path
 
-SOURCES = (".py", ".yaml")
+SOURCES = (".py", ".yaml", ".json")
 ROOT = Path(__file__).resolve().parent.parent
 
 

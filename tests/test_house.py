@@ -44,8 +44,8 @@ def part(module):
     return module.split(".")[1] if "." in module else ""
 
 
-# the proof's only modules that may use the diagnosis; of them `twins` alone sees both hands
-BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins")
+# the proof's only modules that may use the diagnosis; of them `twins` and `teach` alone see both hands
+BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins", "pipeline.proof.teach")
 # the one model, with its parts, that may use the diagnosis: it is what the diagnosis finds
 DIAGNOSED = "pipeline.models.diagnosed"
 GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "units", "wire"}

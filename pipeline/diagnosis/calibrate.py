@@ -13,6 +13,7 @@ from pipeline.diagnosis.record import wild
 
 ITERATIONS = 4
 REFINEMENTS = 3
+FEW = 5  # values among the candidates: fewer are kinds, more are samples of a continuous parameter
 EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sample
 
 
@@ -23,7 +24,7 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
     for _ in range(ITERATIONS):
         linear = Linear(problem, state, noise, catalogue)
-        found = linear.state_of(linear.fit(linear.columns_of(keys)), keys)
+        found = linear.state_of(linear.fit_quickly(linear.columns_of(keys)), keys)
         moved = max(
             abs(found.values[i] - state.values[i]) / problem.parameters[i].sigma for i in problem.movable
         ) if problem.movable else 0.0  # fmt: skip
@@ -33,12 +34,16 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
     return state
 
 
-def _between(candidates: list[Shape], shape: Shape, width: float) -> list[Shape]:
-    """Shapes near one, by a share of the distance to its neighbours among the candidates, along each parameter."""
+def _between(candidates: list[Shape], shape: Shape, width: float, kinds: bool) -> list[Shape]:
+    """Shapes near one, by a share of the distance to its neighbours among the candidates, along each parameter.
+
+    With `kinds` a parameter of a few values takes each of them.
+    """
     found = []
     for name in shape:
         others = sorted({other[name] for other in candidates if set(other) == set(shape)})
-        if len(others) < 5:
+        if len(others) < FEW:
+            found += [{**shape, name: other} for other in others if kinds and other != shape[name]]
             continue
         place = int(np.searchsorted(others, shape[name]))
         lower, upper = others[max(place - 1, 0)], others[min(place + 1, len(others) - 1)]
@@ -52,6 +57,7 @@ def _between(candidates: list[Shape], shape: Shape, width: float) -> list[Shape]
 
 def refine(problem: Problem, noise: Noise, state: State) -> State:
     """Search between the grid's candidates for the shapes of what acts, one mechanism after the other."""
+    kinds = problem.drivers.levered  # the loop of a drive would be bent to anything by mixing its kinds
     for level in range(EVENT_REFINEMENTS):
         for place, act in enumerate(state.acts):
             if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
@@ -59,7 +65,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
             candidates = mechanisms()[act.id].shapes(problem.drivers)
             for number in range(len(act.shapes)):
                 act = state.acts[place]
-                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level)]
+                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level, kinds)]
                 if len(near) == 1:
                     continue
                 own = [other for other in state.acts if other not in problem.included]
@@ -76,7 +82,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
                 tries = []
                 for option in [number, *range(count, count + len(near) - 1)]:
                     keys = tuple(sorted([*fixed, (act.id, option)], key=lambda key: list(catalogue).index(key[0])))
-                    tries.append((linear.fit(linear.columns_of(keys)), keys))
+                    tries.append((linear.fit_quickly(linear.columns_of(keys)), keys))
                 best, keys = min(tries, key=lambda item: item[0].misfit)
                 state = linear.state_of(best, keys)
         if level >= REFINEMENTS and all(mechanisms()[act.id].steps == 1 for act in state.acts):

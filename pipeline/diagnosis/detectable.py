@@ -11,20 +11,23 @@ def detectable(search: Search, floor: float) -> dict[str, float]:
     known = linear.calibration
     needed = LEAST_GAIN + 2.0 * search.penalty
     gram = np.linalg.inv(linear.gram[np.ix_(known, known)])
-    plain = linear.raw_gram[np.ix_(known, known)] + np.diag(linear.raw_prior[known])
+    calibration = linear.table[known]
+    plain = calibration @ calibration.T + np.diag(linear.raw_prior[known])
     found = {}
     for id_, shapes in linear.catalogue.items():
         sizes = []
         for number in range(len(shapes)):
             columns = linear.index[id_, number]
-            norms = np.sqrt(np.diag(linear.raw_gram)[columns])
+            signals = linear.table[columns]
+            norms = np.sqrt(np.sum(np.square(signals), axis=1))
             weights = np.where(norms > 0, 1.0 / np.where(norms > 0, norms, 1.0), 0.0)
             if not weights.any():
                 continue
-            raw = float(weights @ linear.raw_gram[np.ix_(columns, columns)] @ weights)
+            effect = weights @ signals
+            raw = float(effect @ effect)
             cross = linear.gram[np.ix_(known, columns)] @ weights
             seen = float(weights @ linear.gram[np.ix_(columns, columns)] @ weights - cross @ gram @ cross)
-            cross = linear.raw_gram[np.ix_(known, columns)] @ weights
+            cross = calibration @ effect
             left = raw - float(cross @ np.linalg.solve(plain, cross))
             if seen <= 0 or left <= 0:
                 continue

@@ -1,4 +1,4 @@
-"""The diagnosis, step by step: calibrate, noise, search, refine, compare, decide. It knows no mechanism by name."""
+"""The diagnosis, step by step: calibrate, noise, search, refine, judge, decide. It knows no mechanism by name."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -7,21 +7,24 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, candidates, chance, compare, form, generic, order
+from pipeline.diagnosis import calibrate, candidates, chance, form, generic
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.drivers import Drivers, drivers_of
+from pipeline.diagnosis.judge import Judge, judge
+from pipeline.diagnosis.judged import NOTHING, judged
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import Noise, estimate, robust, white
 from pipeline.diagnosis.outcome import Study, bare, cancels, decide, rms
 from pipeline.diagnosis.problem import Problem, State, placed
-from pipeline.diagnosis.record import WORKING_SAMPLES, joined
-from pipeline.diagnosis.search import INEXACT, Explanation, Search
+from pipeline.diagnosis.record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
+from pipeline.diagnosis.search import Explanation, Search
 from pipeline.errors import BadInput
 from pipeline.run_yaml import Run
 from pipeline.systems import Parameter, System
 from pipeline.systems.interface import PORTS
 
+ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
 LEAST_SAMPLES, LEAST_STROKES = 200, 2
 INEXACT_FROM = 0.2  # noise floors between two ways to weigh the samples: more shows that no formula is exact
@@ -32,17 +35,20 @@ def make_problem(
     runs: list[Run],
     tables: list[pd.DataFrame],
     folders: list[Path] | None = None,
-    most: int = WORKING_SAMPLES,
+    most: int | None = None,
     without: frozenset[str] = frozenset(),
     thin: bool = True,
+    by: Judge | None = None,
 ) -> Problem:
-    """The problem of one or more runs of one rig, averaged to at most `most` samples; raises BadInput.
+    """The problem of one or more runs of one rig, averaged to `most` samples (the working number); raises BadInput.
 
     No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
+    `by` judges in place of the library's own judge.
     """
     where = (folders or [Path(runs[0].run)])[0]
     system = runs[0].system
-    record = joined(runs, tables, most, thin)
+    working = WORKING_SAMPLES if system.levered else DRIVES_SAMPLES
+    record = joined(runs, tables, most or working, thin)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
         problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
@@ -57,7 +63,9 @@ def make_problem(
             raise BadInput(where / "run.yaml", f"simulation[{number}].id", problem, "remove it")
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
     without = without | nowhere
-    return Problem(system, record, drivers, parameters, record.measured, len(record), included, len(homes), without)
+    return Problem(
+        system, record, drivers, parameters, record.measured, len(record), included, len(homes), without, by or judge()
+    )  # fmt: skip
 
 
 def homes_of(system: System, runs: list[Run]) -> list[Parameter]:
@@ -119,7 +127,7 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     random = chance.seen(problem, base)
     least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
     if problem.included:  # what was adopted is as inexact as any formula
-        least = max(least, INEXACT * bare(problem, noise))
+        least = max(least, ADOPTED * bare(problem, noise))
     say("searching explanations")
     search = Search(Linear(problem, base, noise, shapes), least)
     chosen, best = search.select(noise.floor, largest=1), base
@@ -137,15 +145,16 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) in (0, len(before.ids)):
                 break
-    say("comparing")
-    sets = order.by_prediction(search.linear, compare.unbeaten(search, chosen, noise.floor))
+    say("judging")
+    found = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
+    sets = found.sets
     best = at_work(search, sets[0]) if sets else base
     while len(sets) > 1 and cancels(problem, best):  # a balance of two effects is none of what ties
         sets = sets[1:]
         best = at_work(search, sets[0])
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
     random = {id_: shape for id_, shape in random.items() if id_ in still}
-    return decide(problem, nominal, base, noise, best, sets, search, random)
+    return decide(problem, nominal, base, noise, best, replace(found, sets=sets), search, random)
 
 
 def at_work(search: Search, one: Explanation) -> State:

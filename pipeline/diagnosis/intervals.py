@@ -93,7 +93,7 @@ def intervals(
         part = np.arange(at, at + len(act.coefficients))
         at += len(act.coefficients)
         effects.append((part, linear.table[own[part]].T @ coefficients[part]))
-        sizes = np.sqrt(np.diag(linear.raw_gram)[own[part]] / linear.rows)
+        sizes = np.sqrt(np.diag(linear.raw(own[part])[0]) / linear.rows)
         effect = float(np.sqrt(np.mean(np.square(effects[-1][1])))) or noise.floor
         prior[part] = np.square(np.maximum(sizes, 1e-12) / effect)
     plain = linear.gram[np.ix_(own, own)]

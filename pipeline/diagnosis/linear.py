@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg.blas import dsyrk
 
 from pipeline.diagnosis.interface import Shape, Term
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.recursions import boxed, fitted, scan, whiten
+from pipeline.diagnosis.products import Products
+from pipeline.diagnosis.recursions import boxed, fitted, scan
 from pipeline.kinematics import Array
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
@@ -32,7 +32,7 @@ class Fit:
     active: int
 
 
-class Linear:
+class Linear(Products):
     """A problem linearised at a state, under a noise model, with columns for the shapes of chosen mechanisms."""
 
     def __init__(
@@ -101,17 +101,7 @@ class Linear:
         self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])
         self.rows = rows
         table = np.ascontiguousarray(np.vstack([*columns, target]))
-        norms = np.sqrt(np.einsum("ij,ij->i", table, table))
-        self.norm = np.where(norms > 0, norms, 1.0)
-        self.table = table
-        whitened = whiten(table, noise.ar, problem.drivers.first[:rows]) / noise.innovation
-        products, raw = _products(whitened), _products(table)
-        self.gram, self.moment, self.square = products[:-1, :-1].copy(), products[-1, :-1].copy(), products[-1, -1]
-        self.raw_gram, self.raw_moment, self.raw_square = raw[:-1, :-1].copy(), raw[-1, :-1].copy(), raw[-1, -1]
-        diagonal = np.arange(len(prior))
-        self.gram[diagonal, diagonal] += prior
-        self.raw_prior = prior * noise.floor**2
-        self.scale = np.sqrt(np.diag(self.gram))
+        self.hold(table, prior, noise, problem.drivers.first[:rows])
 
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
         """Calibration's columns and those of some shapes."""
@@ -141,19 +131,15 @@ class Linear:
 
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:
         """Squared residual per sample of a solution, not whitened."""
-        gram = self.raw_gram[np.ix_(columns, columns)]
-        return (
-            float(self.raw_square - 2.0 * self.raw_moment[columns] @ solution + solution @ gram @ solution) / self.rows
-        )
+        gram, moment, square = self.raw(columns)
+        return float(square - 2.0 * moment @ solution + solution @ gram @ solution) / self.rows
 
     def plain(self, columns: np.ndarray) -> Fit:
         """Joint fit that weighs all samples alike: what is left after it is what a person sees in the plot."""
-        gram = self.raw_gram[np.ix_(columns, columns)].copy()
+        gram, moment, _ = self.raw(columns)
         gram[np.arange(len(columns)), np.arange(len(columns))] += self.raw_prior[columns]
         start = np.clip(np.zeros(len(columns)), self.low[columns], self.high[columns])
-        solution = boxed(
-            np.ascontiguousarray(gram), self.raw_moment[columns], self.low[columns], self.high[columns], start
-        )
+        solution = boxed(np.ascontiguousarray(gram), moment, self.low[columns], self.high[columns], start)
         return Fit(columns, solution, np.nan, self.raw_energy(columns, solution), 0)
 
     def gap(self, truth: Fit, rival: np.ndarray) -> float:
@@ -188,9 +174,3 @@ class Linear:
             at += count
         found = tuple(Act(id_, tuple(shapes), tuple(values_)) for id_, (shapes, values_) in acts.items())
         return State(values, fit.coefficients[: problem.runs].copy(), problem.included + found)
-
-
-def _products(table: Array) -> Array:
-    """All products of the rows of a table, symmetric."""
-    upper = dsyrk(1.0, table.T, trans=1)
-    return np.asarray(np.triu(upper) + np.triu(upper, 1).T)

@@ -67,7 +67,7 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
         entries_.append(
             {
                 "id": act.id,
-                "confidence": confidence(found),
+                "confidence": confidence(found, act.id),
                 f"rms_{unit}": as_entry(size),
                 "parameters": parameters_of(problem, act, relative, shapes),
                 "location": locate.box(effect, problem),
@@ -92,6 +92,6 @@ def unit_of_shape(name: str) -> str:
     return next((unit for ending, unit in endings.items() if name.endswith(ending)), "1")
 
 
-def confidence(found: Study) -> float:
-    """How far the data carry the name: the explained share, divided among what ties."""
-    return float(np.clip(found.share, 0.0, 1.0) / max(len(found.sets), 1))
+def confidence(found: Study, id_: str) -> float:
+    """How likely the mechanism is at work: the judge's probability; 1 where its every move is chance and was seen."""
+    return 1.0 if id_ in found.random else float(np.clip(found.judged.confidence(id_), 0.0, 1.0))

@@ -15,7 +15,7 @@ from pipeline.diagnosis.search import Explanation, Search
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
-MOST_STEPS = 6000
+MOST_STEPS = 4000
 Gap = tuple[float, tuple[str, ...], tuple[str, ...]]  # misfit, and the two explanations that it parts
 
 

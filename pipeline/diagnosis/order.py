@@ -8,6 +8,7 @@ from pipeline.diagnosis.search import Explanation
 
 STRETCHES = 5  # of the recording, each left out once
 FUTURE = 2  # stretches at its end, left out together: nothing tells as well what would run away
+LEAST_SEEN = 1e-6  # of a column's square: less in the stretches that are fitted says nothing about its number
 AS_WELL = 1.35  # times the best error: hardly worse to a person who predicts
 
 
@@ -31,6 +32,9 @@ def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
             gram = products[np.ix_(own, own)] + np.diag(np.maximum(prior[own], 0.0))
             low, high = linear.low[one.fit.columns], linear.high[one.fit.columns]
             start = linear.begin[one.fit.columns]
+            unseen = np.diag(gram) <= LEAST_SEEN * np.diag(whole)[own]  # its number stays 0
+            gram[unseen], gram[:, unseen], low[unseen], high[unseen], start[unseen] = 0.0, 0.0, 0.0, 0.0, 0.0
+            gram[unseen, unseen] = 1.0
             solution = boxed(np.ascontiguousarray(gram), products[own, -1].copy(), low, high, start)
             squares[number] += float(np.sum(np.square(table[-1, rows] - solution @ table[np.ix_(own, rows)])))
     return [float(np.sqrt(square / count)) for square in squares]

@@ -8,6 +8,7 @@ import numpy as np
 from pipeline.diagnosis import chance, form
 from pipeline.diagnosis.calibrate import calibrate
 from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.judged import UNKNOWN, Judged
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem, State
@@ -41,6 +42,7 @@ class Study:
     floor: float  # of the noise: at rest, where something random is at work in motion
     random: dict[str, Shape]  # what was seen of mechanisms whose every move is chance
     random_rms: float
+    judged: Judged  # how likely each explanation is
 
     @property
     def best_ids(self) -> tuple[str, ...]:
@@ -59,11 +61,12 @@ def decide(
     base: State,
     noise: Noise,
     best: State,
-    sets: list[Explanation],
+    judged: Judged,
     search: Search,
     random: dict[str, Shape],
 ) -> Study:
-    """The verdict, from what is left after calibration and after the best explanation."""
+    """The verdict, from what is left after calibration and after the best explanation, and from the judge."""
+    sets = judged.sets
     seen = slice(0, problem.rows)
     left = {
         name: rms((problem.measured - problem.simulate(state))[seen])
@@ -90,6 +93,7 @@ def decide(
         not physics(sets[0].ids)
         or cancels(problem, best)
         or helped(problem, best, mismatch)
+        or judged.none >= UNKNOWN
         or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor)
     ):
         verdict = "unknown"
@@ -102,7 +106,8 @@ def decide(
     state = best if verdict in ("explained", "ambiguous") else base
     jerks *= bool(new)
     return Study(
-        problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks
+        problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks,
+        judged,
     )  # fmt: skip
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.judge import Judge, judge
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.record import Record
 from pipeline.kinematics import Array
@@ -50,6 +51,7 @@ class Problem:
     included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
     homed: int = 0  # of the parameters, the last: what shifts the motion of each run after the first
     without: frozenset[str] = frozenset()  # ids that no explanation may name
+    judge: Judge = field(default_factory=judge)  # who says how likely each explanation is
     _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
     def until(self, rows: int) -> "Problem":

@@ -12,7 +12,7 @@ from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 from pipeline.systems import System
 
-WORKING_SAMPLES = 15_000
+WORKING_SAMPLES, DRIVES_SAMPLES = 8_000, 15_000  # of a string's recordings; of a drive's, whose ringing is faster
 BETWEEN_RUNS_S = 60.0
 FINER = 10.0  # times the working rate, at which a motion is differentiated
 OUTLIER, LOCAL = 6.0, 8.0  # spreads of a residual, of all and of its neighbours, that make a reading wild

@@ -71,14 +71,24 @@ def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
 
     `first[i]` is the number of samples since the last break (start of a run), so that no filter reaches across it.
     """
-    out = np.empty_like(columns)
-    order = ar.size
-    for j in range(columns.shape[0]):
-        for i in range(columns.shape[1]):
-            value = columns[j, i]
-            for k in range(min(order, first[i])):
-                value -= ar[k] * columns[j, i - 1 - k]
-            out[j, i] = value
+    out = columns.copy()
+    taps = np.zeros(6 * ((ar.size + 5) // 6))  # six at a time: a pass over the samples costs more than a product
+    taps[: ar.size] = ar
+    breaks = np.append(np.flatnonzero(first[1:] == 0) + 1, columns.shape[1])
+    start = 0
+    for end in breaks:
+        count = end - start
+        before = np.zeros(taps.size + count)
+        for j in range(columns.shape[0]):
+            before[taps.size :], predicted = columns[j, start:end], np.zeros(count)
+            for k in range(0, taps.size, 6):
+                a, b, c, d, e, f = taps[k], taps[k + 1], taps[k + 2], taps[k + 3], taps[k + 4], taps[k + 5]
+                late = before[taps.size - k - 6 : taps.size - k + count]
+                for i in range(count):
+                    predicted[i] += a * late[i + 5] + b * late[i + 4] + c * late[i + 3] + d * late[i + 2]
+                    predicted[i] += e * late[i + 1] + f * late[i]
+            out[j, start:end] -= predicted
+        start = end
     return out
 
 

@@ -5,6 +5,7 @@ from itertools import combinations
 
 import numpy as np
 
+from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Fit, Key, Linear
 
@@ -36,18 +37,23 @@ def apart(ids: tuple[str, ...]) -> bool:
     return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)
 
 
+def varied(shapes: list[Shape]) -> int:
+    """How many parameters of a mechanism's shapes were chosen among several values, in the shape that has most."""
+    values: dict[str, set[float]] = {}
+    for shape in shapes:
+        for name, value in shape.items():
+            values.setdefault(name, set()).add(value)
+    apart = {name for name, some in values.items() if len(some) > 1 or any(name not in shape for shape in shapes)}
+    return max((len(apart & set(shape)) for shape in shapes), default=0)
+
+
 class Search:
     """Explanations on one linearisation, remembered."""
 
     def __init__(self, linear: Linear, least: float = 0.0) -> None:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
         self.penalty = float(np.log(linear.rows))
-        self.free = {
-            id_: max(sum(len({other.get(name) for other in shapes}) > 1 for name in shape) for shape in shapes)
-            if shapes
-            else 0
-            for id_, shapes in linear.catalogue.items()
-        }
+        self.free = {id_: varied(shapes) for id_, shapes in linear.catalogue.items()}
         self.known: dict[tuple[str, ...], Explanation] = {}
         self.nothing = self._explanation((), ())
 

@@ -6,6 +6,8 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Shape
 from pipeline.kinematics import Array
 
+BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
+WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third
 GROWTHS = (0.03, 0.1, 0.3, 1.0)  # of the whole: after how much of it a saturating growth has done 63 %
 
 
@@ -35,6 +37,49 @@ def within(candidates: tuple[float, ...], shape: Shape) -> list[float]:
 def grid(name: str, low: float, high: float, count: int) -> list[Shape]:
     """Candidates of one parameter, evenly spaced in its logarithm, rounded to six digits."""
     return [{name: float(f"{value:.6g}")} for value in np.geomspace(low, high, count)]
+
+
+def slips(drivers: Drivers) -> list[Shape]:
+    """Candidate times of a slip that is over at once, and fewer of one that takes `within_s`."""
+    at_once, slowly = times(drivers, 60), times(drivers, 30)
+    return [{**shape, "within_s": 0.0} for shape in at_once] + [{**shape, "within_s": WITHIN_S} for shape in slowly]
+
+
+def jumps(residual: Array) -> Array:
+    """How far a residual jumps at each sample: the mean after it less the mean before it."""
+    size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
+    size[:BESIDE] = size[len(size) - BESIDE :] = 0.0
+    return np.abs(size)
+
+
+def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How far the largest jump of a residual stands out from the usual ones."""
+    height = jumps(residual)
+    usual = 1.4826 * float(np.median(height)) / 0.6745
+    return float(np.clip(np.log(max(height.max() / max(usual, 1e-300) / 4.0, 1.0)) * 2.0, 0.0, 6.0))
+
+
+def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
+    """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before."""
+    height = jumps(residual)
+    apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
+    found: list[Shape] = []
+    for _ in range(SEEN):
+        place = int(np.argmax(height))
+        if height[place] <= 0.0:
+            break
+        at_s = float(f"{drivers.elapsed_s[place]:.8g}")
+        found += [{"at_s": at_s, "within_s": within_s} for within_s in (0.0, WITHIN_S)]
+        height[max(place - apart, 0) : place + apart] = 0.0
+    return found
+
+
+def slipped(drivers: Drivers, shape: Shape) -> Array:
+    """0 before a slip, 1 after it; a sample that holds a sudden one is a mean, and so between."""
+    since_s = drivers.elapsed_s - shape["at_s"]
+    if shape["within_s"] > 0.0:
+        return np.asarray(1.0 - np.exp(-np.maximum(since_s, 0.0) / shape["within_s"]))
+    return np.asarray(np.clip(since_s / drivers.step_s + 0.5, 0.0, 1.0))
 
 
 def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Shape]:

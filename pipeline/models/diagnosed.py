@@ -5,7 +5,8 @@ depends on what was done before: the simulator goes through the motion of the tr
 A run of which no training points were seen is simulated by the nominal equations.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -15,7 +16,7 @@ from pydantic import Field, field_validator
 
 from pipeline.diagnosis import calibrate, engine, library, order, outcome
 from pipeline.diagnosis.problem import State
-from pipeline.diagnosis.search import LARGEST, TRIED
+from pipeline.diagnosis.search import LARGEST, TRIED, apart
 from pipeline.errors import BadInput
 from pipeline.kinematics import Array, point_contraction_mm, point_motor_turns
 from pipeline.models.diagnosed_problem import SAMPLES, holed, plain
@@ -24,6 +25,9 @@ from pipeline.models.saved import read_json, write_json
 from pipeline.models.settings import checked
 from pipeline.run_yaml import Run
 
+FORESEEING = 10  # explanations that are tried, those first that foresee best
+MIDDLE, HELD_BACK = 0.5, 0.12  # of every winding, hold and unwinding: parts that are held back, at its end too
+UNDONE_TURNS = 0.02  # rms by which an inverse may miss what its forward map made
 LEAST_POINTS = 20  # in which a stroke can be seen at all; a run with fewer stays nominal
 KNOWN = ["time_s", "stroke", "phase", "motor_turns", "load_n"]
 TOLERANCES = {
@@ -34,9 +38,12 @@ TOLERANCES = {
 
 @checked
 class Settings:
-    """What the library shall lack."""
+    """What the library shall lack.
 
-    without: Annotated[tuple[str, ...], Field(strict=False)] = ()
+    Heat follows the whole motion: where an inverse seeks a part of it, each error of the part feeds the next.
+    """
+
+    without: Annotated[tuple[str, ...], Field(strict=False)] = ("thermal",)
 
     @field_validator("without")
     @classmethod
@@ -112,25 +119,53 @@ def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
     """The simulator that the training points of one run of a string make, whatever they can show."""
     known = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
     run, samples = run_of(known), known[SAMPLES]
-    named: list[list[str]] = []
     try:
         found = engine.study(holed(run, samples, without))
         outcome.refuse_faint(found, Path(run.run))
-        verdict, base, best = found.verdict, found.base, found.base
-        if verdict in ("explained", "ambiguous"):
-            best, named = foreseeing(found), [list(one.ids) for one in found.sets]
-        level_mm = float(np.mean(found.problem.simulate(best)))
     except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
-        base = best = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
-        verdict, level_mm = str(error), 0.0
-    return Simulator(
-        run, known[KNOWN], verdict, named, best.values.tolist(), float(best.zeros[0]), best.acts, level_mm,
-        (base.values.tolist(), float(base.zeros[0])),
-    )  # fmt: skip
+        base = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
+        alone = (base.values.tolist(), float(base.zeros[0]))
+        return Simulator(run, known[KNOWN], str(error), [], *alone, base.acts, 0.0, alone)
+    explained = found.verdict in ("explained", "ambiguous")
+    named = [list(one.ids) for one in found.sets] if explained else []
+
+    def simulator(state: State) -> Simulator:
+        level_mm = float(np.mean(found.problem.simulate(state)))
+        return Simulator(
+            run, known[KNOWN], found.verdict, named, state.values.tolist(), float(state.zeros[0]), state.acts, level_mm,
+            (found.base.values.tolist(), float(found.base.zeros[0])),
+        )  # fmt: skip
+
+    if not explained:
+        return simulator(found.base)
+    tried: list[tuple[float, Simulator]] = []
+    for state in foreseeing(found):
+        one = simulator(state)
+        tried.append((undone(one), one))
+        if tried[-1][0] < UNDONE_TURNS:
+            return one
+    return min(tried, key=lambda pair: pair[0])[1]
 
 
-def foreseeing(found: outcome.Study) -> State:
-    """The simulator that best foresees stretches left out of its fit, of those that tie and the best of every size.
+def undone(simulator: Simulator) -> float:
+    """How far the inverse is from undoing the forward map where a part of each motion is held back, rms in turns.
+
+    What acts by a motor's speed, or by the heat of its work, needs a motion that is known better than its ends tell.
+    """
+    known = simulator.known
+    place = known.groupby(["stroke", "phase"]).cumcount() / known.groupby(["stroke", "phase"])["time_s"].transform(
+        "size"
+    )
+    back = (np.abs(place - MIDDLE) < HELD_BACK).to_numpy() | (place > 1.0 - HELD_BACK).to_numpy()
+    asked, rest = known[back], replace(simulator, known=known[~back])
+    if not back.any():
+        return 0.0
+    there = asked.assign(displacement_mm=rest.forward(asked), motor_turns=np.nan)
+    return float(np.sqrt(np.mean(np.square(rest.inverse(there) - asked["motor_turns"].to_numpy(float)))))
+
+
+def foreseeing(found: outcome.Study) -> Iterator[State]:
+    """The simulators that best foresee stretches left out of their fit, of what ties and the best of every size.
 
     A name should be as simple as a recording allows; a prediction need not.
     """
@@ -138,11 +173,16 @@ def foreseeing(found: outcome.Study) -> State:
     beside = [one for size in range(1, LARGEST + 1) for one in search.all_of(size)[:TRIED]]
     tried = list({one.keys: one for one in [*found.sets, *beside]}.values())
     errors = order.left_out_errors(search.linear, tried)
-    for place in np.argsort(errors, kind="stable")[:TRIED]:
+    good = tried[int(np.argmin(errors))].ids
+    if len(good) < LARGEST:  # what foresees best may have been too far behind to be searched on
+        sets = [(*good, id_) for id_ in search.linear.catalogue if id_ not in good]
+        more = [search.explain(ids) for ids in sets if apart(ids)]
+        tried, errors = [*tried, *more], [*errors, *order.left_out_errors(search.linear, more)]
+    for place in np.argsort(errors, kind="stable")[:FORESEEING]:
         state = found.best if tried[place] is found.sets[0] else engine.at_work(search, tried[place])
         if not outcome.cancels(found.problem, state):
-            return state
-    return found.best
+            yield state
+    yield found.best
 
 
 MODEL = Diagnosed

@@ -15,11 +15,14 @@ from pipeline.runs import find_runs
 REFUSED = 2  # exit status of the diagnosis when some run cannot be decided; the others are written
 
 
-def ask(runs: list[Path], out: Path, without: str = "", together: bool = False) -> dict[str, Any]:
+def ask(
+    runs: list[Path], out: Path, without: str = "", together: bool = False, judge: Path | None = None
+) -> dict[str, Any]:
     """Diagnose runs into `out`; returns how it went. Raises RuntimeError when the diagnosis fails."""
     command = [sys.executable, "-m", "pipeline.diagnose", *map(str, runs), "--out", str(out)]
     command += ["--without", without] if without else []
     command += ["--together"] if together else []
+    command += ["--judge", str(judge)] if judge else []
     before = os.times()
     # it must end when this process does, not when Snakemake does
     done = subprocess.run(command, env={**os.environ, "TWISTBENCH_PARENT": str(os.getpid())})
@@ -37,9 +40,10 @@ def main() -> None:
     parser.add_argument("runs", type=Path, help="folder of run folders")
     parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
+    parser.add_argument("--judge", type=Path, metavar="FILE", help="a judge in place of the library's")
     told = parser.parse_args()
     runs = list(find_runs(told.runs))
-    asked = ask(runs, told.out, told.without) if runs else {"runs": [], "seconds": 0.0, "status": 0}
+    asked = ask(runs, told.out, told.without, judge=told.judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
     write_text(told.out / "asked.json", json.dumps(asked) + "\n")
 
 

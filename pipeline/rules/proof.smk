@@ -33,6 +33,12 @@ def without(wildcards):
     return wildcards.batch.removeprefix("without-") if wildcards.batch.startswith("without-") else ""
 
 
+def judge(wildcards):
+    """An author's cases are judged by who was not taught by this author."""
+    author = BATCHES[wildcards.batch][0].author
+    return f"--judge=pipeline/proof/teach/judges/without_{author}.json" if author else ""
+
+
 # What is hidden goes two ways: the recordings to whoever diagnoses, the answers to the score alone.
 rule conceal:
     output:
@@ -59,11 +65,13 @@ rule verdict:
         f"{PROOF}/logs/verdict-{{batch}}.log",
     params:
         without=without,
+        judge=judge,
         code=fingerprint("pipeline.proof.ask", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.ask {input:q} --out {output:q} --without={params.without:q} > {log:q} 2>&1"
+        "exec python -m pipeline.proof.ask {input:q} --out {output:q} --without={params.without:q} {params.judge}"
+        " > {log:q} 2>&1"
 
 
 rule carry_on:

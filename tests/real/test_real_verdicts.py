@@ -18,7 +18,7 @@ SOURCES = {
     "tsa_haptic": "FaragSeif/tsa_haptic (scripts/data/*.csv)",
 }
 ANSWERS = {"mass_kg": 95.11, "viscous": 203.5, "coulomb": 20.39, "offset": -3.16}  # of the benchmark's authors
-DIRECTION = {"friction_hysteresis", "backlash", "viscous_loss", "sensor_lag"}  # what a loop by direction may be
+DIRECTION = {"friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip"}  # what parts by direction
 
 
 def recording(rig, name):

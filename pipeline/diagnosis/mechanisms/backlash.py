@@ -7,6 +7,8 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import play
 from pipeline.diagnosis.shapes import grid
 
+INSIDE = {"share": 1.0, "inner_share": 0.5}  # of the half-width: contacts that yield close a part of it earlier
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
     """Half-widths of the play, in turns."""
@@ -15,8 +17,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """The string's twist follows the motor's with a dead band."""
-    followed = play(drivers.motion, np.full(len(drivers.motion), shape["half_width_turns"]))
-    return [Term("share", "twist", followed - drivers.motion, "1", high=1.25)]
+    found = []
+    for name, share in INSIDE.items() if drivers.levered else [("share", 1.0)]:
+        followed = play(drivers.motion, np.full(len(drivers.motion), share * shape["half_width_turns"]))
+        found.append(Term(name, "twist", followed - drivers.motion, "1", high=1.25))
+    return found
 
 
 MECHANISM = Mechanism(

@@ -4,17 +4,23 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import times
+from pipeline.diagnosis.shapes import jump_mark, slipped, slips, slips_seen
+from pipeline.kinematics import Array
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """When it slips, in s since the start."""
-    return times(drivers, 160)
+    """When it slips, in s since the start, and how fast."""
+    return slips(drivers)
+
+
+def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+    """Where a residual jumps."""
+    return slips_seen(drivers, residual)
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """A step of the length."""
-    return [Term("mm", "length", (drivers.elapsed_s >= shape["at_s"]).astype(float), "mm", -np.inf)]
+    """A step of the length, at once or within a second."""
+    return [Term("mm", "length", slipped(drivers, shape), "mm", -np.inf)]
 
 
 MECHANISM = Mechanism(
@@ -28,5 +34,7 @@ MECHANISM = Mechanism(
     details=("by {mm} after {at_s}",),
     shapes=shapes,
     terms=terms,
+    suggest=suggest,
+    mark=jump_mark,
     steps=4,
 )

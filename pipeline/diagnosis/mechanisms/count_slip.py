@@ -4,7 +4,8 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import times
+from pipeline.diagnosis.shapes import jump_mark, slipped, slips, slips_seen
+from pipeline.kinematics import Array
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -12,16 +13,21 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
     None where a constant gear makes twist and reading one: there a sudden step is `clamp_slip`.
     """
-    return [*times(drivers, 160), {"at_s": -1.0}] if drivers.levered else []
+    return [*slips(drivers), {"at_s": -1.0, "within_s": 0.0}] if drivers.levered else []
+
+
+def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+    """Where a residual jumps."""
+    return slips_seen(drivers, residual) if drivers.levered else []
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """A step of the string's twist against the encoder's."""
+    """A step of the string's twist against the encoder's, at once or within a second."""
     if shape["at_s"] < 0:
         return [
             Term("turns_per_stroke", "twist", -(drivers.stroke - drivers.stroke[0]).astype(float), "turns", -np.inf)
         ]
-    return [Term("turns", "twist", -(drivers.elapsed_s >= shape["at_s"]).astype(float), "turns", -np.inf)]
+    return [Term("turns", "twist", -slipped(drivers, shape), "turns", -np.inf)]
 
 
 MECHANISM = Mechanism(
@@ -35,5 +41,7 @@ MECHANISM = Mechanism(
     details=("{turns_per_stroke} at every stroke", "{turns} after {at_s}"),
     shapes=shapes,
     terms=terms,
+    suggest=suggest,
+    mark=jump_mark,
     steps=5,
 )

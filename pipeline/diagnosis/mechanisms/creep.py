@@ -1,5 +1,7 @@
 """Lengthening under load over time, recovering at least partly [A3, A4]."""
 
+import numpy as np
+
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import lowpass
@@ -11,17 +13,22 @@ TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)
 def shapes(drivers: Drivers) -> list[Shape]:
     """Freshly loaded at the first sample, or loaded for long before it; the times that the recording can show."""
     taus = time_constants(drivers, TIMES_S)
-    return [{"fresh": fresh, "fastest_s": taus[0], "slowest_s": taus[-1]} for fresh in (1.0, 0.0)]
+    scales = {"fastest_s": taus[0], "slowest_s": taus[-1], "loaded": float(drivers.loaded)}
+    return [{"fresh": fresh, **scales} for fresh in (1.0, 0.0)]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
     found = []
-    tensions = {"load": drivers.load}
+    tensions = {"load": (drivers.load, drivers.load0)}
+    if shape["loaded"] and drivers.levered:
+        tensions["steep_load"] = (drivers.load * np.abs(drivers.load), drivers.load0 * abs(drivers.load0))
     if drivers.levered:
-        tensions["twist"] = drivers.load * drivers.tangent**2
-    for name, tension in tensions.items():
-        start = 0.0 if shape["fresh"] else drivers.load0 if name == "load" else float(tension[0])
+        for name, power in (("twist", 2), ("steep_twist", 4)):
+            twisted = drivers.load * drivers.tangent**power
+            tensions[name] = (twisted, float(twisted[0]))
+    for name, (tension, before) in tensions.items():
+        start = 0.0 if shape["fresh"] else before
         for tau_s in within(TIMES_S, shape):
             strain = lowpass(tension, drivers.time_s, tau_s, start) - start
             found.append(Term(f"{name}_{tau_s:g}_s_mm_per_10_n", "length", strain, "mm/10N"))

@@ -5,6 +5,8 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
+WAVES = {"sine": np.sin, "cosine": np.cos}
+HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve
 LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
 
 
@@ -20,12 +22,17 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Sine and cosine of the turn: on the reading, and on the twist, which behind a constant gear is the same."""
+    """Sine and cosine of the turn and its harmonics: on the reading, and on the twist, unless a gear is constant."""
     angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
-    waves = {"sine": np.sin(2.0 * np.pi * angle), "cosine": np.cos(2.0 * np.pi * angle)}
+    within = np.gradient(angle)  # turns in one sample, over which its reading is a mean
+    waves = {name: wave(2.0 * np.pi * angle) * np.sinc(within) for name, wave in WAVES.items()}
     found = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
     if not shape["wheel_mm"] and drivers.levered:
         found += [Term(f"{name}_turns", "twist", wave, "turns", -np.inf) for name, wave in waves.items()]
+    for harmonic in HARMONICS if drivers.levered and not shape["wheel_mm"] else ():
+        for name, wave in WAVES.items():
+            signal = wave(2.0 * np.pi * harmonic * angle) * np.sinc(harmonic * within)
+            found.append(Term(f"{name}_{harmonic}_mm", "sensor", signal, "mm", -np.inf))
     return found
 
 

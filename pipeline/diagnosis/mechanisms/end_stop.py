@@ -4,10 +4,13 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import hinge
 from pipeline.kinematics import Array
 
-UPPER = np.linspace(0.45, 1.09, 44)  # of the nominal range; calibration may stretch it
+UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
+SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
 LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
+TOP, FEWEST = 95.0, 20  # percentile of the reading above which it is highest; moving samples there
 LOWER = np.linspace(0.01, 0.3, 14)
 
 
@@ -15,7 +18,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
     """Where the motion ends, in mm from where it starts; side 1: at its upper end, −1: at its lower end."""
     low, high = float(drivers.contraction.min()), float(drivers.contraction.max())
     places = [(share, 1.0) for share in UPPER] + [(share, -1.0) for share in LOWER]
-    return [{"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side} for share, side in places]
+    return [
+        {"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side, "soft_mm": float(f"{soft:.6g}")}
+        for share, side in places
+        for soft in ((0.0, SOFT * (high - low)) if drivers.levered else (0.0,))
+    ]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -23,10 +30,21 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 
     def clipped(reading: Array) -> Array:
         stop = reading[0] + shape["stop_mm"]
-        beyond = np.maximum(reading - stop, 0.0) if shape["side"] > 0 else np.minimum(reading - stop, 0.0)
-        return np.asarray(-beyond)
+        beyond, soft = shape["side"] * (reading - stop), shape["soft_mm"]
+        held = hinge(beyond, 0.0, soft) if soft > 0.0 else np.maximum(beyond, 0.0)
+        return np.asarray(-shape["side"] * held)
 
     return [Term("share_held", "sensor", clipped, "1", LEAST_HELD, 1.4)]
+
+
+def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How much less than predicted the reading moves where it is highest: 6 where it stands still."""
+    reading, moved = residual + predicted, np.abs(np.diff(predicted))
+    top = (reading[1:] > np.percentile(reading, TOP)) & (moved > 0.2 * np.percentile(moved, 95))
+    if top.sum() < FEWEST:
+        return 0.0
+    share = float(np.sum(np.diff(reading)[top] * np.sign(np.diff(predicted)[top])) / np.sum(moved[top]))
+    return 6.0 * float(np.clip(1.0 - share, 0.0, 1.0))
 
 
 MECHANISM = Mechanism(
@@ -40,4 +58,5 @@ MECHANISM = Mechanism(
     details=("the stop is {stop_mm} from where the recording begins",),
     shapes=shapes,
     terms=terms,
+    mark=mark,
 )

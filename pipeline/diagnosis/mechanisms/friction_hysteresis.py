@@ -6,34 +6,36 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import play
 from pipeline.diagnosis.shapes import grid
+from pipeline.kinematics import Array
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
-ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: turns after a reversal that a loop needs
-
-
-SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
+STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
+ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive's loop has two stops, out of these
 WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
+SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
+SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
 TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n"}
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Stretch, by how far after a reversal the loop is open again; or a play of twist as wide as the load is heavy.
+    """Stretch, by stops of every width, or of two where nothing is twisted; or a play of twist as wide as the load.
 
-    Where nothing is twisted it may also be dry: open at once, closed at rest. `loaded`: whether the recording can tell
-    a loop that follows the load from one that does not.
+    Where nothing is twisted it may also be dry alone: open at once, closed at rest. `loaded`: whether the recording
+    can tell a loop that follows the load from one that does not.
     """
+    fastest = float(np.percentile(np.abs(drivers.rate), 99))
+    loaded = float(drivers.loaded)
+    if not drivers.levered:
+        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": loaded} for share in DRY]
+        pairs = [(float(f"{a * drivers.span:.6g}"), float(f"{b * drivers.span:.6g}")) for a, b in ROUNDINGS]
+        return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded} for a, b in pairs), *dry]
     stretch = [
         {
-            "half_turns": float(f"{a * drivers.span:.6g}"),
-            "wide_half_turns": float(f"{b * drivers.span:.6g}"),
-            "loaded": float(drivers.loaded),
+            "span_turns": float(f"{drivers.span:.6g}"),
+            "fastest_turns_per_s": float(f"{fastest:.6g}"),
+            "loaded": loaded,
         }
-        for a, b in ROUNDINGS
     ]
-    if not drivers.levered:
-        fastest = float(np.percentile(np.abs(drivers.rate), 99))
-        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": float(drivers.loaded)} for share in DRY]
-        return [*stretch, *dry]
     usual = float(f"{max(float(np.median(drivers.load)), 1e-3):.6g}")
     plays = [
         {**shape, "usual_load": usual} for shape in grid("play_turns", 1e-3 * drivers.span, 0.1 * drivers.span, 14)
@@ -54,23 +56,39 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         return [Term("share", "twist", lost, "1", high=1.25), Term("inner_share", "twist", half, "1", high=1.25)]
     if "slow_turns_per_s" in shape:
         sides = {"dry": np.tanh(drivers.rate / shape["slow_turns_per_s"])}
-    else:
+    elif "half_turns" in shape:
         sides = {name: drivers.directed(shape[key]) for name, key in WIDTHS.items()}
-    slope = drivers.tangent
+    else:
+        sides = {f"stop_{share:g}": drivers.directed(share * shape["span_turns"]) for share in STOPS}
     found = []
     for name, side in sides.items():
-        signals = {"mm": side}
-        if drivers.levered:
-            signals["load_twist_mm_per_10_n"] = side * drivers.load * slope
-            signals["load_steep_mm_per_10_n"] = side * drivers.load * slope**3
-        if shape["loaded"]:
-            signals["load_mm_per_10_n"] = side * np.abs(drivers.load)
-        if shape["loaded"] and not drivers.levered:
-            signals["slack_mm"] = side * np.exp(-np.abs(drivers.load) / SLACK_LOAD)
         found += [
-            Term(f"{name}_{key}", "resistance", signal, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
-            for key, signal in signals.items()
+            Term(f"{name}_{key}", "resistance", side * size, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
+            for key, size in envelopes(drivers, bool(shape["loaded"])).items()
         ]
+    if "fastest_turns_per_s" in shape:
+        for share in SLOW:
+            side = np.tanh(drivers.rate / (share * shape["fastest_turns_per_s"]))
+            found.append(Term(f"dry_{share:g}_mm", "resistance", side))
+            found.append(
+                Term(f"dry_{share:g}_twist_mm_per_10_n", "resistance", side * drivers.load * drivers.tangent, "mm/10N")
+            )
+    return found
+
+
+def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
+    """How high a loop may be, by name: the same everywhere, or growing with load, and with load and twist."""
+    load, slope = drivers.load, drivers.tangent
+    found = {"mm": np.ones_like(load)}
+    if drivers.levered:
+        found["load_twist_mm_per_10_n"] = load * slope
+        found["load_steep_mm_per_10_n"] = load * slope**3
+    if loaded and drivers.levered:
+        found["root_load_twist_mm"] = np.sqrt(np.abs(load)) * slope
+    if loaded:
+        found["load_mm_per_10_n"] = np.abs(load)
+    if loaded and not drivers.levered:
+        found["slack_mm"] = np.exp(-np.abs(load) / SLACK_LOAD)
     return found
 
 

@@ -15,7 +15,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [
         {"critical_turns": float(f"{share * top:.6g}"), "softness_turns": float(f"{soft * top:.6g}")}
         for share in np.linspace(0.5, 0.98, 17)
-        for soft in (0.01, 0.05)
+        for soft in (0.01, 0.04, 0.1)
     ]
 
 

@@ -1,11 +1,15 @@
 """Ringing: load and string oscillate after every start and stop [F14]."""
 
 import numpy as np
+from scipy.ndimage import median_filter
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import resonator
+from pipeline.kinematics import Array
 
+STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3  # of the spectrum that tells where a residual rings
+NEAR = (0.98, 1.0, 1.02)  # of a line's frequency
 LOWEST_HZ, LOWEST_STIFF_HZ = 0.4, 3.0  # of a load that hangs on a string; of what a stiff drive moves
 
 
@@ -15,10 +19,55 @@ def shapes(drivers: Drivers) -> list[Shape]:
     kinds = (0.0, 1.0) if drivers.loaded else (0.0,)
     return [
         {"frequency_hz": float(f"{hz:.6g}"), "damping": damping, "heavy_slow": kind}
-        for hz in np.geomspace(LOWEST_HZ if drivers.levered else LOWEST_STIFF_HZ, highest, 26)
+        for hz in np.geomspace(LOWEST_HZ if drivers.levered else LOWEST_STIFF_HZ, highest, 16)
         for damping in (0.04, 0.15)
         for kind in kinds
     ]
+
+
+def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+    """Frequencies at which a residual rings: the strongest lines of its spectrum, and the first two together."""
+    if not drivers.levered:
+        return []
+    time_s = drivers.time_s[: len(residual)]
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    height, step_hz = ringing(np.clip(residual, -8.0 * spread, 8.0 * spread), time_s)
+    hz = step_hz * np.arange(len(height))
+    height[(hz < LOWEST_HZ) | (hz > min(0.45 / drivers.step_s, 25.0))] = 0.0
+    peaks: list[float] = []
+    for _ in range(MOST):
+        peak = int(np.argmax(height))
+        if height[peak] < RINGING:
+            break
+        peaks.append(float(hz[peak]))
+        height[np.abs(hz - hz[peak]) < 0.12 * hz[peak]] = 0.0
+    found: list[Shape] = []
+    for peak_hz in peaks:
+        for share in NEAR:
+            shape = {"frequency_hz": float(f"{share * peak_hz:.6g}"), "heavy_slow": 0.0}
+            found += [{**shape, "damping": damping} for damping in (0.015, 0.04, 0.1)]
+    if len(peaks) > 1:
+        both = {"frequency_hz": float(f"{peaks[0]:.6g}"), "second_hz": float(f"{peaks[1]:.6g}"), "heavy_slow": 0.0}
+        found += [{**both, "damping": damping} for damping in (0.015, 0.04, 0.1)]
+    return found
+
+
+def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:
+    """Power of a residual over its background, by bin of the mean spectrum of its stretches, and the bins' width."""
+    step_s = float(np.median(np.diff(time_s)))
+    length = int(min(len(residual) // 4, STRETCH_S / step_s))
+    window = np.hanning(length)
+    starts = range(0, len(residual) - length + 1, max(length // 2, 1))
+    power = np.mean([np.square(np.abs(np.fft.rfft(window * residual[at : at + length]))) for at in starts], axis=0)
+    return power / (median_filter(power, AROUND, mode="nearest") + 1e-300), 1.0 / (length * step_s)
+
+
+def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How far the strongest line of a residual's spectrum stands out."""
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    height, step_hz = ringing(np.clip(residual, -8.0 * spread, 8.0 * spread), drivers.time_s[: len(residual)])
+    lowest = int(np.ceil(LOWEST_HZ / step_hz))
+    return float(np.clip(np.log(max(float(height[lowest:].max(initial=1.0)), 1.0)), 0.0, 6.0))
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -26,11 +75,19 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     load = np.maximum(drivers.load, 0.05)
     hz = shape["frequency_hz"] * (load**-0.5 if shape["heavy_slow"] else np.ones_like(load))
     hz = np.minimum(hz, 0.45 / drivers.step_s)
-    position, velocity = resonator(drivers.contraction, drivers.time_s, hz, shape["damping"])
+    found = mode(drivers, hz, shape["damping"], "swing")
+    if "second_hz" in shape:
+        found += mode(drivers, np.full_like(load, shape["second_hz"]), shape["damping"], "second_swing")
+    return found
+
+
+def mode(drivers: Drivers, hz: Array, damping: float, name: str) -> list[Term]:
+    """One mode's response, in two phases."""
+    position, velocity = resonator(drivers.contraction, drivers.time_s, hz, damping)
     ahead = velocity - np.gradient(drivers.contraction, drivers.time_s) / (2.0 * np.pi * hz)
     return [
-        Term("swing", "length", drivers.contraction - position - 2 * shape["damping"] * velocity, "1", -np.inf),
-        Term("swing_late", "length", ahead, "1", -np.inf),
+        Term(name, "length", drivers.contraction - position - 2 * damping * velocity, "1", -np.inf),
+        Term(f"{name}_late", "length", ahead, "1", -np.inf),
     ]
 
 
@@ -45,4 +102,6 @@ MECHANISM = Mechanism(
     details=("at {frequency_hz}, with a damping ratio of {damping}",),
     shapes=shapes,
     terms=terms,
+    suggest=suggest,
+    mark=mark,
 )

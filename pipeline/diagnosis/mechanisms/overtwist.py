@@ -5,15 +5,18 @@ from numba import njit
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import play
+from pipeline.diagnosis.recursions import lowpass, play
 from pipeline.diagnosis.shapes import hinge
 from pipeline.kinematics import Array
 
+LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of the coil's loop
+BORN = (0.15, 0.5, 0.85)  # of the way from the critical to the highest twist: where more coils are born
+SLOWLY_S = 1.0  # in which coils come over a barrier
 SPREAD = (-2.0, -1.0, 0.0, 1.0, 2.0)  # softnesses about the critical twist at which coils form
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Critical twist in turns, how softly it begins, and the half-width of the coil's loop; none without a string."""
+    """Critical twist in turns, and how softly it begins; none without a string. `top_turns` is the highest twist."""
     if not drivers.levered:
         return []
     top = float(np.percentile(drivers.motion, 99.9))
@@ -21,39 +24,51 @@ def shapes(drivers: Drivers) -> list[Shape]:
         {
             "critical_turns": float(f"{share * top:.6g}"),
             "softness_turns": float(f"{soft * top:.6g}"),
-            "loop_turns": float(f"{loop * top:.6g}"),
+            "top_turns": float(f"{top:.6g}"),
         }
-        for share in np.linspace(0.5, 0.98, 13)
-        for soft in (0.01, 0.05)
-        for loop in (0.02, 0.06, 0.12)
+        for share in np.linspace(0.5, 0.96, 11)
+        for soft in (0.02,)
     ]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Extra contraction beyond the critical twist: at once, by a play, and by coils that form there and melt late."""
-    late = play(drivers.motion, np.full(len(drivers.motion), shape["loop_turns"])) + shape["loop_turns"]
+    critical, softness = shape["critical_turns"], shape["softness_turns"]
     found = []
-    for name, turns in (("at_once", drivers.motion), ("late", late)):
-        beyond = hinge(turns, shape["critical_turns"], shape["softness_turns"])
-        found.append(Term(f"{name}_mm_per_turn", "length", -beyond, "mm/turn"))
-        found.append(Term(f"{name}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
-    memory = 2.0 * shape["loop_turns"]
-    coils = [
-        coiled(drivers.motion, shape["critical_turns"] + apart * shape["softness_turns"], memory) for apart in SPREAD
-    ]
-    return [*found, Term("coiled_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn")]
+    for loop in (0.0, *LOOPS):
+        width = loop * shape["top_turns"]
+        late = play(drivers.motion, np.full(len(drivers.motion), width)) + width
+        beyond = hinge(late, critical, softness)
+        found.append(Term(f"loop_{loop:g}_mm_per_turn", "length", -beyond, "mm/turn"))
+        found.append(Term(f"loop_{loop:g}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
+    for loop in LOOPS:
+        memory = 2.0 * loop * shape["top_turns"]
+        coils = [coiled(drivers.motion, critical + apart * softness, memory) for apart in SPREAD]
+        found.append(Term(f"coiled_{loop:g}_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn"))
+        for born in BORN:
+            at = critical + born * (shape["top_turns"] - critical)
+            width = 0.1 * (shape["top_turns"] - critical)
+            there = np.mean([relay(drivers.motion, at + apart * width, memory) for apart in SPREAD], axis=0)
+            found.append(Term(f"born_{born:g}_loop_{loop:g}_mm", "length", -there))
+    beyond = hinge(drivers.motion, critical, softness)
+    found.append(Term("slowly_mm_per_turn", "length", -lowpass(beyond, drivers.time_s, SLOWLY_S, 0.0), "mm/turn"))
+    return found
 
 
 @njit(cache=True)
-def coiled(turns: Array, critical: float, memory: float) -> Array:
-    """Twist beyond a coil's melting point while there is a coil: from the critical twist until `memory` below it."""
+def relay(turns: Array, born: float, memory: float) -> Array:
+    """1 while there is a coil: from its twist until `memory` below it."""
     out = np.zeros_like(turns)
     there = False
     for i in range(turns.size):
-        there = turns[i] > critical or (there and turns[i] > critical - memory)
-        if there:
-            out[i] = turns[i] - (critical - memory)
+        there = turns[i] > born or (there and turns[i] > born - memory)
+        out[i] = 1.0 if there else 0.0
     return out
+
+
+def coiled(turns: Array, critical: float, memory: float) -> Array:
+    """Twist beyond a coil's melting point while there is a coil: from the critical twist until `memory` below it."""
+    return relay(turns, critical, memory) * (turns - (critical - memory))
 
 
 MECHANISM = Mechanism(

@@ -6,13 +6,15 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.shapes import saturations
 
+SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
     """Work weighs with the load to the power 0 or 1; `work` is the recording's whole work, for scale.
 
     `loaded`: whether the load varies, so that its new maxima show.
     """
-    powers = (0.0, 1.0) if drivers.loaded else (1.0,)
+    powers = (0.0, 1.0, 2.0) if drivers.loaded else (1.0,)
     return [
         {"load_power": power, "work": float(f"{drivers.worked(power)[-1]:.6g}") or 1.0, "loaded": float(drivers.loaded)}
         for power in powers
@@ -20,10 +22,13 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Saturating and straight growth with work, and growth with every new maximum of tension."""
+    """Saturating and straight growth with work, the same or more under load, and with each new highest tension."""
     grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
     found = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
-    if shape["loaded"]:
+    if shape["loaded"] and drivers.levered:
+        for name, signal in grown.items():
+            for power, share in SHARES.items():
+                found.append(Term(f"{name}_{power}_load_mm", "length", signal * np.abs(drivers.load) ** share))
         highest = np.maximum.accumulate(drivers.load)
         found.append(Term("new_highest_load_mm", "length", highest - highest[0]))
     tension = np.maximum.accumulate(drivers.load * drivers.tangent**2)

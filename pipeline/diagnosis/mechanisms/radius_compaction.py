@@ -5,16 +5,33 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
+PRESSED = (0.03, 0.1, 0.3)  # of the highest pressure of the strands on each other: where voids have closed
+SATURATING = (0.15, 0.4)  # of the steepest helix: where a bundle that settles early has settled
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """The laws of twist and tension add up; `loaded`: whether the recording can show the tension's."""
-    return [{"loaded": float(drivers.loaded)}]
+    """The laws of twist and tension add up; `loaded`: whether the recording can show the tension's.
+
+    `steepest` is the largest tangent of the helix angle, `highest_pressure` that of load times tangent squared.
+    """
+    steepest = float(f"{max(float(np.percentile(drivers.tangent, 99.9)), 1e-6):.6g}")
+    pressure = float(np.percentile(np.maximum(drivers.load, 0.0) * drivers.tangent**2, 99.9))
+    highest = float(f"{max(pressure, 1e-9):.6g}")
+    return [{"loaded": float(drivers.loaded), "steepest": steepest, "highest_pressure": highest}]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Relative loss of radius: powers of the helix angle's tangent, with and without load, and the load's logarithm."""
     slope = np.maximum(drivers.tangent, 0.0)
     found = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
+    for share in SATURATING:
+        found.append(Term(f"within_{share:g}", "radius", np.expm1(-slope / (share * shape["steepest"])), "1", high=0.5))
+    pressure = np.maximum(drivers.load, 0.0) * slope**2 / shape["highest_pressure"]
+    for share in PRESSED:
+        for name, power in (("closing", 1), ("ordering", 2)):
+            found.append(
+                Term(f"{name}_at_{share:g}", "radius", np.expm1(-((pressure / share) ** power)), "1", high=0.5)
+            )
     if shape["loaded"]:
         load = np.maximum(drivers.load, 0.05)
         found += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]

@@ -5,6 +5,7 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
+WANDERING = range(2, 9)  # half waves over the recording: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording
 MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SETTLING}  # of each over the recording
 
@@ -15,10 +16,13 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Straight, bent and settling drift, of either sign; about its mean where a true zero makes that an offset."""
+    """Straight, bent, settling and wandering drift, of either sign; about its mean where the zero is a true one."""
     share = drivers.elapsed_s / shape["whole_s"]
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
+    if drivers.free_zero and drivers.levered:
+        signals |= {f"wandering_{k}_mm": np.cos(np.pi * k * np.clip(share, 0.0, 1.0)) for k in WANDERING}
+        means = dict.fromkeys(signals, 0.0)
     return [Term(name, "sensor", signal - means[name], "mm", -np.inf) for name, signal in signals.items()]
 
 

@@ -8,7 +8,8 @@ from pipeline.diagnosis.recursions import lowpass
 from pipeline.kinematics import Array
 
 TIMES_S = (0.03, 0.1, 0.3, 1.0)
-DELAYS_S = (0.05, 0.2)
+DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)
+DRIVES_DELAYS_S = (0.05, 0.2)  # of a drive without a string
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -35,7 +36,11 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     def skewed(reading: Array) -> Array:
         return np.asarray(-drivers.elapsed_s * drivers.slope(reading))
 
-    return [*map(filtered, TIMES_S), *map(delayed, DELAYS_S), Term("clock_skew", "sensor", skewed, "1", -0.02, 0.02)]
+    return [
+        *map(filtered, TIMES_S),
+        *map(delayed, DELAYS_S if drivers.levered else DRIVES_DELAYS_S),
+        Term("clock_skew", "sensor", skewed, "1", -0.02, 0.02),
+    ]
 
 
 MECHANISM = Mechanism(

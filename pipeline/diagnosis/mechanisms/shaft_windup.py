@@ -5,18 +5,34 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
+UP_TO = (0.12, 0.25, 0.45, 0.7)  # of the highest torque: where a spring in series bottoms
+LOOP = 0.02  # of the range of motion: what a coupling that rubs needs to turn its loop round
+
 
 def shapes(drivers: Drivers) -> list[Shape]:
     """One shape; none without a lever that changes, where wind-up is stretch: `axial_elasticity`."""
-    return [{}] if drivers.levered else []
+    if not drivers.levered:
+        return []
+    highest = max(float(np.percentile(np.abs(drivers.load * drivers.sine), 99.9)), 1e-9)
+    return [{"loop_turns": float(f"{LOOP * drivers.span:.6g}"), "highest_torque": float(f"{highest:.6g}")}]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Twist lost in proportion to the torque F r sin a, and a part that stiffens."""
+    """Twist lost in proportion to the torque F r sin a, and parts that stiffen, bottom, yield or rub."""
     torque = drivers.load * drivers.sine
+    side, highest = drivers.directed(shape["loop_turns"]), shape["highest_torque"]
+    stops = [
+        Term(
+            f"up_to_{share:g}_turns_per_10_n", "twist", -np.clip(torque, -share * highest, share * highest), "turns/10N"
+        )
+        for share in UP_TO
+    ]
     return [
+        Term("yielding_turns", "twist", -torque * np.abs(torque), "turns"),
+        Term("rubbing_turns_per_10_n", "twist", -torque * side, "turns/10N"),
         Term("turns_per_10_n", "twist", -torque, "turns/10N"),
         Term("stiffening_turns_per_10_n", "twist", -np.sign(torque) * np.sqrt(np.abs(torque)), "turns/10N"),
+        *stops,
     ]
 
 

@@ -23,8 +23,8 @@ def shapes(drivers: Drivers) -> list[Shape]:
     usual = float(f"{np.median(rate[rate > 0.1 * rate.max()]) if rate.max() > 0 else 1.0:.6g}")
     return [
         {"reach_mm": float(f"{value:.6g}"), "back_share": back, "usual_rate": usual}
-        for value in np.geomspace(1e-3, 0.1, 32) * reach_mm
-        for back in (0.0, 0.15, 0.4)
+        for value in np.geomspace(1e-3, 0.1, 20) * reach_mm
+        for back in (0.0, 0.25)
     ]
 
 
@@ -37,11 +37,11 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     return [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
 
 
-def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
-    """Jerks in a residual: what sticks falls behind slowly and slips ahead at once, so that its steps are skewed.
+def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, float]:
+    """How skewed the steps of a residual are, in standard errors, and how large they are.
 
-    Steps count along the motion, in four classes of its speed; within one they must be skewed beyond chance, larger
-    than at rest, and larger than the sensor's resolution makes them. The reach is that of a sawtooth of the size seen.
+    What sticks falls behind slowly and slips ahead at once. Steps count along the motion, in four classes of its speed;
+    those of a class must be larger than at rest, and larger than the sensor's resolution makes them.
     """
     rate = np.abs(drivers.rate[: len(residual)])[1:]
     still, moving = rate < STILL * rate.max(), rate > 3.0 * STILL * rate.max()
@@ -51,17 +51,34 @@ def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
     step = np.clip(step, -CLIP * spread, CLIP * spread) * np.sign(moved)
     grain = resolution(residual + predicted)
     at_rest = float(np.std(step[still])) if still.sum() > FEWEST else 0.0
+    found = (0.0, 0.0)
     for part in np.array_split(np.flatnonzero(moving)[np.argsort(np.abs(moved[moving]), kind="stable")], 4):
         if len(part) < FEWEST:
             continue
         moving_on = float(np.std(step[part]))
         if moving_on <= max(LOUDER * at_rest, float(np.hypot(at_rest, COARSE * grain))):
             continue
-        skew = float(np.mean(step[part] ** 3)) / moving_on**3
-        if skew * np.sqrt(len(part) / 15.0) > SURE:
-            shape = {"reach_mm": float(f"{np.sqrt(6.0) * np.std(step[part]):.6g}"), "back_share": 0.0}
-            return shape | {"usual_rate": float(f"{np.median(rate[moving]):.6g}")}
-    return None
+        skew = float(np.mean(step[part] ** 3)) / moving_on**3 * float(np.sqrt(len(part) / 15.0))
+        if skew > SURE:
+            return skew, moving_on
+        found = max(found, (skew, moving_on))
+    return found
+
+
+def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
+    """Jerks beyond chance; the reach is that of a sawtooth of the size seen."""
+    skew, size = jerks(drivers, residual, predicted)
+    if skew <= SURE:
+        return None
+    rate = np.abs(drivers.rate[: len(residual)])[1:]
+    usual = float(np.median(rate[rate > 3.0 * STILL * rate.max()]))
+    shape = {"reach_mm": float(f"{np.sqrt(6.0) * size:.6g}"), "back_share": 0.0}
+    return shape | {"usual_rate": float(f"{usual:.6g}")}
+
+
+def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """Skewed steps, in standard errors."""
+    return float(np.clip(jerks(drivers, residual, predicted)[0], 0.0, SURE))
 
 
 MECHANISM = Mechanism(
@@ -76,4 +93,6 @@ MECHANISM = Mechanism(
     shapes=shapes,
     terms=terms,
     random=random,
+    mark=mark,
+    least_mark=2.0,
 )

@@ -6,14 +6,21 @@ from pipeline.diagnosis.shapes import saturations
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """`work` is the recording's whole work, for scale; none without a load, which would show nothing."""
+    """Over work or over time; `work` and `whole_s` are the recording's own, for scale; none without a load."""
     work = float(f"{drivers.worked(1.0)[-1]:.6g}")
-    return [{"work": work, "from_load": ref} for ref in (0.0, drivers.load0)] if work > 0 else []
+    if work <= 0.0:
+        return []
+    whole_s = float(f"{drivers.elapsed_s[-1]:.6g}")
+    refs = (0.0, drivers.load0)
+    return [{"work": work, "from_load": ref} for ref in refs] + [{"whole_s": whole_s, "from_load": ref} for ref in refs]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """A stretch that falls with work, in proportion to the load."""
-    grown = saturations(drivers.worked(1.0), shape["work"])
+    in_time = "whole_s" in shape
+    grown = (
+        saturations(drivers.elapsed_s, shape["whole_s"]) if in_time else saturations(drivers.worked(1.0), shape["work"])
+    )
     load = drivers.load - shape["from_load"]
     return [Term(f"{name}_mm_per_10_n", "length", -load * signal, "mm/10N") for name, signal in grown.items()]
 

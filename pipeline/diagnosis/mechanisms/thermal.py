@@ -10,6 +10,8 @@ from pipeline.kinematics import Array
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)
 LEAST_RANGE_K = 0.3
+MOVING = 0.05  # of the highest rate: faster is moving, for heat that comes whenever the motor turns
+BEHIND_S = 30.0  # of the node between what heats and the string, where there are two
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -30,7 +32,10 @@ def _powers(drivers: Drivers) -> dict[str, Array]:
     """What may heat, by name; a current that is not recorded heats nothing."""
     rate = np.abs(drivers.rate)
     current = np.zeros_like(rate) if drivers.current_a is None else drivers.current_a
-    return {"friction": rate * np.abs(drivers.load), "speed": rate**2, "current": current**2}
+    moving = 1.0 - np.exp(-rate / (MOVING * max(float(np.percentile(rate, 99)), 1e-9)))
+    torque = np.abs(drivers.load) * np.maximum(drivers.sine, 0.0)
+    powers = {"friction": rate * np.abs(drivers.load), "speed": rate**2, "current": current**2, "moving": moving}
+    return powers | ({"torque": rate * torque} if drivers.levered else {})
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -52,6 +57,9 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         for tau_s in within(TIMES_S, shape):
             warm = lowpass(power / usual, drivers.time_s, tau_s, 0.0)
             found.append(Term(f"{name}_{tau_s:g}_s_mm", "length", sign * warm))
+            if tau_s > BEHIND_S:
+                behind = lowpass(warm, drivers.time_s, BEHIND_S, 0.0)
+                found.append(Term(f"{name}_{tau_s:g}_s_behind_mm", "length", sign * behind))
     return found
 
 

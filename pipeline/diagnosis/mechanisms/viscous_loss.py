@@ -4,24 +4,51 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.recursions import lowpass
+
+RELAXING_S = (0.08, 0.2, 0.5)  # a loss with a memory of its own, as a Kelvin-Voigt element in series with a spring
+
+GROWING = 2.0  # times what it is without twist, that a loss may gain at the highest: a lag has nothing without twist
+TWICE_S = 0.12  # of each of two such elements in a row
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """`loaded`: whether the loss may grow with the load, which a constant load cannot show."""
-    return [{"loaded": float(drivers.loaded)}]
+    """`loaded`: whether the loss may grow with the load, which a constant load cannot show.
+
+    `steepest` is the largest tangent of the helix angle, for scale.
+    """
+    steepest = float(f"{max(float(np.percentile(np.abs(drivers.tangent), 99.9)), 1e-6):.6g}")
+    return [{"loaded": float(drivers.loaded), "steepest": steepest}]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """Loss with the rate, straight, with its root, and with the load.
+    """Loss with powers of the rate, at once or relaxing, and with the load.
 
-    The root is a string's: where a guide rubs, it would only blur the step of friction into the straight line.
+    The powers are a string's: where a guide rubs, a root would only blur the step of friction into the straight line.
     """
     rate = drivers.rate
     found = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn")]
-    if drivers.levered:
-        found.append(Term("root_mm", "resistance", np.sign(rate) * np.sqrt(np.abs(rate)), "mm"))
     if shape["loaded"]:
         found.append(Term("loaded_mm_per_turn_s_10_n", "resistance", rate * drivers.load, "mm s/turn/10N"))
+    if not drivers.levered:
+        return found
+    steep = np.abs(drivers.tangent) / shape["steepest"]
+    powers = {
+        "low": np.sign(rate) * np.abs(rate) ** 0.3,
+        "root": np.sign(rate) * np.sqrt(np.abs(rate)),
+        "straight": rate,
+        "square": rate * np.abs(rate),
+        "growing_root": np.sign(rate) * np.sqrt(np.abs(rate)) * (1.0 + GROWING * steep),
+        "growing": rate * (1.0 + GROWING * steep),
+    }
+    for name, power in powers.items():
+        if name != "straight":
+            found.append(Term(f"{name}_mm", "resistance", power))
+        for tau_s in RELAXING_S:
+            late = lowpass(power, drivers.time_s, tau_s, 0.0)
+            found.append(Term(f"{name}_relaxing_{tau_s:g}_s_mm", "resistance", late))
+        twice = lowpass(lowpass(power, drivers.time_s, TWICE_S, 0.0), drivers.time_s, TWICE_S, 0.0)
+        found.append(Term(f"{name}_relaxing_twice_{TWICE_S:g}_s_mm", "resistance", twice))
     return found
 
 

@@ -1,19 +1,35 @@
 """The radius changes with travel: filaments wear off, settle or fray [B4-B6]."""
 
+import numpy as np
+
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.shapes import saturations
+from pipeline.kinematics import Array
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """Thinner or thicker; `travel_turns` is the recording's whole travel, for scale."""
-    travel = float(f"{drivers.path[-1]:.6g}")
-    return [{"sign": sign, "travel_turns": travel} for sign in (-1.0, 1.0)]
+    """Thinner or thicker, with travel or with travel under load; `travel_turns` is the recording's own, for scale."""
+    powers = (0.0, 1.0) if drivers.loaded else (0.0,)
+    whole = {power: float(f"{travelled(drivers, power)[-1]:.6g}") for power in powers}
+    return [
+        {"sign": sign, "travel_turns": whole[power], "load_power": power} for sign in (-1.0, 1.0) for power in powers
+    ]
+
+
+def travelled(drivers: Drivers, load_power: float) -> Array:
+    """Travel since the start, each bit of it weighed with the load to a power, as Archard has it."""
+    if load_power == 0.0:
+        return drivers.path
+    load = 0.5 * (np.abs(drivers.load[1:]) + np.abs(drivers.load[:-1])) ** load_power
+    return np.concatenate([[0.0], np.cumsum(load * np.diff(drivers.path))])
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Relative change of radius with travel, saturating and straight."""
-    grown = saturations(drivers.path, shape["travel_turns"])
+    travel = travelled(drivers, shape["load_power"])
+    grown = saturations(travel, shape["travel_turns"])
+    grown["faster"] = (travel / shape["travel_turns"]) ** 2
     return [Term(name, "radius", shape["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
 
 

@@ -1,10 +1,10 @@
-"""Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if it beats nothing."""
+"""Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if clearly better."""
 
 from pipeline.diagnosis import calibrate, candidates, engine, generic, outcome
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.search import Search
+from pipeline.diagnosis.search import LEAST_GAIN, Search
 from pipeline.kinematics import Array
 from pipeline.proof.baselines.frozen import frozen
 from pipeline.proof.baselines.learnt import Calibrated, Learnt
@@ -21,7 +21,7 @@ def learn(seen: Calibrated) -> Learnt:
     best = search.all_of(1)[0]
     named: list[str] = []
     state = seen.state
-    if best.cost < search.nothing.cost:
+    if best.cost <= search.nothing.cost - LEAST_GAIN:
         named = list(best.ids)
         state = calibrate.refine(problem, noise, search.linear.state_of(best.fit, best.keys))
 

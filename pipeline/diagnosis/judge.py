@@ -1,0 +1,84 @@
+"""How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
+
+The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, and small
+deviations of both for singles, pairs and triples. The scores of all explanations and of "none of them" share one
+softmax, as in McFadden (1974). `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+"""
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import BadInput
+from pipeline.kinematics import Array
+
+HERE = Path(__file__).parent
+SIZES = (1, 2, 3)  # mechanisms in an explanation
+BY_SIZE, BY_NAME = 2.0, 1.5  # how freely the number of mechanisms and each name may weigh, beside a ramp's 1
+APART = 0.3  # how freely singles, pairs and triples may be weighed otherwise than all of them
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """What an explanation names, and its signs by name."""
+
+    ids: tuple[str, ...]
+    signs: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Knots of every sign, and weights: of the ramps between knots and of the names, both by size, and of none."""
+
+    knots: dict[str, list[float]]
+    names: list[str]
+    weights: Array
+    of_none: Array
+
+    def basis(self, some: list[Weighed]) -> Array:
+        """What the weights multiply, shape (explanations, weights)."""
+        signs = {name: np.array([one.signs.get(name, 0.0) for one in some]) for name in self.knots}  # 0: no such mark
+        ramps = [
+            np.clip((signs[name] - low) / (high - low), 0.0, 1.0)
+            for name, knots in self.knots.items()
+            for low, high in pairwise(knots)
+        ]
+        named = [BY_NAME * np.array([float(name in one.ids) for one in some]) for name in self.names]
+        sizes = np.array([len(one.ids) for one in some])
+        every = np.column_stack([BY_SIZE * np.ones(len(some)), *ramps, *named])
+        apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
+        return np.hstack([every, APART * apart])
+
+    def probabilities(self, some: list[Weighed]) -> Array:
+        """Of each explanation, and, last, of none of them."""
+        scores = np.append(self.basis(some) @ self.weights, none_of(some) @ self.of_none)
+        odds = np.exp(scores - scores.max())
+        return np.asarray(odds / odds.sum())
+
+
+def none_of(some: list[Weighed]) -> Array:
+    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is."""
+    singles = [one for one in some if len(one.ids) == 1]
+    best = min(one.signs["left_share"] for one in some)
+    return np.array([1.0, best, max(best, -3.0), min(one.signs["left_share"] for one in singles or some),
+                     some[0].signs["mismatch_floors"]])  # fmt: skip
+
+
+def read(content: dict[str, Any]) -> Judge:
+    """A judge from the content of its file."""
+    return Judge(content["knots"], content["names"], np.array(content["weights"]), np.array(content["of_none"]))
+
+
+@cache
+def judge(path: Path = HERE / "judge.json") -> Judge:
+    """The judge that is part of the library, or another one's file; raises BadInput for a file that is none."""
+    try:
+        return read(json.loads(path.read_text(encoding="utf-8")))
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        mend = "give a file that `python -m pipeline.proof.teach` wrote"
+        raise BadInput(path, "--judge", f"is no judge: {error}", mend) from None

@@ -1,0 +1,57 @@
+"""Probabilities of explanations → the sets that a verdict holds, the likeliest first."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.diagnosis import compare, order
+from pipeline.diagnosis.problem import State
+from pipeline.diagnosis.search import Explanation, Search
+from pipeline.diagnosis.weigh import weighed
+from pipeline.kinematics import Array
+
+HELD = 0.8  # of the probability of all explanations, that the sets of a verdict have together at least
+TAUGHT = 2  # effects in a lesson at most
+UNKNOWN = 0.4  # of the probability: "none of them" with more makes the verdict
+
+
+@dataclass(frozen=True)
+class Judged:
+    """Explanations that are held, the likeliest first; how likely each weighed set is, and "none of them"."""
+
+    sets: list[Explanation]
+    likely: dict[tuple[str, ...], float]
+    none: float
+
+    def confidence(self, id_: str) -> float:
+        """How likely a mechanism is at work, whatever is beside it."""
+        return float(sum(share for ids, share in self.likely.items() if id_ in ids))
+
+
+NOTHING = Judged([], {}, 1.0)
+
+
+def held(named: Array) -> list[int]:
+    """Places of the explanations that are held, the likeliest first, from the probability of each."""
+    order = np.argsort(-named, kind="stable")
+    reached = np.cumsum(named[order]) / max(float(named.sum()), 1e-300)
+    return [int(place) for place in order[: int(np.argmax(reached >= HELD)) + 1]]
+
+
+def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
+    """What a search found, judged; `base` is the calibrated simulator, `floor` that of the noise.
+
+    The judge was taught on strings. Where nothing is wound, explanations are compared by what their truth implies.
+    """
+    if not search.linear.problem.drivers.levered:
+        sets = order.by_prediction(search.linear, compare.unbeaten(search, chosen, floor))
+        return Judged(sets, {one.ids: 1.0 / len(sets) for one in sets}, 0.0)
+    some = weighed(search, base, floor)
+    *shares, none = search.linear.problem.judge.probabilities(some).tolist()
+    named = np.array(shares)
+    if len(chosen.ids) > TAUGHT and set(some[int(np.argmax(named))].ids) < set(chosen.ids):
+        # no lesson has three effects: where a third is worth much more than bent formulas are, it is taken
+        named = np.where([len(one.ids) > TAUGHT for one in some], named, 0.0)
+        named *= (1.0 - none) / max(float(named.sum()), 1e-300)
+    likely = {one.ids: float(share) for one, share in zip(some, named, strict=True)}
+    return Judged([search.explain(some[place].ids) for place in held(named)], likely, none)

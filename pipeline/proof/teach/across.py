@@ -1,0 +1,67 @@
+"""How a judge does on an author whose laws it was not taught."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.diagnosis.judge import Judge
+from pipeline.diagnosis.judged import UNKNOWN, held
+from pipeline.proof.teach.fit import explanations, fitted
+from pipeline.proof.teach.lesson import Lesson
+
+STRATA = {1: "single", 2: "pair"}
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A lesson and what a judge says of it: the sets that it holds, the likeliest first; none: unknown."""
+
+    lesson: Lesson
+    sets: tuple[tuple[str, ...], ...]
+    places: tuple[int, ...]
+
+    @property
+    def stratum(self) -> str:
+        """What was hidden: a single effect, a pair, or one that no library has."""
+        return "open" if self.lesson.effects[0].startswith("x_") else STRATA[len(self.lesson.effects)]
+
+    @property
+    def outcome(self) -> str:
+        """How the sets compare with what was hidden."""
+        if not self.sets:
+            return "unknown"
+        right = any(self.lesson.right[place] for place in self.places)
+        if len(self.sets) == 1:
+            return "exact" if right else "firm and wrong"
+        return "in the set" if right else "not in the set"
+
+
+def judged(judge: Judge, lesson: Lesson) -> Judged:
+    """What a judge says of a lesson."""
+    some = explanations(lesson)
+    *named, none = judge.probabilities(some).tolist()
+    places = held(np.array(named)) if none < UNKNOWN else []
+    return Judged(lesson, tuple(some[place].ids for place in places), tuple(places))
+
+
+def left_out(lessons: list[Lesson]) -> list[Judged]:
+    """Every lesson, judged by one who was taught by the other authors alone."""
+    found = []
+    for author in sorted({lesson.author for lesson in lessons}):
+        judge = fitted([lesson for lesson in lessons if lesson.author != author])
+        found += [judged(judge, lesson) for lesson in lessons if lesson.author == author]
+    return found
+
+
+def table(found: list[Judged]) -> str:
+    """Outcomes by stratum and author, one line each, with the mean size of the sets."""
+    lines = []
+    for stratum in (*STRATA.values(), "open"):
+        for author in [*sorted({one.lesson.author for one in found}), "all"]:
+            some = [one for one in found if one.stratum == stratum and author in (one.lesson.author, "all")]
+            count = Counter(one.outcome for one in some)
+            sizes = [len(one.sets) for one in some if one.sets]
+            outcomes = ", ".join(f"{name} {number}" for name, number in sorted(count.items()))
+            lines.append(f"{stratum:7}{author:10}{len(some):5}: {outcomes}; mean set {np.mean(sizes or [0]):.2f}")
+    return "\n".join(lines)

@@ -1,0 +1,95 @@
+"""One lesson: a concealed case by an author, the explanations that the search weighs, and which of them is right."""
+
+import json
+import random
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.judge import Weighed
+from pipeline.diagnosis.weigh import weighed
+from pipeline.rig.authors import authors
+from pipeline.rig.authors.interface import Asked, OutOfReach, Protocol
+from pipeline.run_yaml import parse_run
+
+PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
+SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm
+PAIRS_EACH, OPEN_EACH = 12, 8  # for every round of all single effects
+DIGITS = 5
+TRIES, APART = 6, 1000  # seeds that are tried where an author's rig cannot show an effect
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """A case, and the explanations of it: their ids, their signs, and whether each names just what was hidden."""
+
+    author: str
+    seed: int
+    effects: tuple[str, ...]
+    kappas: tuple[float, ...]
+    protocol: Protocol
+    ids: tuple[tuple[str, ...], ...] = ()
+    signs: tuple[dict[str, float], ...] = ()
+    right: tuple[bool, ...] = ()
+
+
+def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
+    """Lessons to make: in every round each effect of each author alone, some pairs, and some that no library has.
+
+    Their order is drawn, so that any first part of them is a fair sample.
+    """
+    found = []
+    for author in who:
+        draw = random.Random(f"{author} {seed}")
+        known = sorted(authors()[author].laws)
+        inside = [name for name in known if not name.startswith("x_")]
+        outside = [name for name in known if name.startswith("x_")]
+        wanted: list[tuple[tuple[str, ...], tuple[float, float]]] = []
+        for _ in range(rounds):
+            wanted += [((name,), SINGLES) for name in inside]
+            wanted += [(tuple(draw.sample(inside, 2)), PAIRS) for _ in range(PAIRS_EACH)]
+            wanted += [((draw.choice(outside),), OPEN) for _ in range(OPEN_EACH)]
+        for number, (effects, (low, high)) in enumerate(wanted):
+            kappas = tuple(round(low * (high / low) ** draw.random(), 3) for _ in effects)
+            found.append(Lesson(author, seed + number, effects, kappas, draw.choice(PROTOCOLS)))
+    random.Random(seed).shuffle(found)
+    return found
+
+
+def learnt(lesson: Lesson) -> Lesson:
+    """A lesson with what the search makes of its recording: nothing where nothing was seen, or nothing can be made."""
+    for number in range(TRIES):
+        asked = Asked(lesson.seed + APART * number, lesson.effects, lesson.kappas, lesson.protocol)
+        try:
+            made = authors()[lesson.author].make(asked)
+            break
+        except OutOfReach:
+            continue
+    else:
+        return lesson
+    run = parse_run({"run": "lesson", **made.content}, Path("lesson/run.yaml"))
+    found = study(make_problem([run], [made.table]))
+    if not found.judged.likely:
+        return lesson
+    return of(lesson, weighed(found.search, found.base, found.noise.floor), tuple(found.random))
+
+
+def of(lesson: Lesson, some: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
+    """A lesson with explanations; what jerks at random is named beside each of them."""
+    truth = {name for name in lesson.effects if not name.startswith("x_")}
+    right = tuple({*one.ids, *jerks} == truth for one in some)
+    signs = tuple({name: round(sign, DIGITS) for name, sign in one.signs.items()} for one in some)
+    content = {"ids": tuple(one.ids for one in some), "signs": signs, "right": right}
+    return Lesson(**{**asdict(lesson), **content})
+
+
+def written(lesson: Lesson) -> str:
+    """A lesson as a line of JSON."""
+    return json.dumps(asdict(lesson), separators=(",", ":"))
+
+
+def read(line: str) -> Lesson:
+    """A lesson from a line."""
+    told = json.loads(line)
+    lists = {name: tuple(told[name]) for name in ("effects", "kappas", "signs", "right")}
+    return Lesson(**{**told, **lists, "ids": tuple(tuple(ids) for ids in told["ids"])})

@@ -1,0 +1,124 @@
+"""The judge is taught by lessons, and scored on authors whom it was not taught by."""
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis.judge import judge
+from pipeline.diagnosis.judged import held
+from pipeline.errors import BadInput
+from pipeline.proof.teach import across, fit
+from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written
+from pipeline.rig.authors import authors, names
+
+ROOT = Path(__file__).parent.parent.parent
+JUDGES = ROOT / "pipeline" / "proof" / "teach" / "judges"
+
+
+def made_lessons(count: int, seed: int = 0) -> list[Lesson]:
+    """Lessons of which the right explanation leaves less than the wrong one; where all leave much, none is right."""
+    rng, found = np.random.default_rng(seed), []
+    for number in range(count):
+        good = number % 4 != 0
+        left = {"creep": rng.uniform(-5.0, -4.0) if good else rng.uniform(-0.5, 0.0), "jam": rng.uniform(-2.0, -0.5)}
+        left["creep jam"] = left["creep"] - 0.05
+        ids = tuple(tuple(name.split()) for name in left)
+        signs = tuple(
+            {"left_share": value, "more_gain": float(rng.normal()), "mismatch_floors": 1.0} for value in left.values()
+        )
+        right = tuple(good and names == ("creep",) for names in ids)
+        effects = ("creep",) if good else ("x_odd",)
+        author = ("one", "two")[(number // 4) % 2]
+        found.append(Lesson(author, number, effects, (1.0,), "rich", ids, signs, right))
+    return found
+
+
+def test_a_judge_learns_which_explanation_is_right_and_when_none_is() -> None:
+    taught = fit.fitted(made_lessons(200))
+    for lesson in made_lessons(40, seed=1):
+        *named, none = taught.probabilities(fit.explanations(lesson)).tolist()
+        assert sum(named) + none == pytest.approx(1.0)
+        best = int(np.argmax(named))
+        assert lesson.right[best] and none < 0.5 if any(lesson.right) else none > 0.5
+
+
+def test_it_is_scored_on_authors_whom_it_does_not_know(monkeypatch) -> None:
+    asked: list[set[str]] = []
+    whole = fit.fitted
+    monkeypatch.setattr(across, "fitted", lambda some: asked.append({one.author for one in some}) or whole(some))
+    found = across.left_out(made_lessons(120))
+    assert asked == [{"two"}, {"one"}] and len(found) == 120
+    singles = [one for one in found if one.stratum == "single"]
+    assert sum(one.outcome == "exact" for one in singles) > 0.8 * len(singles)
+    assert sum(one.outcome == "unknown" for one in found if one.stratum == "open") == 30
+
+
+def test_sets_are_held_until_they_have_most_of_the_probability() -> None:
+    assert held(np.array([0.05, 0.6, 0.3])) == [1, 2]
+    assert held(np.array([0.02, 0.9, 0.03])) == [1]
+    assert held(np.array([0.01, 0.09, 0.005])) == [1]  # whatever "none" has
+
+
+def test_the_curriculum_has_every_effect_of_every_author_and_repeats() -> None:
+    first, again = (curriculum(list(names()), 1, 7) for _ in range(2))
+    assert first == again and first != curriculum(list(names()), 1, 8)
+    for name, author in authors().items():
+        alone = {one.effects[0] for one in first if one.author == name and len(one.effects) == 1}
+        assert {law for law in author.laws if not law.startswith("x_")} <= alone
+
+
+def test_a_lesson_has_the_signs_that_the_judge_weighs_and_comes_back_from_its_line() -> None:
+    lesson = learnt(Lesson("lattice", 4, ("axial_elasticity",), (6.0,), "rich"))
+    assert any(lesson.right) and lesson.ids[lesson.right.index(True)] == ("axial_elasticity",)
+    assert set(judge().knots) <= set(lesson.signs[0])
+    assert all(np.isfinite(value) for signs in lesson.signs for value in signs.values())
+    assert read(written(lesson)) == lesson
+    assert not learnt(replace(lesson, seed=5, effects=(), kappas=(), ids=(), signs=(), right=())).ids
+
+
+def test_every_author_has_a_judge_who_was_taught_without_it() -> None:
+    assert sorted(path.stem for path in JUDGES.glob("*.json")) == [f"without_{name}" for name in sorted(names())]
+    weights = {path.read_text() for path in JUDGES.glob("*.json")} | {
+        (ROOT / "pipeline" / "diagnosis" / "judge.json").read_text()
+    }
+    assert len(weights) == len(names()) + 1
+    for path in JUDGES.glob("*.json"):
+        assert set(judge(path).knots) == set(judge().knots)
+
+
+def test_a_file_that_is_no_judge_is_refused(tmp_path) -> None:
+    (tmp_path / "judge.json").write_text('{"knots": {}}')
+    with pytest.raises(BadInput, match="is no judge"):
+        judge(tmp_path / "judge.json")
+
+
+def test_the_program_keeps_its_lessons_and_writes_judges(tmp_path) -> None:
+    wanted = curriculum(list(names()), 1, 50_000)
+    some = made_lessons(len(wanted))
+    kept = [
+        replace(one, ids=other.ids, signs=other.signs, right=other.right)
+        for one, other in zip(wanted, some, strict=True)
+    ]
+    (tmp_path / "lessons.jsonl").write_text("".join(f"{written(one)}\n" for one in kept))
+    command = [
+        sys.executable,
+        "-m",
+        "pipeline.proof.teach",
+        "--rounds",
+        "1",
+        "--lessons",
+        str(tmp_path / "lessons.jsonl"),
+    ]
+    command += ["--out", str(tmp_path / "judge.json"), "--apart", str(tmp_path / "apart")]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert sorted(path.name for path in (tmp_path / "apart").iterdir()) == [
+        f"without_{one}.json" for one in sorted(names())
+    ]
+    assert json.loads((tmp_path / "judge.json").read_text())["names"] == ["creep", "jam"]
+    assert "single" in done.stdout and "mean set" in done.stdout
