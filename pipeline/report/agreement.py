@@ -6,6 +6,10 @@ from pipeline.report import paper
 
 MODEL = "traditional"
 WORST = 0.10  # relative difference from the paper's number up to which an error agrees
+GOLDEN = (
+    "Whether every row of these tables is the published one is said by `python tests/golden/check_metrics.py reports`; "
+    "the published rows are in `tests/golden/published`."
+)
 NAMES = {"average": "average error", "maximum": "maximum error", "rmse": "RMSE"}
 
 
@@ -44,4 +48,4 @@ def agreement(whole: pd.DataFrame) -> list[str]:
         name = f"Table {'I' * number}, {paper.MAPS[number]}, {NAMES[metric]} ({paper.UNITS[number]})"
         said = f"agrees, within {100 * worst:.1f} %" if worst <= WORST else f"does not agree: {100 * worst:.1f} % off"
         lines.append(f"- {name}: {said}")
-    return [*lines, ""]
+    return [*lines, "", GOLDEN, ""]

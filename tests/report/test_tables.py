@@ -162,6 +162,7 @@ def test_comparison_says_of_each_error_whether_the_traditional_model_agrees_with
                 metrics.loc[at & (metrics["model"] == "traditional"), "value"] = theirs * (1.0 - 0.02 * number)
     text = comparison(metrics, "synthetic", TITLES)
     assert "Yes: 6 of 6 errors agree." in text
+    assert "`python tests/golden/check_metrics.py reports`" in text
     assert text.count("agrees, within 2.0 %") == text.count("agrees, within 4.0 %") == 3
     off = (metrics["stroke"] == "5") & (metrics["metric"] == "rmse") & (metrics["map"] == "inverse")
     wrong = metrics.assign(value=metrics["value"].where(~off | (metrics["split"] == "later"), 3.14 * 1.2))
