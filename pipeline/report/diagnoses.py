@@ -101,8 +101,7 @@ def verdicts(folders: list[Path]) -> str:
     lines = []
     for folder in folders:
         if (folder / "verdict.txt").is_file():
-            found = explanations(folder)
-            sets = [f"({' + '.join(ids)})" if len(ids) > 1 < len(found) else " + ".join(ids) for ids in found]
+            sets = [" + ".join(ids) for ids in explanations(folder)]
             more = [f"{len(sets) - 1 - TIES} more"] if len(sets) > 1 + TIES else []
             named = " or ".join([*sets[: 1 + TIES], *more])
             lines.append(f"{words_of(folder).splitlines()[0]} {named}".rstrip())
