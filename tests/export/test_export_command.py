@@ -21,7 +21,7 @@ from models.made_dataset import STRING, made_dataset, pair_dataset
 
 from pipeline import schemas
 from pipeline.errors import program
-from pipeline.export.__main__ import main
+from pipeline.export.__main__ import arguments, main
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
 from pipeline.kinematics import usual_stiffness
@@ -197,3 +197,9 @@ def test_a_header_goes_into_a_folder_that_is_there_and_graphs_into_no_file(folde
     assert (tmp_path / "arm.h").read_text() == header(opened(model, None, Beside()), "arm")
     done = export(model, "--format", "onnx", "--out", file)
     assert done.returncode == 2 and "--out" in done.stderr and "name a folder" in done.stderr
+
+
+def test_the_help_says_where_an_export_goes_that_is_told_no_place(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        arguments(["--help"])
+    assert "default: the current folder" in " ".join(capsys.readouterr().out.split())
