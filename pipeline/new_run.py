@@ -1,7 +1,9 @@
 """A new run folder: `run.yaml` from what was measured, and the recording beside it if there is one already."""
 
 import argparse
+import copy
 import re
+import shlex
 import shutil
 import sys
 from pathlib import Path
@@ -44,17 +46,23 @@ def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool) -> No
         print(f"warning: {question}", file=sys.stderr)
 
 
-def by_option(error: BadInput) -> BadInput:
-    """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet."""
+def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
+    """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet.
+
+    The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
+    """
     found = KEY.search(error.mend)
     if found is None:
         return error
     section, keys = found[1], found[2].split(".")
-    value = "…"
-    for key in reversed(keys):
-        value = f"{{{key}: {value}}}"
+    whole = copy.deepcopy(content.get(section) or {})
+    place = whole
+    for key in keys[:-1]:
+        place = place.setdefault(key, {})
+    place[keys[-1]] = "…"
     mend = error.mend.removesuffix(" in run.yaml")
-    return BadInput(error.file, error.field, error.problem, f"{mend}: here by --{section} '{value}'")
+    option = shlex.quote(write_yaml(whole, flow=True))
+    return BadInput(error.file, error.field, error.problem, f"{mend}: here by --{section} {option}")
 
 
 def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False) -> Path:
@@ -73,7 +81,7 @@ def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: b
             samples = to_samples(run, read_table(recording, run.file), recording, path)
             check_samples(run, samples, recording, sure)
         except BadInput as error:
-            raise by_option(error) from None
+            raise by_option(error, content) from None
     if folder.exists():  # recorded before it was described
         if any((folder / there).exists() for there in RECORDINGS) and not unfinished(folder):
             check_samples(run, read_recording(run, folder), recording_path(folder), sure)
@@ -128,8 +136,11 @@ def main() -> None:
     ):
         parser.add_argument(f"--{name}", type=float, help=meaning)
     parser.add_argument("--string-id", help="name of this very string, if more than one run is made with it")
-    parser.add_argument("--strokes-before", type=int)
-    parser.add_argument("--recording", type=Path, help="a .csv, .csv.gz or .parquet with the contract's channels")
+    parser.add_argument(
+        "--strokes-before", type=int, help="strokes that the string had done before its first recording; default: 0"
+    )
+    columns = "time_s, motor_turns, displacement_mm and what else was measured, or what --channels names"
+    parser.add_argument("--recording", type=Path, help=f"a .csv, .csv.gz or .parquet with the columns {columns}")
     parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")

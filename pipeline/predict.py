@@ -88,7 +88,9 @@ def main() -> None:
         "questions", type=Path, help="csv: motor_turns or displacement_mm; stroke; direction, 1 winding or -1 unwinding"
     )
     parser.add_argument(
-        "--model", default="spline", help="a file of pipeline/models, without .py; fitted anew, no saved one is read"
+        "--model",
+        default="spline",
+        help="a file of pipeline/models, without .py; fitted anew, no saved one is read; default: spline",
     )
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")

@@ -112,7 +112,8 @@ class _Reader:
             value = event.value if event.style else plain_value(event.value)
         except Unclear as error:
             problem, _, mend = str(error).partition("; ")
-            raise self.refuse(problem, mend) from None
+            keyed = self.open and self.open[-1].has_key
+            raise self.refuse(f"{self.open[-1].key}: {problem}" if keyed else problem, mend) from None
         size = len(event.value) + 1
         if event.anchor:
             self.anchors[event.anchor] = (value, size)
@@ -192,6 +193,7 @@ def _text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
 _Dumper.add_representer(str, _text)
 
 
-def write_yaml(content: Any) -> str:
-    """Text of a YAML file that `read_yaml` reads back as `content`, in the order given."""
-    return yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True)
+def write_yaml(content: Any, flow: bool = False) -> str:
+    """Text of YAML that `read_yaml` reads back as `content`, in the order given; `flow`: in braces, on one line."""
+    how: dict[str, Any] = {"default_flow_style": True, "width": math.inf} if flow else {}
+    return yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True, **how).rstrip("\n" if flow else "")

@@ -185,3 +185,23 @@ def test_a_column_given_by_its_name_alone_is_answered_with_what_to_write(new):
 def test_before_there_is_a_run_yaml_a_mend_names_the_option(new, samples, option):
     status, _, said = new("a-01", samples=samples)
     assert status == 2 and option in said and "run.yaml" not in said.partition("Mend: ")[2]
+
+
+def test_a_mend_for_the_command_line_keeps_what_was_given(new):
+    samples = spoiled("motor_turns", lambda v: v * 360).rename(columns={"motor_turns": "theta"})
+    samples["slide"] = samples.pop("displacement_mm")
+    given = "{motor_turns: {column: theta}, displacement_mm: {column: slide}}"
+    status, _, said = new("a-01", "--channels", given, samples=samples)
+    mended = "{motor_turns: {column: theta, unit: …}, displacement_mm: {column: slide}}"
+    assert status == 2 and f"here by --channels '{mended}'" in said, said
+    status, _, said = new("a-01", "--channels", mended.replace("…", "deg"), samples=samples)
+    assert status == 0, said
+
+
+def test_every_option_of_new_run_says_what_it_is(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["new_run", "--help"])
+    with pytest.raises(SystemExit):
+        main()
+    words = " ".join(capsys.readouterr().out.split())
+    assert "strokes that the string had done before its first recording; default: 0" in words
+    assert "with the columns time_s, motor_turns, displacement_mm" in words and "contract" not in words

@@ -160,3 +160,8 @@ def test_a_model_with_a_memory_a_table_that_is_none_and_one_block_end_with_2(dat
             schemas.write(rows.astype({"block": "int32"}), schemas.DATASET, path)
         done = ask(path, text, "--model", "polynomial")
         assert done.returncode == 2 and str(path) in done.stderr and "Mend" in done.stderr, done.stderr
+
+
+def test_the_help_says_which_model_answers_where_none_is_named(dataset: Path) -> None:
+    done = ask(dataset, "", "--help")
+    assert done.returncode == 0 and "default: spline" in " ".join(done.stdout.split())

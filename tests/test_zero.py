@@ -163,9 +163,15 @@ def test_lifespan_takes_no_jump_for_wear(tmp_path: Path) -> None:
         assert np.abs(calm.strokes[name] - jumped.strokes[name]).max() < 0.03, name
     assert not calm.jumps and [jump.run for jump in jumped.jumps] == ["a-2"]
     text = program("lifespan", *folders(tmp_path / "said", JUMP_MM), "--out", tmp_path / "life")
-    assert "It is taken off: it is no wear." in text
+    assert "write `tare: run` in run.yaml of a-2" in text and "Here it is taken off: it is no wear." in text
     (told,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["zero_jumps"]
     assert told["run"] == "a-2" and told["taken_off"] and told["jump_mm"] == pytest.approx(JUMP_MM, abs=0.02)
+
+
+def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
+    text = program("lifespan", *folders(tmp_path / "said", JUMP_MM, "run"), "--out", tmp_path / "life")
+    assert re.search(r"a-2 has `tare: run`: the 0\.5[6-9] mm by which its zero was moved are taken off\.", text)
+    assert "The zero jumps" not in text and "write `tare: run`" not in text
 
 
 def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Path) -> None:

@@ -45,7 +45,7 @@ def at_work(seen: Running | None) -> int | None:
 
 
 def clear_stale_locks() -> None:
-    """Remove the locks that a killed Snakemake left in this folder; say what to do about those that stay."""
+    """Remove the locks that a killed Snakemake left in this folder, and say so, or what to do about those that stay."""
     try:
         locks = {path: path.stat().st_uid for path in LOCKS.glob("*")}
     except OSError as error:
@@ -72,3 +72,5 @@ def clear_stale_locks() -> None:
             f"{LOCKS}: a Snakemake may be at work in this folder, so its locks stay; "
             "when none is, on any machine: snakemake --unlock"
         )
+    else:
+        say("the main job before was killed: its locks are removed, and what it had not finished is made now")

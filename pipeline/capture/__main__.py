@@ -1,4 +1,4 @@
-"""Record a rig: PORT → RUN_DIR/recording.frames, then RUN_DIR/capture.json. Ctrl-C ends it in good order."""
+"""Record a rig: PORT → RUN_DIR/recording.frames, then capture.json. Ctrl-C ends it in good order: what came is used."""
 
 import argparse
 import math
@@ -104,6 +104,8 @@ def tell(info: dict[str, Any], folder: Path) -> None:
     ended = f"ended by {info['ended_by']}" if info["ended_by"] else None
     if ended or info["fault"]:
         print(f"{folder}: {'; '.join(filter(None, (ended, info['fault'])))}; what had come is kept")
+    if info["exit_status"] == "aborted":
+        print(f"{folder}: aborted means ended before the rig was done; what was recorded is used like any run's")
     try:
         read_run(folder)
     except BadInput as error:

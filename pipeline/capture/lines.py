@@ -144,7 +144,7 @@ class Lines:
         """Why no line is read, and the mend."""
         count, between, line = self.wrong
         named = "--columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)"
-        mend = f"name them, as many as a line has numbers: {named}"
+        mend = f"name them in the order in which the rig prints them, as many as a line has numbers, such as {named}"
         if not count:
             return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
         if self._foreign:

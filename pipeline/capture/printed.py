@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from pipeline.capture.fields import MAX_LINE, is_known
+from pipeline.capture.fields import MAX_LINE, TIME, is_known
 from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import Log
 from pipeline.capture.port import Port, Unplugged
@@ -21,7 +21,11 @@ SOON_S = 1.0  # after so long it says what is read as what, or why nothing is
 
 
 def await_header(port: Port, name: str, columns: tuple[str, ...]) -> bytes:
-    """First bytes of the recording: with `columns` none, else up to the first sample or a header; raises BadInput."""
+    """First bytes of the recording: with `columns` none, else up to the first sample or a header.
+
+    Lines of numbers that nothing names are recorded too: they can be named when the run has ended. Raises BadInput for
+    a port that is silent, or that prints neither names nor numbers.
+    """
     heard, until_s = b"", time.monotonic() + HEADER_S
     lines, splitter = Lines(), Splitter()
     while not columns and time.monotonic() < until_s and len(heard) <= 64 * MAX_LINE:
@@ -41,6 +45,8 @@ def await_header(port: Port, name: str, columns: tuple[str, ...]) -> bytes:
         raise BadInput(name, "device", f"said nothing for {HEADER_S:g} s", mend)
     if lines.headers and not lines.bad:
         return heard  # it waits for something: a person, a button
+    if lines.wrong[0] > 1:
+        return heard
     problem, mend = lines.problem()
     raise BadInput(name, "device", f"sent {len(heard)} bytes and no sample: {problem}", mend)
 
@@ -64,7 +70,7 @@ class Telling:
                 self._say("reads", lines.reading())
             elif not lines.good and not_read:
                 problem, mend = lines.problem()
-                self._say("nothing", f"warning: no line is read: {problem}. Mend: {mend}")
+                self._say("nothing", f"warning: no line is read, but all are kept: {problem}. Mend: {mend}")
             elif read - self._read < not_read - self._not_read and lines.bad:
                 _, problem, mend = "", *lines.problem()
                 self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
@@ -114,8 +120,8 @@ def follow(
         elif now_s - began_s > longest_s:
             outcome = Outcome("ended", None, f"--longest after {longest_s:g} s")
         elif now_s - heard_s > SILENCE_S:
-            silence = f"the rig said nothing for {SILENCE_S:g} s; whether it was done, text cannot say"
-            outcome = Outcome("ended", silence)
+            silence = f"{SILENCE_S:g} s of silence; whether the rig was done, text cannot say"
+            outcome = Outcome("ended", None, silence)
         else:
             try:
                 chunk = port.read()
@@ -144,6 +150,11 @@ def missing(holes: list[dict[str, Any]]) -> str:
     return "; ".join(parts)
 
 
+def clock_of(info: dict[str, Any]) -> str:
+    """Name of the column that is read as the device's time, of what capture.json says."""
+    return next((name for name in info["columns"] if TIME.fullmatch(name)), "time")
+
+
 def tell_lines(info: dict[str, Any], folder: Path) -> None:
     """Say what was recorded, what was no line of numbers and where samples seem to be missing."""
     lines = info["lines"]
@@ -160,4 +171,5 @@ def tell_lines(info: dict[str, Any], folder: Path) -> None:
     if info["holes"]:
         print(f"{folder}: {missing(info['holes'])}")
     if lines["time_backward"]:
-        print(f"{folder}: the device's time stands or falls back {lines['time_backward']} times: was it reset?")
+        said = f"the device's time stands or falls back {lines['time_backward']} times"
+        print(f"{folder}: {said}: was it reset, or is the time another column than {clock_of(info)}?")

@@ -21,7 +21,7 @@ WRONG_ENDS = 3  # an END that cannot be true is a fault when it comes again and 
 class Outcome:
     """How it ended: complete, aborted, recovered or fault.
 
-    `fault` is a sentence where something went wrong, `ended_by` says what ended it where that was asked for.
+    `fault` is a sentence where something went wrong, `ended_by` says what ended it where that is no fault.
     """
 
     status: str

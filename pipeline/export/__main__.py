@@ -23,7 +23,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
     parser.add_argument("--format", required=True, choices=("c", "onnx"))
     parser.add_argument(
-        "--out", type=Path, help="the header's file, or the folder of header or graphs; default: this one"
+        "--out", type=Path, help="the header's file, or the folder of header or graphs; default: the current folder"
     )
     parser.add_argument("--name", default="tsa", help="what every name in the export begins with")
     parser.add_argument("--model", help="the model's name; otherwise its folder's")

@@ -87,6 +87,7 @@ def header(source: Source, name: str) -> str:
 def _comment(source: Source, made: Body) -> str:
     inputs = source.inputs
     baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items()]
+    assumed = [f"{field} is {said}." for field, said in inputs.assumed.items()]
     lines = [
         f"A twisted string actuator's kinematics, the fitted model {source.name}: twist to contraction and back.",
         "C99 (and C++), no dependency but <math.h>, no allocation, no state. Numbers are float; -DTSA_REAL=double.",
@@ -102,6 +103,7 @@ def _comment(source: Source, made: Body) -> str:
         "",
         f"Strokes to {inputs.last_stroke} were trained on; beyond, to TSA_STROKE_MAX, the model's law of n goes on.",
         f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}.",
+        *assumed,
     ]
     return "/*\n" + "".join(f" * {line}".rstrip() + "\n" for line in lines) + " */\n"
 

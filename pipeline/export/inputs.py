@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import RAD_PER_TURN, Array
+from pipeline.kinematics import RAD_PER_TURN, Array, usual_stiffness
 from pipeline.models.box import Box
 from pipeline.models.conditions import MEASURED, VARIES
 from pipeline.schemas import unit_of
@@ -85,6 +85,17 @@ class Inputs:
             materials,
             last,
         )
+
+    @property
+    def assumed(self) -> dict[str, str]:
+        """What is baked in though nobody measured it, and where it comes from: a stiffness that is the usual one."""
+        names = ("radius_mm", "length_mm", "stiffness_n_per_mm")
+        if not all(name in self.baked for name in names):
+            return {}
+        radius_mm, length_mm, stiffness = (self.baked[name] for name in names)
+        if abs(stiffness / usual_stiffness(radius_mm, length_mm) - 1.0) > SAME:
+            return {}
+        return {"stiffness_n_per_mm": "assumed, not measured: the usual one of this radius_mm and length_mm"}
 
     @property
     def pair(self) -> bool:

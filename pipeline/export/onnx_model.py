@@ -47,6 +47,7 @@ def _graph(source: Source, name: str, given: str) -> onnx.ModelProto:
         ),
         "materials": json.dumps(source.inputs.materials),
         "baked": json.dumps(source.inputs.baked),
+        "assumed": json.dumps(source.inputs.assumed),
         "last_stroke_trained": str(source.inputs.last_stroke),
     }
     return graph.model(name, len(fields), value, inside, metadata)

@@ -81,11 +81,9 @@ def question(axes: Axes, one: Answer, level: float) -> None:
         interval(axes, one, level, end, scale * one.limit)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     if len(one.n):
-        axes.axvline(one.n[-1], color="0.7", lw=0.8)
-    if left.band is not None:
-        axes.legend(fontsize=7.5, loc="upper left")
-    else:  # beside the axes: on them it would lie over lines
-        axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, borderaxespad=0.1)
+        axes.axvline(one.n[-1], color="0.7", lw=0.8, label="last stroke seen")
+    # beside the axes: on them it would lie over lines
+    axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.1)
 
 
 def farthest(high: float, seen: float) -> float:
@@ -99,7 +97,10 @@ def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -
     low, high = seen + left.low, seen + left.high
     if low > end:
         words, place = f"{percent(level)} interval begins at stroke {low:.0f} →", (1.0, height)
-        axes.annotate(words, place, xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=8)
+        axes.annotate(
+            words, place, xycoords=("axes fraction", "data"), xytext=(0, 4), textcoords="offset points", ha="right",
+            va="bottom", fontsize=8,
+        )  # fmt: skip
         return
     bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
     axes.plot([low, min(high, end)], [height, height], **bar)

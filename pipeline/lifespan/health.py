@@ -7,6 +7,7 @@ import pandas as pd
 
 from pipeline.errors import BadInput
 from pipeline.ingest import geometry
+from pipeline.lifespan.anew import runs_anew
 from pipeline.lifespan.indicators import REFERENCE, ends_mm, loop, model_errors
 from pipeline.lifespan.readings import Stroke, readings
 from pipeline.lifespan.stiffness import stiffness
@@ -23,7 +24,8 @@ class Health:
     """A string's `strokes`, one row each: run, stroke, each of INDICATORS with its `_error`, NaN where not measured.
 
     `string` is its name, `left_out` the complete strokes that wind over another range than the first ones, `jumps` what
-    the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no wear.
+    the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no wear. `anew` are
+    the runs that begin as the string began, and may be of another one.
     """
 
     string: str
@@ -31,6 +33,7 @@ class Health:
     strokes: pd.DataFrame
     left_out: list[int]
     jumps: list[Jump] = field(default_factory=list)
+    anew: list[str] = field(default_factory=list)
 
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Stroke]:
@@ -73,4 +76,5 @@ def health(runs: list[Recorded]) -> Health:
          **loop(one, low, high), **stiffness(one.moving), **error}
         for one, error in zip(same, model_errors(same, low, high), strict=True)
     ]  # fmt: skip
-    return Health(first.run.string_id, [one.run.run for one in runs], pd.DataFrame(rows), left_out, seen)
+    table = pd.DataFrame(rows)
+    return Health(first.run.string_id, [one.run.run for one in runs], table, left_out, seen, runs_anew(table))

@@ -8,7 +8,9 @@ import pandas as pd
 from pipeline.lifespan.ask import Answer, first
 from pipeline.lifespan.choose import Choice
 from pipeline.lifespan.health import INDICATORS, Health
+from pipeline.lifespan.indicators import REFERENCE
 from pipeline.lifespan.percent import percent
+from pipeline.zero import Jump
 
 UNFORESEEN = (
     "An end that has not begun, such as a fibre that breaks or wear that sets in late, cannot be foreseen: the "
@@ -81,6 +83,7 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
             {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
             for jump in health.jumps
         ],
+        "starts_anew": health.anew,
         "level": level,
         "first": earliest.question if earliest else None,
         "questions": {one.question: answer(one, level) for one in answers},
@@ -95,18 +98,39 @@ def sentence(one: Answer, level: float) -> str:
     left, span = one.left, one.left.span(level)
     limit = f"the model calibrated on the first strokes is off by {one.limit:g} {one.unit}"
     limit = f"{percent(one.limit)} of the stroke is lost" if one.unit == "1" else limit
+    sure = f"{percent(level)} sure"
     if span.state == "no claim":
         return f"until {limit}: no claim: {left.reason}."
     if span.state == "passed":
         return f"until {limit}: passed already at stroke {left.passed_at:.0f}."
     if span.state == "censored" or left.choice is None:
-        return f"until {limit}: not within {left.horizon:.0f} strokes (beyond that nothing is asked: censored)."
-    median = f"{span.median:.0f}" if np.isfinite(span.median) else f"more than {left.horizon:.0f}"
-    ends = f"{percent(level)} interval {span.low:.0f} to {span.high:.0f}"
-    if span.state == "one-sided":
-        ends = f"with {percent(level)} more than {span.low:.0f}, no upper end within {left.horizon:.0f}"
-    law = f"law: {left.choice.best.law.name} (weight {percent(left.choice.weights.max())}, by the strokes left out)"
-    return f"until {limit}: {median} strokes left, {ends}; {law}."
+        return f"until {limit}: more than {left.horizon:.0f} strokes left ({sure}), which is as far as is asked."
+    law = f"The law of most weight: {left.choice.best.law.name} ({percent(left.choice.weights.max())})."
+    if span.state == "interval":
+        between = f"{span.low:.0f} to {span.high:.0f} strokes left ({sure})"
+        return f"until {limit}: {between}; half of the futures last longer than {span.median:.0f}. {law}"
+    asked = f"{left.horizon:.0f}, which is as far as is asked"
+    half = f"at least half of the futures last beyond {asked}"
+    if np.isfinite(span.median):
+        half = f"half of the futures last longer than {span.median:.0f}, some beyond {asked}"
+    return f"until {limit}: at least {span.low:.0f} strokes left ({sure}); {half}. {law}"
+
+
+def zero(jump: Jump) -> str:
+    """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
+    if jump.taken_off:
+        return f"{jump.run} has `tare: run`: the {abs(jump.jump_mm):.2g} mm by which its zero was moved are taken off."
+    done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
+    return f"{jump.advice} {done}."
+
+
+def young(run: str) -> str:
+    """What is said of a run that begins as the string began."""
+    return (
+        f"{run} begins as this string began: its first strokes and their loops are those of strokes 1 to {REFERENCE} "
+        f"again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its run.yaml "
+        "(--string-id of pipeline.new_run)."
+    )
 
 
 def sentences(health: Health, answers: list[Answer], level: float) -> str:
@@ -115,9 +139,8 @@ def sentences(health: Health, answers: list[Answer], level: float) -> str:
     lines = [f"{health.string}: {len(table)} strokes seen, the last one stroke {int(table['stroke'].iloc[-1])}."]
     if health.left_out:
         lines.append(f"  {len(health.left_out)} strokes wind over another range than the first ones and are left out.")
-    for jump in health.jumps:
-        how = "It may be theirs, and counts as wear" if jump.may_be_wear else "It is taken off: it is no wear"
-        lines.append(f"  {jump.sentence} {how}.")
+    lines += [f"  {young(run)}" for run in health.anew]
+    lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {sentence(one, level)}" for one in answers]
     if any(len(one.left.when) for one in answers):
         lines.append(f"  {UNFORESEEN}")

@@ -9,6 +9,7 @@ from pipeline import schemas
 from pipeline.errors import program
 from pipeline.names import SYNTHETIC
 from pipeline.report import paper
+from pipeline.report.agreement import agreement
 from pipeline.report.marks import add_mark, mark_from, write_page
 from pipeline.report.plain import plain
 from pipeline.report.strokes_there import missing_of, tabled, there_of
@@ -86,6 +87,7 @@ def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> 
     apart = why_apart(whole, material)
     why = [apart, ""] if apart else []
     text = [f"# {plain(material)}: our errors beside the paper's", "", *why, NOTES, *([missing, ""] if missing else [])]
+    text += agreement(whole) if material == SYNTHETIC else []
     for number, direction in paper.MAPS.items():
         text += [f"## Table {'I' * number}, {direction}, within strokes, winding", ""]
         chosen = whole[(whole["map"] == direction) & (whole["split"] == "within") & (whole["phase"] == "winding")]

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 ALL_ELSE = "All else that was asked for is made. Left out until mended:"
+FAILS = "Until then the main job ends as failed. Nothing else went wrong, whatever Snakemake says below."
 LAST = "all_taken"  # the rule that fails where a run was left out, after everything else
 ELSE = "What other runs need is made with --keep-going."
 
@@ -38,6 +39,6 @@ def told(failed: Iterable[tuple[str, str]], left_out: Iterable[str], keep_going:
                 left.append(reason.removeprefix("left out: "))
                 text.append(reason if reason.startswith("left out: ") else f"failed: {name}: {reason} Its log: {log}")
     if [name for name, _ in jobs] == [LAST] and not any(line.startswith("failed: ") for line in text):
-        return without(left)
+        return f"{without(left)}\n{FAILS}"
     head = "Not all was made:" if text else "Not all was made: see the errors above."
     return "\n".join([head, *text, *([] if keep_going else [ELSE])])

@@ -76,6 +76,7 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper right", fontsize=7)
     title = f"{material}: INNs on held-out points, one mark a draw of permutations and weights"
+    figure.set_layout_engine("constrained", wspace=0.06)  # a label keeps off the panel beside it
     figure.suptitle(f"{title}\nThe first three groups differ in nothing but what is named")
     return figure
 

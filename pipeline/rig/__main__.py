@@ -1,6 +1,7 @@
 """Be a synthetic rig behind a pseudo-terminal: one recording after another, at a pace that a person can watch."""
 
 import argparse
+import math
 import signal
 import sys
 from pathlib import Path
@@ -9,6 +10,7 @@ from types import FrameType
 from pipeline.errors import program
 from pipeline.rig.device import Device
 from pipeline.rig.line import line, serve
+from pipeline.rig.options import command
 from pipeline.rig.setup import names, read_setup
 from pipeline.rig.simulate import simulate
 
@@ -18,6 +20,14 @@ PACE = 5.0  # the paper's nine strokes in a minute
 def _end(number: int, frame: FrameType | None) -> None:
     """End in good order, with the status of a program that the signal ended."""
     sys.exit(128 + number)
+
+
+def paced(pace: float, rate_hz: float) -> str:
+    """How fast the rig is, and how many samples a second the host therefore sees."""
+    if math.isinf(pace):
+        return "without any waiting"
+    faster = "" if pace == 1.0 else f", so its {rate_hz:g} samples a second come as {pace * rate_hz:g}"
+    return f"at {pace:g} times real time{faster}"
 
 
 @program
@@ -36,8 +46,9 @@ def main() -> int:
     device, number = Device(simulate(setup, arguments.seed)), 1
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
-        pace = f"at {arguments.pace:g} times real time"
-        print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; Ctrl-C ends it", flush=True)
+        print(f"rig: {arguments.setup} is at {arguments.link}, {paced(arguments.pace, setup.rate_hz)}; Ctrl-C ends it")
+        print(f"rig: before recording 1 describe its string by: {command(setup, 'example-1')}")
+        print("rig: every recording is of a new string: give each a run and a --string-id of its own", flush=True)
         try:
             while True:
                 served = serve(end, device, arguments.pace)
@@ -46,6 +57,7 @@ def main() -> int:
                 if number == arguments.recordings:
                     return 0 if served else 1
                 number += 1
+                print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
                 device = Device(simulate(setup, arguments.seed + number - 1))
         except KeyboardInterrupt:
             return 130

@@ -286,15 +286,64 @@ def test_a_table_beside_printed_lines_needs_its_hash(tmp_path):
         check_lines(folder / "recording.csv")
 
 
-def test_a_rig_that_prints_no_names_is_refused_with_the_mend(rig, tmp_path):
+def test_what_a_rig_prints_without_names_is_kept_and_named_by_recover(rig, tmp_path):
+    ours, start = rig
+    process, folder, number = start(), tmp_path / "run-1", 0
+
+    def prints() -> None:
+        nonlocal number
+        os.write(ours, line(number))
+        number += 1
+        time.sleep(0.05)
+
+    def begun() -> bool:
+        prints()
+        return (folder / "recording.lines").exists()
+
+    until(begun, process)
+    for _ in range(40):  # two seconds: it warns
+        prints()
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 2 and "warning: no line is read, but all are kept: no line names" in said, said
+    assert "in the order in which the rig prints them" in said
+    assert f"python -m pipeline.capture --recover {folder} --columns time_ms,motor_turns" in said.splitlines()[-1]
+    kept = (folder / "recording.lines").read_bytes()
+    assert kept.count(b"\n") > 45  # those before it knew that no name would come, too
+    named = start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm")
+    assert named.wait(60) == 0
+    assert json.loads((folder / "capture.json").read_text())["samples"]["received"] == kept.count(b"\n") - 1
+
+
+def test_what_is_no_line_of_numbers_at_all_is_refused_and_begins_no_run(rig, tmp_path):
     ours, start = rig
     process = start()
     until_s = time.monotonic() + 60
     while process.poll() is None and time.monotonic() < until_s:
-        os.write(ours, LINES[1])
+        os.write(ours, b"#!?$,%\r\n7\r\n")
         time.sleep(0.1)
-    assert process.returncode == 2 and "--columns" in process.stdout.read()
+    assert process.returncode == 2 and "no sample" in process.stdout.read()
     assert not (tmp_path / "run-1").exists()
+
+
+def test_a_rig_that_falls_silent_has_no_fault(rig, tmp_path):
+    ours, start = rig
+    process, folder = start(), tmp_path / "run-1"
+    print_header(ours, folder, process)
+    os.write(ours, b"".join(LINES))
+    said, _ = process.communicate(timeout=60)
+    info = json.loads((folder / "capture.json").read_text())
+    assert process.returncode == 0 and (info["exit_status"], info["fault"]) == ("ended", None)
+    assert info["ended_by"].startswith("3 s of silence") and f"{folder}: ended by 3 s of silence" in said
+
+
+def test_a_time_that_falls_back_may_be_another_column(rig, tmp_path):
+    _, start = rig
+    folder = tmp_path / "run-1"
+    folder.mkdir()
+    (folder / "recording.lines").write_bytes(b"".join(LINES + LINES))
+    said, _ = start("--recover", str(folder), "--columns", "t_ms,turns,mm").communicate(timeout=60)
+    assert "falls back 1 times: was it reset, or is the time another column than t_ms?" in said
 
 
 def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
@@ -351,7 +400,10 @@ def test_holes_of_one_size_are_told_in_one_line(rig, tmp_path):
 
 def test_the_mend_for_columns_without_names_knows_seconds_and_milliseconds():
     read = Read(b"".join(LINES))
-    assert "--columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)" in read.lines.problem()[1]
+    assert (
+        "such as --columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)"
+        in read.lines.problem()[1]
+    )
 
 
 def test_a_port_that_comes_late_is_waited_for(tmp_path):
@@ -392,7 +444,7 @@ def test_a_run_without_a_sample_is_no_success_and_says_so_while_it_records(rig, 
     until(lambda: (folder / "recording.lines").read_bytes().endswith(COMMAS), process)
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=60)
-    assert process.returncode == 2 and "warning: no line is read: " in said.splitlines()[0], said
+    assert process.returncode == 2 and "warning: no line is read, but all are kept: " in said.splitlines()[0], said
     assert "--recover" in said.splitlines()[-1] and "Traceback" not in said
     assert (folder / "recording.lines").exists() and not (folder / "capture.json").exists()
     assert not (folder / "recording.csv").exists()

@@ -1,5 +1,6 @@
 """The command: what it writes, and how it refuses."""
 
+import json
 import re
 import subprocess
 import sys
@@ -16,13 +17,15 @@ import pandas as pd
 import pytest
 from compiled import ROOT
 from made_models import saved
-from models.made_dataset import made_dataset, pair_dataset
+from models.made_dataset import STRING, made_dataset, pair_dataset
 
 from pipeline import schemas
 from pipeline.errors import program
-from pipeline.export.__main__ import main
+from pipeline.export.__main__ import arguments, main
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
+from pipeline.kinematics import usual_stiffness
+from pipeline.models.interface import make_model
 from pipeline.models.saved import read_json, write_bytes, write_json
 
 
@@ -54,6 +57,24 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         write_bytes(made / name / "later-0.model", text.encode())
     (made / "spline" / "later-1.model").write_bytes((made / "spline" / "within-0.model").read_bytes()[:-1])
     return made
+
+
+@pytest.mark.parametrize("measured", [True, False])
+def test_a_stiffness_that_nobody_measured_is_said_to_be_assumed(tmp_path: Path, measured: bool) -> None:
+    usual = usual_stiffness(STRING["radius_mm"], STRING["length_mm"])
+    points = made_dataset(60, 6).assign(stiffness_n_per_mm=15.0 if measured else usual)
+    model = make_model("spline")
+    model.fit(points[points["within"] == "train"], 0)
+    file = tmp_path / "spline" / "within-0.model"
+    file.parent.mkdir()
+    model.save(file)
+    for form in ("c", "onnx"):
+        done = export(file, "--format", form, "--out", tmp_path)
+        assert done.returncode == 0, done.stderr
+    words = "stiffness_n_per_mm is assumed, not measured: the usual one of this radius_mm and length_mm."
+    assert (words in (tmp_path / "tsa.h").read_text()) != measured
+    said = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
+    assert list(json.loads(said["assumed"])) == ([] if measured else ["stiffness_n_per_mm"])
 
 
 def test_it_writes_a_header(folder: Path, tmp_path: Path) -> None:
@@ -176,3 +197,9 @@ def test_a_header_goes_into_a_folder_that_is_there_and_graphs_into_no_file(folde
     assert (tmp_path / "arm.h").read_text() == header(opened(model, None, Beside()), "arm")
     done = export(model, "--format", "onnx", "--out", file)
     assert done.returncode == 2 and "--out" in done.stderr and "name a folder" in done.stderr
+
+
+def test_the_help_says_where_an_export_goes_that_is_told_no_place(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        arguments(["--help"])
+    assert "default: the current folder" in " ".join(capsys.readouterr().out.split())

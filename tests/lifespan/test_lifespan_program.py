@@ -3,19 +3,22 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
 from made_life import folder, samples
+from made_recording import content
 
 from pipeline.errors import BadInput
 from pipeline.lifespan.__main__ import main
-from pipeline.lifespan.ask import first, stroke_loss
+from pipeline.lifespan.ask import Answer, first, stroke_loss
 from pipeline.lifespan.figure import question
 from pipeline.lifespan.gather import strings
 from pipeline.lifespan.left import Left
+from pipeline.lifespan.record import sentence
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
 
@@ -42,9 +45,9 @@ def test_the_program_ends_well(done):
 
 
 def test_json_says_what_is_documented(done):
-    content = json.loads((done[1] / "lifespan.json").read_text())
-    assert content["string"] == "a-1" and content["strokes_seen"] == 24 and content["level"] == 0.9
-    loss, error = content["questions"]["stroke_loss"], content["questions"]["model_error"]
+    told = json.loads((done[1] / "lifespan.json").read_text())
+    assert told["string"] == "a-1" and told["strokes_seen"] == 24 and told["level"] == 0.9
+    loss, error = told["questions"]["stroke_loss"], told["questions"]["model_error"]
     assert loss["state"] in ("interval", "one-sided") and loss["unit"] == "1" and loss["limit"] == 0.1
     # 0.2 % a stroke against the mean of the first three: the limit is passed at stroke 52
     assert loss["strokes_left"]["low"] < 28 < (loss["strokes_left"]["high"] or np.inf)
@@ -52,10 +55,10 @@ def test_json_says_what_is_documented(done):
     assert sum(law["weight"] for law in loss["laws"]) == pytest.approx(1.0, abs=0.05)
     assert {"name", "formula", "weight", "left_out_rms", "parameters"} == set(loss["laws"][0])
     assert error["state"] == "passed" or error["horizon_strokes"] > 0
-    assert "stiffness_n_per_mm" in content["absent"]
-    assert len(content["indicators"]["stroke_mm"]) == len(content["indicators"]["stroke_mm_error"]) == 24
+    assert "stiffness_n_per_mm" in told["absent"]
+    assert len(told["indicators"]["stroke_mm"]) == len(told["indicators"]["stroke_mm_error"]) == 24
     docs = (ROOT / "docs" / "lifespan.md").read_text()
-    for key in (*content, *loss):
+    for key in (*told, *loss):
         assert f"`{key}`" in docs, key
 
 
@@ -84,22 +87,32 @@ def test_an_interval_with_an_end_is_drawn_to_its_end_and_one_without_to_an_arrow
         assert any(f"{'more than' if arrow else 'to'} " in text.get_text() for text in axes.texts)
 
 
-def test_strokes_are_whole_numbers_and_the_legend_of_no_claim_lies_beside_the_axes(tmp_path):
-    health = strings([folder(tmp_path, "a-1", samples(5, 0.002))])[0]
+@pytest.mark.parametrize("strokes", [5, 24])
+def test_strokes_are_whole_numbers_and_the_legend_lies_beside_the_axes_and_names_every_line(tmp_path, strokes):
+    health = strings([folder(tmp_path, "a-1", samples(strokes, 0.002))])[0]
     axes = plt.figure().add_subplot()
     question(axes, stroke_loss(health, 0.1), 0.9)
     axes.figure.canvas.draw()
     assert all(tick == round(tick) for tick in axes.get_xticks())
     box = axes.get_legend().get_window_extent()
     assert box.y0 >= axes.get_window_extent().y1 - 1.0
+    assert "last stroke seen" in [text.get_text() for text in axes.get_legend().get_texts()]
     plt.close("all")
+
+
+def test_where_the_interval_begins_beyond_the_drawing_its_words_stand_above_the_limit(drawn):
+    axes = drawn(*np.linspace(2000, 3000, 100), *[np.inf] * 100)
+    (words,) = [text for text in axes.texts if "interval begins at stroke" in text.get_text()]
+    axes.figure.canvas.draw()
+    limit = axes.transData.transform((0.0, 10.0))[1]
+    assert words.get_window_extent().y0 > limit + 2.0
 
 
 def test_too_few_strokes_are_said_and_no_error(tmp_path):
     ran = program(folder(tmp_path, "a-1", samples(5, 0.002)), "--out", tmp_path / "out")
     assert ran.returncode == 0 and "no claim: 5 strokes are too few: 12" in ran.stdout
-    content = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
-    assert content["first"] is None and content["questions"]["stroke_loss"]["strokes_left"]["low"] is None
+    told = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
+    assert told["first"] is None and told["questions"]["stroke_loss"]["strokes_left"]["low"] is None
 
 
 def test_a_single_stroke_is_no_error(tmp_path):
@@ -108,6 +121,53 @@ def test_a_single_stroke_is_no_error(tmp_path):
     ended = program(folder(tmp_path, "a-1", samples(1, 0.004)), "--out", out)
     assert ended.returncode == 0 and "1 strokes are too few" in ended.stdout, ended.stderr
     assert (out / "a-1" / "lifespan.png").stat().st_size
+
+
+def said_of(drawn_when, state):
+    """One question's sentence for futures that pass their limit when a test says."""
+    left = Left(when=np.sort(np.array(drawn_when, float)), horizon=120.0, choice=SimpleNamespace(
+        best=SimpleNamespace(law=SimpleNamespace(name="linear")), weights=np.array([0.6, 0.4])))  # fmt: skip
+    assert left.span(0.9).state == state
+    return sentence(Answer("stroke_loss", "", "1", np.array([12.0]), np.zeros(1), np.zeros(1), 0.1, left), 0.9)
+
+
+def test_the_sentence_says_what_is_sure_and_what_half_of_the_futures_do():
+    limit, law = "until 10 % of the stroke is lost:", "The law of most weight: linear (60 %)."
+    low, never = [10.0] * 9, [np.inf] * 60  # 9 of 100 pass at 10 strokes
+    assert said_of([*low, *[66.0] * 31, *never], "one-sided") == (
+        f"{limit} at least 66 strokes left (90 % sure); at least half of the futures last beyond 120, which is as far "
+        f"as is asked. {law}"
+    )
+    assert said_of([*low, *[66.0] * 31, *[80.0] * 30, *never[:30]], "one-sided") == (
+        f"{limit} at least 66 strokes left (90 % sure); half of the futures last longer than 80, some beyond 120, "
+        f"which is as far as is asked. {law}"
+    )
+    assert said_of([*[20.0] * 10, *[40.0] * 80, *[90.0] * 10], "interval") == (
+        f"{limit} 20 to 90 strokes left (90 % sure); half of the futures last longer than 40. {law}"
+    )
+    assert said_of([*low, *[np.inf] * 91], "censored") == (
+        f"{limit} more than 120 strokes left (90 % sure), which is as far as is asked."
+    )
+
+
+def bedded(strokes, first):
+    """Samples of strokes of which the first ones of a string have wider loops; `first` is the number of the first."""
+    table = samples(strokes, 0.0, noise_mm=0.01)
+    number = table.index // 114
+    falls = (table["motor_turns"].diff() < 0) | (table["motor_turns"].shift(-1) < table["motor_turns"])
+    wider_mm = np.where(falls, 0.5 * np.exp(-(number + first - 1) / 3.0), 0.0)
+    return table.assign(displacement_mm=table["displacement_mm"] - wider_mm + 0.05 * number)
+
+
+def test_a_run_that_begins_as_the_string_began_is_told_as_perhaps_another_string(tmp_path):
+    one = {"string": {**content("x")["string"], "id": "s"}}
+    runs = [folder(tmp_path, "a-1", bedded(8, 1), **one), folder(tmp_path, "a-2", bedded(8, 9), **one)]
+    runs.append(folder(tmp_path, "a-3", bedded(8, 1), **one))
+    assert strings(runs[:2])[0].anew == [] and strings(runs)[0].anew == ["a-3"]
+    ran = program(*runs, "--out", tmp_path / "out")
+    assert "a-3 begins as this string began" in ran.stdout and "a-2 begins" not in ran.stdout, ran.stderr
+    assert "give it a string.id of its own" in ran.stdout
+    assert json.loads((tmp_path / "out" / "s" / "lifespan.json").read_text())["starts_anew"] == ["a-3"]
 
 
 def test_bad_input_is_named(tmp_path, monkeypatch, capsys):
@@ -163,13 +223,13 @@ def test_a_life_s_limit_is_against_the_mean_of_the_first_three():
     assert loses(truth, 0.1) == 3.0 and np.isinf(loses(truth, 0.5))
 
 
-@pytest.mark.parametrize("content", [None, {"stroke": [1]}])
-def test_a_truth_that_is_none_is_refused(tmp_path, content):
+@pytest.mark.parametrize("columns", [None, {"stroke": [1]}])
+def test_a_truth_that_is_none_is_refused(tmp_path, columns):
     path = tmp_path / "truth.parquet"
-    if content is None:
+    if columns is None:
         path.write_text("no table")
     else:
-        pd.DataFrame(content).to_parquet(path)
+        pd.DataFrame(columns).to_parquet(path)
     with pytest.raises(BadInput, match="endurance rig"):
         score(tmp_path, 0.1, 5.0)
 

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pipeline.report.failures import ALL_ELSE, ELSE, told, without
+from pipeline.report.failures import ALL_ELSE, ELSE, FAILS, told, without
 
 ROOT = Path(__file__).parents[2]
 
@@ -23,7 +23,7 @@ def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
     assert f"failed: ingest a-01: raw/a-01: time_s: runs backwards. Mend: record it again. Its log: {log}" in said
     assert f"failed: train inn: ZeroDivisionError: division Its log: {silent}" in said
     alone = told([("all_taken", str(last))], ["raw/c: x. Mend: y."], keep_going=False).splitlines()
-    assert alone == [ALL_ELSE, "left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."]
+    assert alone == [ALL_ELSE, "left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y.", FAILS]
     assert without(["a", "a"]).splitlines() == [ALL_ELSE, "left out: a"] and without([]) == ""
     assert told([], [], keep_going=False).splitlines() == ["Not all was made: see the errors above.", ELSE]
 

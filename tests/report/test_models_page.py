@@ -3,12 +3,15 @@
 import csv
 import io
 import sys
+from itertools import pairwise
 
+import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
 from pipeline import schemas
-from pipeline.report.leak import GROUPS, floor
+from pipeline.report.drawing import STYLE
+from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.models import columns, main, numbers, page, sentences
 
@@ -137,3 +140,13 @@ def test_the_figure_of_the_leak_is_drawn_with_the_blind_floor(tmp_path, monkeypa
     with pytest.raises(SystemExit):
         draw()
     assert all((tmp_path / f"figure_leak.{suffix}").stat().st_size > 10_000 for suffix in ("png", "pdf"))
+
+
+def test_no_label_of_the_leaks_figure_touches_the_panel_beside_it():
+    with plt.rc_context(STYLE):
+        figure = figure_leak(made_leak(), made_metrics(), "made")
+        figure.canvas.draw()
+        for left, right in pairwise(figure.axes):
+            apart = right.yaxis.label.get_window_extent().x0 - left.get_window_extent().x1
+            assert apart > 0.15 * figure.dpi, apart
+    plt.close(figure)

@@ -153,6 +153,26 @@ def test_comparison_says_at_its_top_why_the_inn_is_not_the_papers():
     )
 
 
+def test_comparison_says_of_each_error_whether_the_traditional_model_agrees_with_the_paper():
+    metrics = made_metrics().astype({"value": float})
+    for number, direction in paper.MAPS.items():
+        for stroke, printed in paper.TABLES[number]["traditional"].items():
+            for metric, theirs in zip(paper.METRICS, printed, strict=True):
+                at = (metrics["map"] == direction) & (metrics["stroke"] == str(stroke)) & (metrics["metric"] == metric)
+                metrics.loc[at & (metrics["model"] == "traditional"), "value"] = theirs * (1.0 - 0.02 * number)
+    text = comparison(metrics, "synthetic", TITLES)
+    assert "Yes: 6 of 6 errors agree." in text
+    assert "`python tests/golden/check_metrics.py reports`" in text
+    assert text.count("agrees, within 2.0 %") == text.count("agrees, within 4.0 %") == 3
+    off = (metrics["stroke"] == "5") & (metrics["metric"] == "rmse") & (metrics["map"] == "inverse")
+    wrong = metrics.assign(value=metrics["value"].where(~off | (metrics["split"] == "later"), 3.14 * 1.2))
+    text = comparison(wrong, "synthetic", TITLES)
+    assert "No: 5 of 6 errors agree" in text
+    assert "- Table II, inverse, RMSE (θ/2π): does not agree: 20.0 % off" in text
+    assert "errors agree" not in comparison(metrics, "nylon", TITLES)  # another string: nobody expects it
+    assert "errors agree" not in comparison(metrics[metrics["model"] != "traditional"], "synthetic", TITLES)
+
+
 def test_comparison_says_when_later_was_skipped():
     metrics = made_metrics()
     assert "Skipped" in comparison(metrics[metrics["split"] == "within"], "m", TITLES)

@@ -1,17 +1,26 @@
 """The name of the rig's port: one rig's alone while it runs, and free once it has ended."""
 
 import os
+import shlex
 import signal
 import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
+from pipeline.new_run import main as new_run
+from pipeline.rig.options import command
+from pipeline.rig.setup import described as described_as
+from pipeline.rig.setup import dimensions, read_setup
+from pipeline.runs import read_run
+
 ROOT = Path(__file__).parents[2]
 
 
-def start(link):
-    command = [sys.executable, "-m", "pipeline.rig", "small", "--link", str(link)]
-    return subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+def start(link, *options):
+    words = [sys.executable, "-m", "pipeline.rig", "small", "--link", str(link), *options]
+    return subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 def test_a_second_rig_takes_no_link_of_a_live_one_and_a_stale_one_is_replaced(tmp_path):
@@ -43,3 +52,49 @@ def test_a_rig_that_is_told_to_end_takes_its_link_with_it(tmp_path):
     finally:
         rig.kill()
         rig.communicate()
+
+
+def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_string(tmp_path):
+    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2")
+    try:
+        first, described, strings = (rig.stdout.readline() for _ in range(3))
+        assert "without any waiting" in first
+        assert command(read_setup("small"), "example-1") in described
+        assert "every recording is of a new string" in strings and "--string-id of its own" in strings
+        for name in ("example-1", "example-2"):
+            words = ["--", str(tmp_path / "port"), str(tmp_path / name)]
+            subprocess.run([sys.executable, "-m", "pipeline.capture", *words], cwd=ROOT, timeout=300)
+        said, _ = rig.communicate(timeout=300)
+        assert said.count("recording 2 will be of another string than recording 1") == 1 and "recording 3" not in said
+    finally:
+        rig.kill()
+        rig.communicate()
+
+
+def test_at_a_pace_the_rig_says_how_many_samples_a_second_come(tmp_path):
+    rig = start(tmp_path / "port")
+    try:
+        said = rig.stdout.readline()
+        assert "at 5 times real time, so its 20 samples a second come as 100; Ctrl-C ends it" in said
+    finally:
+        rig.kill()
+        rig.communicate()
+
+
+@pytest.mark.parametrize("which", ["paper", "small"])
+def test_the_command_that_the_rig_says_describes_its_very_string(tmp_path, monkeypatch, which):
+    setup = read_setup(which)
+    words = shlex.split(command(setup, "example-1"))
+    assert words[:3] == ["python", "-m", "pipeline.new_run"]
+    monkeypatch.setattr(sys, "argv", [*words[2:], "--out", str(tmp_path)])
+    with pytest.raises(SystemExit) as ended:
+        new_run()
+    assert not ended.value.code
+    run = read_run(tmp_path / "example-1")
+    own = described_as(setup, tmp_path / "synthetic-1" / "run.yaml")
+    assert dimensions(run) == dimensions(own) and run.rig == own.rig and run.string_id == "example-1"
+
+
+def test_the_page_of_the_protocol_has_the_command_that_the_rig_says():
+    text = (ROOT / "docs" / "protocol.md").read_text()
+    assert f"\n{command(read_setup('paper'), 'example-1')}\n" in text and "of a new string" in text

@@ -46,7 +46,7 @@ def test_it_trains_nothing_anew_comes_or_goes_and_is_said_everywhere(project):
     assert [line.split("/")[1] for line in last[1:]] == ["nan-01", "alone-01", "column-01"]
     assert "raw/column-01/recording.parquet" in last[3] or "raw/column-01/run.yaml" in last[3]
     page = project.read("reports/nylon/table_1.md")
-    assert "Left out: run nan-01: raw/nan-01/run.yaml: line 2: .nan is no finite number" in page
+    assert "Left out: run nan-01: raw/nan-01/run.yaml: line 2: radius_mm: .nan is no finite number" in page
     assert "Left out: run column-01: " in page and "alone-01" not in page
     assert project.read("reports/nylon/table_1.csv") == table
 

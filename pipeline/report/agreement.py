@@ -1,0 +1,51 @@
+"""Whether the traditional model's errors are those of the paper's Tables I and II, a line for each error."""
+
+import pandas as pd
+
+from pipeline.report import paper
+
+MODEL = "traditional"
+WORST = 0.10  # relative difference from the paper's number up to which an error agrees
+GOLDEN = (
+    "Whether every row of these tables is the published one is said by `python tests/golden/check_metrics.py reports`; "
+    "the published rows are in `tests/golden/published`."
+)
+NAMES = {"average": "average error", "maximum": "maximum error", "rmse": "RMSE"}
+
+
+def differences(whole: pd.DataFrame) -> dict[tuple[int, str], list[float]]:
+    """Relative differences of the model's errors from the paper's by table and metric, one a stroke that both have.
+
+    `whole` holds the metrics over the whole range of twist.
+    """
+    chosen = whole[(whole["model"] == MODEL) & (whole["split"] == "within") & (whole["phase"] == "winding")]
+    medians = chosen.groupby(["map", "metric", "stroke"])["value"].median()
+    found: dict[tuple[int, str], list[float]] = {}
+    for number, direction in paper.MAPS.items():
+        for stroke, printed in paper.TABLES[number][MODEL].items():
+            for metric, theirs in zip(paper.METRICS, printed, strict=True):
+                place = (direction, metric, str(stroke))
+                if place in medians:
+                    found.setdefault((number, metric), []).append(float(medians[place]) / theirs - 1.0)
+    return found
+
+
+def agreement(whole: pd.DataFrame) -> list[str]:
+    """Lines of Markdown that say of each error whether it agrees and within what; none where nothing compares."""
+    found = {quantity: max(map(abs, off)) for quantity, off in differences(whole).items()}
+    if not found:
+        return []
+    good = sum(worst <= WORST for worst in found.values())
+    strokes = ", ".join(str(stroke) for stroke in paper.STROKES)
+    lines = [
+        "## Does the traditional model agree with the paper?",
+        "",
+        f"{'Yes' if good == len(found) else 'No'}: {good} of {len(found)} errors agree. An error agrees where it is at "
+        f"most {100 * WORST:.0f} % off the paper's at each of the strokes n={strokes} that are there.",
+        "",
+    ]
+    for (number, metric), worst in found.items():
+        name = f"Table {'I' * number}, {paper.MAPS[number]}, {NAMES[metric]} ({paper.UNITS[number]})"
+        said = f"agrees, within {100 * worst:.1f} %" if worst <= WORST else f"does not agree: {100 * worst:.1f} % off"
+        lines.append(f"- {name}: {said}")
+    return [*lines, "", GOLDEN, ""]

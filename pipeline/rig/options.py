@@ -1,0 +1,20 @@
+"""A set-up's string and rig as a command line of `pipeline.new_run`, for a person who records it as one of his own."""
+
+from pipeline.rig.setup import SetUp
+
+MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
+STRING = ("radius_mm", "length_mm", "stiffness_n_per_mm")
+RIG = ("torsion_zone_mm", "separator_mm", "load_n")
+
+
+def option(name: str) -> str:
+    """The option of a key of run.yaml."""
+    return "--" + name.replace("_", "-")
+
+
+def command(setup: SetUp, run: str) -> str:
+    """The command that makes a run folder of that name, with a string of its own; a dimension without value is left."""
+    content = {**setup.run.get("string", {}), **setup.run.get("rig", {})}
+    sizes = [f"{option(name)} {content[name]:g}" for name in (*STRING, *RIG) if content.get(name) is not None]
+    words = ["python -m pipeline.new_run", run, option("material"), MATERIAL, *sizes, option("string_id"), run]
+    return " ".join(words)
