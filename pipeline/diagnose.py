@@ -22,6 +22,7 @@ from pipeline.run_yaml import Run
 from pipeline.zero_beside import jumps_into
 
 Result = TypeVar("Result")
+OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
 
 
 def diagnose(folders: list[Path], out: Path, together: bool = False, without: frozenset[str] = frozenset()) -> str:
@@ -69,7 +70,8 @@ def diagnose(folders: list[Path], out: Path, together: bool = False, without: fr
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
     write_block(content, out / "simulation.yaml")
-    words = "\n".join([verdict_text(content, problem.system, folders, out), *(jump.advice for jump in jumps)])
+    doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
+    words = verdict_text(content, problem.system, folders, out, doubts)
     write_text(out / "verdict.txt", words + "\n")
     return words
 
