@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.diagnosis.figures import title
+from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
@@ -268,7 +269,56 @@ def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
 
 def test_a_mechanism_that_came_out_as_nothing_says_so():
     made = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
-    assert "comes out as nothing" in spoken(made, SYSTEMS["mm"])["mechanisms"][0]["sentence"]
+    said = spoken(made, SYSTEMS["mm"])["mechanisms"][0]["sentence"]
+    assert "the exact fit of everything together gives it a strength of 0. So nothing shows that it is at work." in said
+
+
+def idle_beside_friction(**changes):
+    """A diagnosis that names friction and creep, of which creep came out with no strength."""
+    made = content(**changes)
+    made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
+    made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
+    return without_idle(made, "mm")
+
+
+def test_a_mechanism_without_strength_is_not_named_adopted_or_shared_and_the_verdict_says_why():
+    made = idle_beside_friction(alternatives=[["friction_hysteresis", "creep", "wear"], ["friction_hysteresis"]])
+    assert [entry["id"] for entry in made["mechanisms"]] == ["friction_hysteresis"]
+    assert [entry["id"] for entry in made["simulation"]] == ["friction_hysteresis"]
+    assert made["alternatives"] == [["friction_hysteresis", "creep", "wear"]] and made["verdict"] == "ambiguous"
+    text = told(made)
+    assert "creep was tried as well and is not named. The search's first fit" in text
+    assert "creep follows" not in text and "It follows the direction of motion and the load." in text
+    assert "Both explanations have friction_hysteresis. The other one is:" in text
+    assert "It leaves 0.030 mm rms (1.0 times the noise)." in text
+
+
+def test_an_explanation_that_is_the_best_one_without_its_idle_part_ties_no_more():
+    made = idle_beside_friction(alternatives=[["friction_hysteresis"]])
+    assert made["verdict"] == "explained" and not made["alternatives"] and made["next_run"] is None
+    alone = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
+    alone["simulation"] = [{"id": "creep", "parameters": {}}]
+    assert without_idle(alone, "mm") == alone | {"simulation": []}
+    whole = content() | {"simulation": [{"id": "creep", "parameters": {}}]}
+    assert without_idle(whole, "mm") == whole
+    assert not to_adopt(simulation=[])
+
+
+@pytest.mark.parametrize(
+    ("grows", "said"),
+    [
+        (0.0, "by up to 0.60 mm (0.30 mm rms): half the loop is 0.3 mm."),
+        (0.24, "by up to 0.60 mm (0.30 mm rms): 0.36 mm of it is the same under every load and at every twist."),
+    ],
+)
+def test_half_a_loop_is_told_only_where_it_is_half_of_the_size_beside_it(grows, said):
+    half = 0.3 if not grows else 0.18
+    found = {"half_loop_mm": parameter(half, "mm"), "sharp_mm": parameter(half, "mm"),
+             "sharp_load_twist_mm_per_10_n": parameter(grows, "mm/10N")}  # fmt: skip
+    entry = {"id": "friction_hysteresis", "rms_mm": parameter(0.3, "mm"), "parameters": found}
+    words = Vocabulary.of(SYSTEMS["mm"])
+    told_ = effects.sentence(mechanisms()["friction_hysteresis"], entry, 0.6, words, Units.of(SYSTEMS["mm"]))
+    assert told_.endswith(said)
 
 
 def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimensions():

@@ -101,6 +101,8 @@ def named(content: dict[str, Any]) -> list[str]:
     """Each mechanism's sentence; also of those that only a user's own library knows."""
     own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
     lines = [f"{entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
+    idle = content["evidence"].get("idle", [])
+    lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
 
 
