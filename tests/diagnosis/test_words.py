@@ -15,6 +15,7 @@ from pipeline.diagnosis.words import effects, experiment, quantity
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.glossary import MEANING
 from pipeline.systems import systems
 
 SYSTEMS = {"mm": systems()["separator"], "deg": systems()["cable_drive"], "n": systems()["moving_mass"]}
@@ -599,3 +600,20 @@ def test_the_doubts_stand_under_a_heading_of_their_own_before_all_else_and_are_w
     assert lines[0] == "What to know first" and lines[1].startswith("  The zero jumps between two runs")
     assert max(map(len, lines)) <= 112 and "improves nothing" in doubts
     assert "What to know first" not in told()
+
+
+def test_the_verdict_explains_its_own_words_last_a_line_each():
+    text = told()
+    last = text.split("\n\n")[-1].splitlines()
+    assert last[0] == "What the words mean"
+    said = dict(line.strip().split(": ", 1) for line in last[1:])
+    assert next(iter(said)) == "ambiguous" and said["wear"] == MEANING["wear"]
+    assert {"friction_hysteresis", "creep", "thermal", "wear", "sensor_drift", "calibrated", "rms"} <= set(said)
+    assert "jam" not in said and "explained" not in said
+
+
+def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
+    page = (Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8")
+    for word in [*mechanisms(), "consistent", "parameters", "explained", "ambiguous", "unknown"]:
+        assert f"- `{word}`: {MEANING[word]}" in page, word
+    assert "no physics is missing" not in MEANING["parameters"]

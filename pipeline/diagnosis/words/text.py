@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words import adoption, beaten, effects, experiment, rivals, seen, unseen
+from pipeline.diagnosis.words import adoption, beaten, effects, experiment, explained_words, rivals, seen, unseen
 from pipeline.diagnosis.words.dimensions import corrected, remeasured
 from pipeline.diagnosis.words.headline import headline, no_run
 from pipeline.diagnosis.words.places import place
@@ -15,7 +15,7 @@ from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
 
-DOUBTS = "What to know first"
+DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
 PROGRAM, COMMAND = "  python -m pipeline.", "python -m pipeline.diagnose"
 WIDE = 112
@@ -46,11 +46,13 @@ def verdict_text(
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", seen.lines(content, words)),
     ]
-    return "\n\n".join(
-        "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
-        for head, lines in sections
-        if lines or head is sections[0][0]
-    )
+    text = "\n\n".join(section(head, lines) for head, lines in sections if lines or head is sections[0][0])
+    return f"{text}\n\n{section(WORDS, explained_words.lines(content, text, words))}"
+
+
+def section(head: str, lines: list[str]) -> str:
+    """A heading with its lines, wrapped."""
+    return "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
 
 
 def wrapped(line: str, indent: str) -> list[str]:
