@@ -502,11 +502,21 @@ def test_what_is_named_comes_with_the_command_that_adopts_it():
     assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
 
 
-@pytest.mark.parametrize(("count", "said"), [(4, "or a3"), (5, "or a4"), (6, "or one of 2 others"), (9, "or one of 5")])
-def test_a_title_counts_no_single_explanation(count, said):
-    made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}]}
-    text = title(made | {"alternatives": [[f"a{number}"] for number in range(count)]})
-    assert said in text and "1 others" not in text
+@pytest.mark.parametrize(
+    ("others", "said"),
+    [
+        ([], "creep"),
+        ([["wear", "jam"]], "creep, or wear + jam"),
+        ([["wear"], ["jam"]], "creep, or one of 2 other explanations"),
+        ([[f"friction_hysteresis_{n}" for n in range(5)]], "creep, or 1 other explanation"),
+    ],
+)
+def test_a_title_has_two_lines_at_most_and_breaks_nowhere_else(others, said):
+    made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}], "alternatives": others}
+    assert title(made).replace("\N{NO-BREAK SPACE}", " ") == f"a-1: ambiguous\n{said}"
+    assert title(made | {"mechanisms": [], "verdict": "unknown"}) == "a-1: unknown"
+    many = title(made | {"run": [f"nylon-20261122-{n:02}" for n in range(9)]})
+    assert many.startswith("nylon-20261122-00 and 8 more: ambiguous\n") and many.count("\n") == 1
 
 
 # what a run left after its friction was adopted: moving three dimensions to their bounds does nothing
