@@ -533,8 +533,8 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
     text = adopted(verdict, **LEFT)
     head = " ".join(text.partition("\n\n")[0].split())
     assert head == (
-        f"nylon-3: {verdict}: with what run.yaml has adopted, no further effect can be named; it leaves 0.052 mm rms, "
-        "2.5 times the noise, unexplained."
+        f"nylon-3: {verdict}: with what run.yaml has adopted, no further effect can be named, and 0.052 mm rms "
+        "stays unexplained, 2.5 times the noise."
     )
     assert "Something systematic is still missing" in text
     assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
@@ -552,7 +552,10 @@ def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
 
 
 def test_dimensions_that_move_in_vain_explain_nothing():
-    assert "So moving them explains next to nothing" in adopted("parameters", **LEFT)
+    text = adopted("parameters", **LEFT)
+    assert "So moving them explains next to nothing" in text and "fits best" not in text
+    assert "Measure the radius again before you believe any of these values." in text
+    assert "fits best" in adopted("parameters", **LEFT | {"evidence__nominal_mm": 0.4})
     bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
     for before, said in ((0.0302, True), (0.06, False)):
         text = told(content(**bare, evidence__nominal_mm=before, evidence__calibrated_mm=0.03))

@@ -15,14 +15,15 @@ MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
-def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = False) -> list[str]:
+def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = False, in_vain: bool = False) -> list[str]:
     """A line for each dimension to measure again, and what else may have bent it.
 
-    `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise.
+    `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_vain`: moving
+    the dimensions explains next to nothing.
     """
     moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
     lines = []
-    for name, sigma in moved.items():
+    for name, sigma in ({} if in_vain else moved).items():
         nominal, value = from_to(content, name)
         far = f"{abs(sigma):.1f} times its tolerance{tolerance(content, name)} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
@@ -30,7 +31,10 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
             lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
         else:
             lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
-    if any(abs(sigma) >= BOUND for sigma in moved.values()):
+    if moved and in_vain:
+        names = listing([f"the {name_of(name)}" for name in moved])
+        lines.append(f"Measure {names} again before you believe any of these values.")
+    elif any(abs(sigma) >= BOUND for sigma in moved.values()):
         lines.append("A value as far away as that is where calibration had to stop: the best one may lie beyond it.")
     if moved and adopted:
         lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}): change none that is not measured.")

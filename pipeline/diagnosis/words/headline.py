@@ -22,7 +22,7 @@ WITH_ADOPTED = {
 HARDLY_MOVED = (
     "{adopted}the simulation explains the recording to its noise ({floor} rms); moving dimensions adds little."
 )
-LEFT_OVER = "{adopted}no further effect can be named; it leaves {left} rms, {ratio} times the noise, unexplained."
+LEFT_OVER = "{adopted}no further effect can be named, and {left} rms stays unexplained, {ratio} times the noise."
 NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
     "would show more.",

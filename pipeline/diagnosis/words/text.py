@@ -8,7 +8,7 @@ from typing import Any
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.words import adoption, beaten, effects, experiment, explained_words, rivals, seen, unseen
 from pipeline.diagnosis.words.dimensions import corrected, remeasured
-from pipeline.diagnosis.words.headline import headline, no_run
+from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import place
 from pipeline.diagnosis.words.quantity import duration, size, times
 from pipeline.diagnosis.words.spoken import whole
@@ -123,7 +123,8 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
-    again = remeasured(content, adoption.included(content), unseen.inexact(content, words))
+    in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
+    again = remeasured(content, adoption.included(content), unseen.inexact(content, words), in_vain)
     return [*corrected(content, words), *again]
 
 
