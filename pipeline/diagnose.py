@@ -23,6 +23,7 @@ from pipeline.run_yaml import Run
 from pipeline.zero_beside import jumps_into
 
 Result = TypeVar("Result")
+OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
 
 
 def diagnose(
@@ -78,7 +79,8 @@ def diagnose(
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
     write_block(content, out / "simulation.yaml")
-    words = "\n".join([verdict_text(content, problem.system, folders, out), *(jump.advice for jump in jumps)])
+    doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
+    words = verdict_text(content, problem.system, folders, out, doubts)
     write_text(out / "verdict.txt", words + "\n")
     return words
 

@@ -196,7 +196,11 @@ def test_the_verdict_says_it(tmp_path: Path) -> None:
         samples.assign(displacement_mm=samples["displacement_mm"] + jump_mm).to_parquet(folder / "recording.parquet")
         made.append(folder)
     text = program("diagnose", *made, "--together", "--out", tmp_path / "out")
-    assert "The zero jumps between two runs of one string: at rest a-2 reads" in text and "`tare: run`" in text
+    doubts = text.split("\n\n")[1].splitlines()
+    said = " ".join(" ".join(doubts).split())
+    assert doubts[0] == "What to know first" and max(map(len, doubts)) <= 112
+    assert "The zero jumps between two runs of one string: at rest a-2 reads" in said and "`tare: run`" in said
+    assert "This verdict does not depend on it" in said
     assert text.strip() == (tmp_path / "out" / "verdict.txt").read_text().strip()
     assert [one["run"] for one in json.loads((tmp_path / "out" / "diagnosis.json").read_text())["zero_jumps"]] == [
         "a-2"

@@ -115,6 +115,12 @@ def moved(found: Study) -> dict[str, float]:
     }
 
 
+def tolerances(found: Study) -> dict[str, float]:
+    """The sigma of each dimension that calibration may move, in its own unit."""
+    problem = found.problem
+    return {problem.parameters[i].name: problem.parameters[i].sigma for i in problem.movable}
+
+
 def misfits(found: Study, ending: str) -> dict[str, float]:
     """What the simulator leaves of the recording as `run.yaml` has it, and with its dimensions calibrated, rms."""
     problem = found.problem
@@ -125,7 +131,7 @@ def misfits(found: Study, ending: str) -> dict[str, float]:
 
 
 def evidence(found: Study) -> dict[str, Any]:
-    """All of it, as `diagnosis.json` holds it; `floor` is that of the samples that were compared."""
+    """All of it, as `diagnosis.json` holds it; `floor` is that of the values that were compared, `step_s` apart."""
     system, drivers = found.problem.system, found.problem.drivers
     ending = system.channel.rpartition("_")[2]
     return {
@@ -134,6 +140,8 @@ def evidence(found: Study) -> dict[str, Any]:
         "explanations": explanations(found, ending),
         f"spans_{ending}": spans(found),
         "moved_sigma": moved(found),
+        "tolerance": tolerances(found),
+        "step_s": drivers.step_s,
         system.driver: [float(drivers.motion.min()), float(drivers.motion.max())],
         "strokes": [int(max(drivers.stroke.min(), 1)), int(drivers.stroke.max())],
         "loaded": drivers.loaded,

@@ -1,6 +1,5 @@
 """One page of figures: recording over simulation, mismatch maps, explanations, held-out error, residual by driver."""
 
-import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -18,21 +17,28 @@ from pipeline.files import whole
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
-WIDE, TIES = 105, 4  # characters of a line of the title; ties that it names
+MOST = 6  # panels of drivers
+WIDE = 100  # characters of a line of the title
 
 
 def title(content: dict[str, Any]) -> str:
-    """The verdict in a few lines, none longer than the page is wide; many ties are counted."""
-    run = content["run"] if isinstance(content["run"], str) else " + ".join(content["run"])
-    lines = [f"{run}: {content['verdict']}"]
-    if content["mechanisms"]:
-        lines.append(TOGETHER.join(entry["id"] for entry in content["mechanisms"]))
-    others = [TOGETHER.join(ids) for ids in content["alternatives"]]
-    if others:
-        shown = others if len(others) == TIES + 1 else others[:TIES]  # one more is named rather than counted
-        more = [f"one of {len(others) - len(shown)} others"] if len(others) > len(shown) else []
-        lines.append("or " + ", or ".join(shown + more))
-    return "\n".join(textwrap.fill(line, WIDE, break_on_hyphens=False) for line in lines)
+    """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie."""
+    runs = [content["run"]] if isinstance(content["run"], str) else content["run"]
+    name = " + ".join(runs)
+    if len(name) > WIDE // 2:
+        name = runs[0] if len(runs) == 1 else f"{runs[0]} and {len(runs) - 1} more"
+    head = f"{name}: {content['verdict']}"
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    if not ids:
+        return head
+    others = content["alternatives"]
+    best = TOGETHER.join(ids)
+    if not others:
+        return f"{head}\n{best}"
+    more = f"or {TOGETHER.join(others[0])}"
+    if len(others) > 1 or len(f"{best}, {more}") > WIDE:
+        more = f"or {'one of ' if len(others) > 1 else ''}{len(others)} other explanation{'s' * (len(others) > 1)}"
+    return f"{head}\n{best}, {more}"
 
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
@@ -60,22 +66,18 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     }
     panels.over_time(under, drivers, left, f"residual ({unit})")
     under.set_xlabel("time (s)")
-    mean = panels.map_of(drivers, residuals["calibrated"])[0]
-    limit = max(float(np.nanpercentile(np.abs(mean), 98)), 2.0 * floor)
-    both = maps.subplots(1, 2, sharey=True)
-    image = panels.mismatch_map(both[0], drivers, residuals["calibrated"], "mismatch, calibrated", limit)
-    panels.mismatch_map(both[1], drivers, residuals["as diagnosed"], "mismatch, as diagnosed", limit)
-    maps.colorbar(image, ax=both, label=unit, pad=0.01)
+    for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):
+        limit = max(float(np.nanpercentile(np.abs(panels.map_of(drivers, residual)[0]), 98)), 2.0 * floor)
+        image = panels.mismatch_map(axes, drivers, residual, f"mismatch, {name} (own scale)", limit)
+        maps.colorbar(image, ax=axes, label=unit, pad=0.01)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     panels.ranking(ranked, content, ending)
     panels.held_out(held, content["fit"]["heldout"], content["fit"][f"noise_floor_{ending}"], ending, unit)
-    followed = list(panels.listeners(drivers).items())[:6]
-    grid = bottom.subplots(2, 3, sharey=True).ravel()
-    for axes, (label, (signal, counts)) in zip(grid, followed, strict=False):
+    followed = list(panels.listeners(drivers).items())[:MOST]
+    grid = panels.filled(bottom, len(followed))
+    for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
         kept = {name: residual[counts] for name, residual in residuals.items()}
         panels.by_driver(axes, signal[counts], kept, floor, label)
-    for axes in grid[len(followed) :]:
-        axes.axis("off")
     handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label="noise floor")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
+from matplotlib.figure import SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
@@ -86,12 +87,13 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
     colours = [STANDINGS[one["standing"]][0] for one in shown]
-    axes.barh(range(len(shown)), left, color=colours, height=0.7)
+    axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
+    axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
     bent = [min(one[f"bent_{ending}"] / floor, rms) for one, rms in zip(shown, left, strict=True)]
-    axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7)
+    axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
     axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
-        axes.text(1.06 * rms, place, rivals.briefly(one, content, ending), va="center", fontsize=6, color="0.3")
+        axes.text(1.12 * rms, place, rivals.briefly(one, content, ending), va="center", fontsize=6, color="0.3")
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
     there = {one["standing"] for one in shown}
     standings = [name for name in STANDINGS if name in there]
@@ -99,7 +101,7 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label="noise floor"))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
-    axes.set(xscale="log", xlim=(0.5, 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
+    axes.set(xscale="log", xlim=(0.5 * min(1.0, *left, *bent), 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
     plain(axes.xaxis)
     axes.set_title("explanations: what each leaves")
 
@@ -119,8 +121,13 @@ def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str,
         axes.set(xticks=[], yticks=[])
         return
     values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
-    bars = axes.bar(("nominal", "calibrated", "as diagnosed"), values, color=[OTHER, BEFORE, AFTER], width=0.65)
-    axes.bar_label(bars, [f"{size(value, unit)}\n{times(value / floor)} × noise" for value in values], fontsize=7.5)
+    colours = [OTHER, BEFORE, AFTER]
+    axes.vlines(range(3), floor, values, colors=colours, lw=2.5)
+    axes.scatter(range(3), values, c=colours, s=55, zorder=2.5)
+    for place, value in enumerate(values):
+        said = f"{size(value, unit)}\n{times(value / floor)} × noise"
+        axes.annotate(said, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
+    axes.set(xticks=range(3), xticklabels=("nominal", "calibrated", "as diagnosed"), xlim=(-0.6, 2.6))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {size(floor, unit)}")
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
     axes.tick_params(axis="x", labelsize=8)
@@ -138,8 +145,9 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
         f"{going}, down ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
         "time (s)": (drivers.elapsed_s, everywhere),
         f"rate ({units.motion}/s)": (drivers.rate, everywhere),
-        f"load ({units.load})": (drivers.load * units.load_size, everywhere),
     }
+    if drivers.loaded:  # else it moves by no more than its noise, which nothing follows
+        found[f"load ({units.load})"] = drivers.load * units.load_size, everywhere
     if drivers.turn and drivers.span > drivers.turn:
         found["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
     if drivers.temperature_c is not None:
@@ -147,6 +155,20 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
     return {
         label: pair for label, pair in found.items() if pair[1].sum() > BINS and np.ptp(pair[0]) > 0
     }  # a constant is followed by nothing
+
+
+def filled(figure: SubFigure, count: int) -> list[Axes]:
+    """So many panels in two rows without a hole; all share the axis of the first."""
+    upper = (count + 1) // 2
+    grid = figure.add_gridspec(2 if count > 1 else 1, upper * max(count - upper, 1))
+    found: list[Axes] = []
+    for row, many in enumerate((upper, count - upper)):
+        wide = upper * max(count - upper, 1) // max(many, 1)
+        for place in range(many):
+            share = {"sharey": found[0]} if found else {}
+            found.append(figure.add_subplot(grid[row, place * wide : (place + 1) * wide], **share))
+            found[-1].tick_params(labelleft=place == 0)
+    return found
 
 
 def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str) -> None:

@@ -9,6 +9,7 @@ from pipeline.diagnosis.adopt import entries
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
 from pipeline.diagnosis.evidence import evidence
+from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.intervals import intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
@@ -159,4 +160,4 @@ def diagnosis(
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
-    return spoken(tidied, problem.system)
+    return spoken(without_idle(tidied, unit), problem.system)

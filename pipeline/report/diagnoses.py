@@ -96,13 +96,19 @@ def section(reports: Path, runs: list[str]) -> Markup:
     return folded("diagnosis", "What the simulator leaves out", "each run's verdict, errors, figures", together(parts))
 
 
+def bracketed(ids: list[str]) -> str:
+    """An explanation beside others: in brackets where it has several mechanisms."""
+    return f"({' + '.join(ids)})" if len(ids) > 1 else " + ".join(ids)
+
+
 def verdicts(folders: list[Path]) -> str:
     """One line for each diagnosis that has a verdict, for the end of the main job."""
     lines = []
     for folder in folders:
         if (folder / "verdict.txt").is_file():
-            sets = [" + ".join(ids) for ids in explanations(folder)]
+            sets = [bracketed(ids) for ids in explanations(folder)]
             more = [f"{len(sets) - 1 - TIES} more"] if len(sets) > 1 + TIES else []
             named = " or ".join([*sets[: 1 + TIES], *more])
-            lines.append(f"{words_of(folder).splitlines()[0]} {named}".rstrip())
+            headline = " ".join(words_of(folder).partition("\n\n")[0].split())
+            lines.append(f"{headline} {named}".rstrip())
     return "\n".join(lines)

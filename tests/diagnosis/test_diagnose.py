@@ -163,7 +163,8 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     assert not (tmp_path / "out" / folder.name / "simulation.yaml").exists()
     text = (tmp_path / "out" / folder.name / "verdict.txt").read_text()
     assert "The run to make next\n  None is needed: " in text
-    assert (again["verdict"] == "parameters") == bool(re.search(r"The misfit was .* rms .*\n(.|\n)* tolerance\)", text))
+    moved = re.search(r"The misfit was .* rms .*\n(.|\n)* tolerance of [^)]*\)", text)
+    assert (again["verdict"] == "parameters") == bool(moved)
 
 
 def edited(source: Path, to: Path, samples: pd.DataFrame | None = None, **described: object) -> Path:

@@ -1,9 +1,11 @@
 """The page of figures: what its panels show can be read, and legends lie on no curve."""
 
+from dataclasses import replace
+
 import matplotlib.pyplot as plt
 import pytest
 
-from pipeline.diagnosis import figures
+from pipeline.diagnosis import figures, panels
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.ingest import read_samples
@@ -35,6 +37,45 @@ def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what
     ranking = figure.subfigs[-2].axes[0]
     evidence = content["evidence"]
     alone = next(place for place, one in enumerate(evidence["explanations"]) if not one["ids"])
-    assert ranking.patches[alone].get_width() == pytest.approx(evidence["calibrated_mm"] / evidence["floor_mm"])
+    ends = ranking.collections[1].get_offsets()[:, 0]
+    assert ends[alone] == pytest.approx(evidence["calibrated_mm"] / evidence["floor_mm"])
     diamonds = next(line for line in ranking.get_lines() if line.get_marker() == "D").get_xdata()
-    assert all(x <= bar.get_width() + 1e-9 for x, bar in zip(diamonds, ranking.patches, strict=False))
+    assert all(x <= end + 1e-9 for x, end in zip(diamonds, ends, strict=True))
+
+
+def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_point(drawn) -> None:
+    figure, _ = drawn
+    ranking = figure.subfigs[-2].axes[0]
+    stems, points = ranking.collections[:2]
+    assert not ranking.patches and {line[0][0] for line in stems.get_segments()} == {1.0}
+    assert [line[1][0] for line in stems.get_segments()] == pytest.approx(list(points.get_offsets()[:, 0]))
+    _, axes = plt.subplots()
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(axes, held, 0.02, "mm", "mm")
+    assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
+
+
+@pytest.mark.parametrize("count", range(1, 7))
+def test_the_small_panels_leave_no_hole(count) -> None:
+    figure = plt.figure(layout="constrained").subfigures(1, 1)
+    made = panels.filled(figure, count)
+    figure.canvas.draw()
+    rows = {round(axes.get_position().y0, 2) for axes in made}
+    assert len(made) == count and len(rows) == min(count, 2)
+    for row in rows:
+        across = [axes.get_position() for axes in made if round(axes.get_position().y0, 2) == row]
+        assert min(box.x0 for box in across) < 0.2 and max(box.x1 for box in across) > 0.8
+        assert sum(box.width for box in across) > 0.5
+    plt.close("all")
+
+
+def test_a_load_that_is_constant_but_for_noise_drives_nothing(problem) -> None:
+    for loaded in (True, False):
+        shown = panels.listeners(replace(problem.drivers, loaded=loaded))
+        assert any(label.startswith("load (") for label in shown) == loaded
+
+
+def test_each_map_has_the_scale_of_its_own_residual(drawn) -> None:
+    figure, _ = drawn
+    limits = [axes.images[0].get_clim()[1] for axes in figure.subfigs[1].axes if axes.images]
+    assert len(limits) == 2 and limits[1] < limits[0]

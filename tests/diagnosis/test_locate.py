@@ -30,8 +30,8 @@ def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(
     content = diagnosis(found, found.problem, None, [run], None, frozenset())
     (entry,) = content["mechanisms"]
     assert entry["location"]["share"] == 0.0 and entry["rms_mm"]["value"] == 0.0
-    assert "comes out as nothing" in entry["sentence"]
-    assert "creep: It was found" in verdict_text(content, found.problem.system, [])
+    assert "a strength of 0" in entry["sentence"] and content["simulation"] == []
+    assert "creep: The search's first fit" in verdict_text(content, found.problem.system, [])
 
 
 @pytest.mark.parametrize("signal", [0.0, np.nan])

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.diagnosis.figures import title
+from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
@@ -14,6 +15,7 @@ from pipeline.diagnosis.words import effects, experiment, quantity
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.glossary import MEANING
 from pipeline.systems import systems
 
 SYSTEMS = {"mm": systems()["separator"], "deg": systems()["cable_drive"], "n": systems()["moving_mass"]}
@@ -124,10 +126,9 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
     ):  # fmt: skip
         assert step in text
     assert (
-        "This run is to tell creep from thermal. The two predictions should then differ by 73 standard deviations"
-        in text
-    )
-    assert "of the noise; now they differ by 2.2." in text
+        "This run is to tell creep from thermal. So far the two predictions differ by 2.2 times what the noise alone "
+        "makes; with the run it should be 73 times."
+    ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
     assert "with the same `string.id`" in text
 
@@ -179,9 +180,10 @@ def test_what_is_repeated_is_counted_and_reversals_in_a_row_are_one_step():
 def test_what_all_ties_share_and_why_each_rival_was_beaten():
     text = told()
     assert "Together they leave 0.030 mm rms (1.0 times the noise)." in text
-    assert "Both explanations have friction_hysteresis. They differ in what they add to it: creep; or thermal." in text
-    assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise). The formulas of" in text
-    assert "thermal are not exact: if wrong by 10 %, only 1.0 times the noise is left." in text
+    assert "Both explanations have friction_hysteresis. The other one is:" in text
+    assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise)." in text
+    allowed = "If a true effect may differ from its formula by 10 % of its size, this leaves 1.0 times the noise."
+    assert text.count(allowed) == 1
     beaten = text[text.index("Why no other explanation") :]
     assert "creep: leaves 0.060 mm rms (2.0 times the noise). Its prediction differs from the best one by" in beaten
     assert "at 0 to 12.2 turns, in strokes 2 to 4, at rest. This difference follows the time." in beaten
@@ -190,16 +192,18 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
         beaten
     )
     assert (
-        "wear, added to friction_hysteresis + creep: explains 0.0024 mm rms more. That is too little to count."
-        in beaten
-    )
+        "wear, added to friction_hysteresis + creep: takes away 0.0024 mm rms more and leaves 0.030 mm rms (1.0 times "
+        "the noise). That is too little for one mechanism more."
+    ) in beaten
+    assert "calibration alone" in beaten
     assert "calibration alone: leaves 0.45 mm rms (15 times the noise)." in beaten
 
 
 def first_lines(**held):
-    """What stands before the first section."""
+    """The headline, and what stands in the section of doubts after it."""
     text = told(content(**{f"fit__heldout__{name}_mm": value for name, value in held.items()}))
-    return text.partition("\n\n")[0].splitlines()
+    head, doubts = text.split("\n\n")[:2]
+    return [*head.splitlines(), *(doubts.splitlines()[1:] if doubts.startswith("What to know first\n") else [])]
 
 
 def test_what_must_be_known_first_stands_first():
@@ -209,7 +213,7 @@ def test_what_must_be_known_first_stands_first():
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
     assert "the calibrated simulator is worse than the nominal one: 1.1 mm against 0.31 mm" in worse
     assert "Something systematic is still missing: the unseen strokes are missed by 3.4 times the noise, " in worse
-    assert "those that the fit has seen by 1.0 times." in worse
+    assert "those that the fit has seen by 1.0 times. So something changes from stroke to stroke that the expl" in worse
     assert "improves nothing" in " ".join(first_lines(explained=0.80))
     assert "makes the calibrated simulator worse" in " ".join(first_lines(explained=0.95))
 
@@ -266,7 +270,56 @@ def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
 
 def test_a_mechanism_that_came_out_as_nothing_says_so():
     made = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
-    assert "comes out as nothing" in spoken(made, SYSTEMS["mm"])["mechanisms"][0]["sentence"]
+    said = spoken(made, SYSTEMS["mm"])["mechanisms"][0]["sentence"]
+    assert "the exact fit of everything together gives it a strength of 0. So nothing shows that it is at work." in said
+
+
+def idle_beside_friction(**changes):
+    """A diagnosis that names friction and creep, of which creep came out with no strength."""
+    made = content(**changes)
+    made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
+    made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
+    return without_idle(made, "mm")
+
+
+def test_a_mechanism_without_strength_is_not_named_adopted_or_shared_and_the_verdict_says_why():
+    made = idle_beside_friction(alternatives=[["friction_hysteresis", "creep", "wear"], ["friction_hysteresis"]])
+    assert [entry["id"] for entry in made["mechanisms"]] == ["friction_hysteresis"]
+    assert [entry["id"] for entry in made["simulation"]] == ["friction_hysteresis"]
+    assert made["alternatives"] == [["friction_hysteresis", "creep", "wear"]] and made["verdict"] == "ambiguous"
+    text = told(made)
+    assert "creep was tried as well and is not named. The search's first fit" in text
+    assert "creep follows" not in text and "It follows the direction of motion and the load." in text
+    assert "Both explanations have friction_hysteresis. The other one is:" in text
+    assert "It leaves 0.030 mm rms (1.0 times the noise)." in text
+
+
+def test_an_explanation_that_is_the_best_one_without_its_idle_part_ties_no_more():
+    made = idle_beside_friction(alternatives=[["friction_hysteresis"]])
+    assert made["verdict"] == "explained" and not made["alternatives"] and made["next_run"] is None
+    alone = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
+    alone["simulation"] = [{"id": "creep", "parameters": {}}]
+    assert without_idle(alone, "mm") == alone | {"simulation": []}
+    whole = content() | {"simulation": [{"id": "creep", "parameters": {}}]}
+    assert without_idle(whole, "mm") == whole
+    assert not to_adopt(simulation=[])
+
+
+@pytest.mark.parametrize(
+    ("grows", "said"),
+    [
+        (0.0, "by up to 0.60 mm (0.30 mm rms): half the loop is 0.3 mm."),
+        (0.24, "by up to 0.60 mm (0.30 mm rms): 0.36 mm of it is the same under every load and at every twist."),
+    ],
+)
+def test_half_a_loop_is_told_only_where_it_is_half_of_the_size_beside_it(grows, said):
+    half = 0.3 if not grows else 0.18
+    found = {"half_loop_mm": parameter(half, "mm"), "sharp_mm": parameter(half, "mm"),
+             "sharp_load_twist_mm_per_10_n": parameter(grows, "mm/10N")}  # fmt: skip
+    entry = {"id": "friction_hysteresis", "rms_mm": parameter(0.3, "mm"), "parameters": found}
+    words = Vocabulary.of(SYSTEMS["mm"])
+    told_ = effects.sentence(mechanisms()["friction_hysteresis"], entry, 0.6, words, Units.of(SYSTEMS["mm"]))
+    assert told_.endswith(said)
 
 
 def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimensions():
@@ -354,7 +407,8 @@ def test_the_sentences_keep_their_subject_and_need_no_second_reading():
     for gap in (1.0, 900.0):
         made["next_run"]["gap_now"] = gap
         text = told(made)
-        assert ("does not decide yet" in text) == (gap > 25.0)
+        assert ("so it does not decide" in text) == (gap > 25.0)
+        assert "standard deviations of the noise" not in text
         assert not re.search("make up for|a little wrong|slightly wrong|two part|less likely|whatever the rig", text)
 
 
@@ -404,7 +458,9 @@ def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones
 def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
     text = told(content(evidence__calibrated_mm=0.4410, evidence__floor_mm=0.018))
     assert "Over the whole recording 0.44 mm rms after calibration, 24 times the noise." in text
-    assert "The noise of the averages that are compared is 0.018 mm rms." in text
+    assert "Compared were averages, not single samples: the noise of these averages is 0.018 mm rms." in text
+    averaged = told(content(evidence__floor_mm=0.018, evidence__step_s=0.05))
+    assert "Compared were averages of 0.05 s, not single samples: the noise of these" in averaged
     assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
     assert "The noise here is 0.031 mm rms, that of single samples." in text
     assert "single samples" not in told()
@@ -425,10 +481,10 @@ def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means(
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    assert "Now the two predictions differ by 53 standard deviations of the noise." in text
-    assert "The run may not decide either: with the run they should differ by 69," in text
+    assert "So far the two predictions differ by 53 times what the noise alone makes." in text
+    assert "The run may not decide either: with the run it should be 69 times," in text
     text = told(content(next_run__gap_now=900.0))
-    assert "With the run they should differ by 73, which is harder to hide." in text and "may not decide" not in text
+    assert "With the run it should be 73 times, which takes a worse formula." in text and "may not decide" not in text
 
 
 def to_adopt(**changes):
@@ -446,8 +502,131 @@ def test_what_is_named_comes_with_the_command_that_adopts_it():
     assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
 
 
-@pytest.mark.parametrize(("count", "said"), [(4, "or a3"), (5, "or a4"), (6, "or one of 2 others"), (9, "or one of 5")])
-def test_a_title_counts_no_single_explanation(count, said):
-    made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}]}
-    text = title(made | {"alternatives": [[f"a{number}"] for number in range(count)]})
-    assert said in text and "1 others" not in text
+@pytest.mark.parametrize(
+    ("others", "said"),
+    [
+        ([], "creep"),
+        ([["wear", "jam"]], "creep, or wear + jam"),
+        ([["wear"], ["jam"]], "creep, or one of 2 other explanations"),
+        ([[f"friction_hysteresis_{n}" for n in range(5)]], "creep, or 1 other explanation"),
+    ],
+)
+def test_a_title_has_two_lines_at_most_and_breaks_nowhere_else(others, said):
+    made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}], "alternatives": others}
+    assert title(made).replace("\N{NO-BREAK SPACE}", " ") == f"a-1: ambiguous\n{said}"
+    assert title(made | {"mechanisms": [], "verdict": "unknown"}) == "a-1: unknown"
+    many = title(made | {"run": [f"nylon-20261122-{n:02}" for n in range(9)]})
+    assert many.startswith("nylon-20261122-00 and 8 more: ambiguous\n") and many.count("\n") == 1
+
+
+# what a run left after its friction was adopted: moving three dimensions to their bounds does nothing
+LEFT = {
+    "evidence__floor_mm": 0.0203, "evidence__nominal_mm": 0.0529, "evidence__calibrated_mm": 0.0517,
+    "fit__noise_floor_mm": 0.0203, "fit__heldout__nominal_mm": 0.0596, "fit__heldout__calibrated_mm": 0.0576,
+    "fit__heldout__explained_mm": 0.0576, "fit__detectable_mm": {"clamp_slip": 0.0057, "slack": 0.107},
+    "evidence__moved_sigma": {"radius_mm": -3.0}, "evidence__tolerance": {"radius_mm": 0.0165},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("verdict", ["parameters", "consistent"])
+def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left(verdict):
+    text = adopted(verdict, **LEFT)
+    head = " ".join(text.partition("\n\n")[0].split())
+    assert head == (
+        f"nylon-3: {verdict}: with what run.yaml has adopted, no further effect can be named, and 0.052 mm rms "
+        "stays unexplained, 2.5 times the noise."
+    )
+    assert "Something systematic is still missing" in text
+    assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
+    assert "None can be proposed: what is left follows no effect that could be named." in text
+
+
+def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
+    text = adopted("parameters", **LEFT)
+    assert "0.054 mm rms is left beyond the noise: effects of that size and less may hide in it." in text
+    assert "but these only from their own size on (rms):\n  slack 0.11 mm." in text and "clamp_slip" not in text
+    changes = LEFT | {"fit__detectable_mm": {"clamp_slip": 0.0057}}
+    assert "A larger one would have been seen." in adopted("parameters", **changes)
+    only_unseen = {"fit__heldout__explained_mm": 0.06, "evidence__calibrated_mm": 0.031}
+    assert "0.051 mm rms is left beyond the noise" in adopted("consistent", **only_unseen)
+
+
+def test_dimensions_that_move_in_vain_explain_nothing():
+    text = adopted("parameters", **LEFT)
+    assert "So moving them explains next to nothing" in text and "fits best" not in text
+    assert "Measure the radius again before you believe any of these values." in text
+    assert "fits best" in adopted("parameters", **LEFT | {"evidence__nominal_mm": 0.4})
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+    for before, said in ((0.0302, True), (0.06, False)):
+        text = told(content(**bare, evidence__nominal_mm=before, evidence__calibrated_mm=0.03))
+        assert ("moving dimensions adds" in text) == ("So moving them explains next to nothing" in text) == said
+        assert ("once its measured dimensions move" in text) == ("the dimensions alone explain" in text) != said
+
+
+def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_shown():
+    known = {"nominal": 1.0, "value": 0.9861, "low": 0.98, "high": 0.99}
+    turned = {"nominal": 0.0, "value": 0.15, "low": 0.1, "high": 0.2}
+    changes = {
+        "parameters": {"scale": known, "angle_turns": turned, "radius_mm": CONTENT["parameters"]["radius_mm"]},
+        "evidence__moved_sigma": {"scale": -2.78, "angle_turns": 3.0, "radius_mm": 2.9},
+        "evidence__tolerance": {"scale": 0.005, "angle_turns": 0.05, "radius_mm": 0.0165},
+    }
+    text = told(content(**changes))
+    assert "gain of the displacement sensor: 1 was assumed, but 0.9861 fits best, 2.8 times its tolerance (0.005)" in (
+        text
+    )
+    assert "zero of the motor: 0 turns was assumed, but 0.15 turns fits best, 3.0 times its tolerance (0.05 turns)" in (
+        text
+    )
+    assert "radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance (0.017 mm)" in text
+    assert "run.yaml says 1," not in text and "run.yaml says 0 turns" not in text
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+    text = told(content(**changes, **bare))
+    assert "zero of the motor: from 0 turns (assumed) to 0.15 turns (3 times its tolerance of 0.05 turns)." in text
+
+
+def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig():
+    made = content()
+    made["evidence"]["explanations"][-1]["left_mm"] = 0.05
+    said = "What the simulation still misses bends dimensions as well: change none that is not measured."
+    assert said in told(made) and said not in told()
+    many = {f"{name}_mm": 3.0 for name in ("radius", "length", "separator", "torsion_zone")}
+    values = dict.fromkeys(many, CONTENT["parameters"]["radius_mm"])
+    text = told(content(parameters=values, evidence__moved_sigma=many))
+    assert "rather physics is missing that bends them, or run.yaml describes another rig." in text
+
+
+def test_what_most_explanations_share_is_said():
+    others = [["creep"], ["creep", "wear"], ["slack"]]
+    text = told(content(alternatives=others))
+    assert "3 of the 4 explanations have creep; no mechanism is in all of them." in text
+    text = told(content(alternatives=[["friction_hysteresis"], ["wear"], ["slack"]]))
+    assert "The 4 explanations have no mechanism in common: any of these effects may be the missing one." in text
+
+
+def test_the_doubts_stand_under_a_heading_of_their_own_before_all_else_and_are_wrapped():
+    jump = "The zero jumps between two runs of one string: " + "one thing after another " * 20 + "at its end."
+    made = spoken(content(fit__heldout__explained_mm=0.80), SYSTEMS["mm"])
+    text = verdict_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], doubts=[jump])
+    _, doubts, _ = text.split("\n\n", 2)
+    lines = doubts.splitlines()
+    assert lines[0] == "What to know first" and lines[1].startswith("  The zero jumps between two runs")
+    assert max(map(len, lines)) <= 112 and "improves nothing" in doubts
+    assert "What to know first" not in told()
+
+
+def test_the_verdict_explains_its_own_words_last_a_line_each():
+    text = told()
+    last = text.split("\n\n")[-1].splitlines()
+    assert last[0] == "What the words mean"
+    said = dict(line.strip().split(": ", 1) for line in last[1:])
+    assert next(iter(said)) == "ambiguous" and said["wear"] == MEANING["wear"]
+    assert {"friction_hysteresis", "creep", "thermal", "wear", "sensor_drift", "calibrated", "rms"} <= set(said)
+    assert "jam" not in said and "explained" not in said
+
+
+def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
+    page = (Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8")
+    for word in [*mechanisms(), "consistent", "parameters", "explained", "ambiguous", "unknown"]:
+        assert f"- `{word}`: {MEANING[word]}" in page, word
+    assert "no physics is missing" not in MEANING["parameters"]

@@ -53,12 +53,12 @@ def test_the_figure_leads_to_the_pdf_where_there_is_one(tmp_path):
 def test_a_line_names_two_ties_and_counts_the_rest(tmp_path):
     many = TIED | {"alternatives": [[id_] for id_ in ("thermal", "wear", "jam", "slack")]}
     said = verdicts([made(tmp_path, "a", "a: ambiguous.", **many)])
-    assert said == "a: ambiguous. creep + backlash or thermal or wear or 2 more"
+    assert said == "a: ambiguous. (creep + backlash) or thermal or wear or 2 more"
 
 
 def test_the_end_of_the_main_job_says_each_verdict(tmp_path):
-    folder = made(tmp_path, "a", "a: ambiguous: several fit alike.\n  more", **TIED)
-    said = "a: ambiguous: several fit alike. creep + backlash or thermal + backlash"
+    folder = made(tmp_path, "a", "a: ambiguous: several\n  fit alike.\n\nWhat to know first\n  more", **TIED)
+    said = "a: ambiguous: several fit alike. (creep + backlash) or (thermal + backlash)"
     assert verdicts([folder, tmp_path / "b"]) == said
     assert "left out" not in summary([], tmp_path, [], ["a"])
     assert said in summary([str(folder)], tmp_path, [], ["a"])

@@ -29,7 +29,7 @@ def cautions(content: dict[str, Any]) -> list[str]:
 
 def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
     """The command that puts what is named into run.yaml; `out` is the folder of the diagnosis."""
-    if out is None or content["verdict"] not in ("explained", "ambiguous"):
+    if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
         return []
     if unseen.harmful(content, words):
         return ["Do not: on unseen strokes it makes the simulator worse."]

@@ -3,7 +3,8 @@
 import re
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import listing, number, said_unit, size, times
+from pipeline.diagnosis.words.headline import LITTLE
+from pipeline.diagnosis.words.quantity import listing, number, quantity, said_unit, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.schemas import unit_of
 
@@ -14,25 +15,48 @@ MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
-def remeasured(content: dict[str, Any], adopted: list[str]) -> list[str]:
-    """A line for each dimension to measure again; where nearly all move, or effects are adopted, what that means."""
+def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = False, in_vain: bool = False) -> list[str]:
+    """A line for each dimension to measure again, and what else may have bent it.
+
+    `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_vain`: moving
+    the dimensions explains next to nothing.
+    """
     moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
     lines = []
-    for name, sigma in moved.items():
+    for name, sigma in ({} if in_vain else moved).items():
         nominal, value = from_to(content, name)
-        far = f"{abs(sigma):.1f} times its tolerance away"
+        far = f"{abs(sigma):.1f} times its tolerance{tolerance(content, name)} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
-        if name.startswith("stiffness"):  # one that was measured never moves: it was assumed
+        if assumed(name):
             lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
         else:
             lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
-    if any(abs(sigma) >= BOUND for sigma in moved.values()):
+    if moved and in_vain:
+        names = listing([f"the {name_of(name)}" for name in moved])
+        lines.append(f"Measure {names} again before you believe any of these values.")
+    elif any(abs(sigma) >= BOUND for sigma in moved.values()):
         lines.append("A value as far away as that is where calibration had to stop: the best one may lie beyond it.")
     if moved and adopted:
         lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}): change none that is not measured.")
+    elif moved and inexact:
+        lines.append("What the simulation still misses bends dimensions as well: change none that is not measured.")
     if len(moved) >= MANY:
-        lines.append("So many at once are hardly measured wrong: rather physics is missing that bends them.")
+        lines.append(
+            "So many at once are hardly measured wrong: rather physics is missing that bends them, or run.yaml "
+            "describes another rig."
+        )
     return lines
+
+
+def assumed(name: str) -> bool:
+    """Whether `run.yaml` gives no value of a dimension; of the stiffness too, for one that was measured never moves."""
+    return re.sub(r"_\d+$", "", name) in CALLED or name.startswith("stiffness")
+
+
+def tolerance(content: dict[str, Any], name: str) -> str:
+    """The tolerance of a dimension in brackets, or nothing where the diagnosis does not hold it."""
+    sigma = content["evidence"].get("tolerance", {}).get(name)
+    return "" if sigma is None else f" ({quantity(sigma, unit_of(re.sub(r'_[0-9]+$', '', name)))})"
 
 
 def from_to(content: dict[str, Any], name: str) -> tuple[str, str]:
@@ -52,10 +76,13 @@ def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
     if before is not None:
         sizes = [f"{size(value, words.unit)} rms ({times(value / floor)} times the noise)" for value in (before, after)]
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
+        if before <= LITTLE * after:
+            lines.append("So moving them explains next to nothing: these values are no better than the measured ones.")
     moved = {name: sigma for name, sigma in shown["moved_sigma"].items() if abs(sigma) >= HARDLY}
     for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
         nominal, value = from_to(content, name)
-        lines.append(f"{name_of(name)}: from {nominal} to {value} ({number(abs(sigma))} times its tolerance).")
+        far = f"{number(abs(sigma))} times its tolerance{tolerance(content, name).replace('(', 'of ').replace(')', '')}"
+        lines.append(f"{name_of(name)}: from {nominal}{' (assumed)' if assumed(name) else ''} to {value} ({far}).")
     if moved and all(abs(sigma) < 1.0 for sigma in moved.values()):
         lines.append("Every dimension stays within its tolerance: none of them was measured wrong.")
     if not moved:

@@ -9,9 +9,14 @@ from pipeline.diagnosis.naming import Units
 from pipeline.diagnosis.words.quantity import duration, listing, quantity, size
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
+HALF = "half_loop_mm"  # what the strengths add up to that follow neither load nor twist
 MOST_OF = 0.2  # of all strengths: time constants with less are not worth a word
 CALCULATED = (
     "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
+)
+NOTHING = (
+    "The search's first fit, which is an approximation, gave it a part, but the exact fit of everything together gives "
+    "it a strength of 0."
 )
 ENTRY_S = re.compile(r"(?:^|_)([0-9.]+)_s_")
 
@@ -20,7 +25,7 @@ def sentence(mechanism: Mechanism, entry: dict[str, Any], span: float | None, wo
     """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high."""
     worth = entry[f"rms_{words.ending}"]["value"]
     if not worth:
-        return "It was found, and comes out as nothing once everything is fitted together."
+        return f"{NOTHING} So nothing shows that it is at work."
     fields = {**words.fields, "size": f"{size(worth, words.unit)} rms"}
     fields["span"] = size(span, words.unit) if span is not None else ""
     fields["times"] = time_constants(entry["parameters"])
@@ -51,7 +56,7 @@ def names_in(template: str) -> list[str]:
 
 def details(mechanism: Mechanism, parameters: dict[str, Any], words: Vocabulary, units: Units) -> str:
     """The first detail whose parameters were all found, once for every event."""
-    for template in mechanism.details:
+    for template in loop_details(mechanism, parameters, units):
         wanted = {name: units.name(name) for name in names_in(template) if name not in words.fields}
         found = []
         for number in range(1, mechanism.steps + 1):
@@ -64,6 +69,20 @@ def details(mechanism: Mechanism, parameters: dict[str, Any], words: Vocabulary,
         if found:
             return listing(found)
     return ""
+
+
+def loop_details(mechanism: Mechanism, parameters: dict[str, Any], units: Units) -> tuple[str, ...]:
+    """The details of a mechanism; half a loop is told only where it is the same under every load and at every twist.
+
+    Else the sum of those strengths is a part of the loop, and twice it is told as how wide that part is.
+    """
+    part = parameters.get(units.name(HALF), {"value": 0.0})
+    grown = [name for name, value in parameters.items() if value["unit"].startswith(f"{part.get('unit')}/")]
+    others = [name for name in parameters if (name in grown or "slack" in name) and parameters[name]["value"]]
+    if not part["value"] or not others:
+        return mechanism.details
+    wide = quantity(2.0 * part["value"], part["unit"])
+    return (f"{wide} of it is the same under every load and at every {{motion}}",)
 
 
 def time_constants(parameters: dict[str, Any]) -> str:

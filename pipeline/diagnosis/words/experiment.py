@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import number
+from pipeline.diagnosis.words.quantity import listing, number
 from pipeline.diagnosis.words.technician import Part, lasting, parts
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -47,7 +47,9 @@ def heading(part: Part, run: dict[str, Any], words: Vocabulary, number_: int | N
 
 def tried(one: list[str], other: list[str]) -> str:
     """What two explanations differ in."""
-    rests = [" + ".join(id_ for id_ in ids if id_ not in both) for ids, both in ((one, other), (other, one))]
+    rests = [listing([id_ for id_ in ids if id_ not in both]) for ids, both in ((one, other), (other, one))]
+    if any(" and " in rest for rest in rests):
+        rests = [f"({rest})" if " and " in rest else rest for rest in rests]
     return f"{rests[0]} from {rests[1]}" if all(rests) else f"whether {''.join(rests)} is at work"
 
 
@@ -57,18 +59,17 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
     said = f"This run is to tell {tried(*run['parts'])}."
-    unit = "standard deviations of the noise"
+    noise = "times what the noise alone makes"
     if now <= PLAIN:
         return (
-            f"{said} The two predictions should then differ by {number(then)} {unit}; now they differ by {number(now)}."
+            f"{said} So far the two predictions differ by {number(now)} {noise}; with the run it should be "
+            f"{number(then)} times."
         )
-    formula = "An error of a few per cent in a formula can hide as much, so it does not decide yet."
-    said = f"{said} Now the two predictions differ by {number(now)} {unit}. {formula}"
+    formula = "That is no noise, but a formula that is wrong by a few per cent can make it too, so it does not decide."
+    said = f"{said} So far the two predictions differ by {number(now)} {noise}. {formula}"
     if then >= LITTLE * now:
-        return f"{said} With the run they should differ by {number(then)}, which is harder to hide."
-    best = (
-        f"with the run they should differ by {number(then)}, and of all runs that were tried in simulation it is best"
-    )
+        return f"{said} With the run it should be {number(then)} times, which takes a worse formula."
+    best = f"with the run it should be {number(then)} times, and no other run that was tried in simulation does better"
     return f"{said} The run may not decide either: {best}. Make it only if the answer matters."
 
 

@@ -1,48 +1,38 @@
 """The content of `diagnosis.json` → `verdict.txt`: what is missing, what explains it, what next."""
 
 import textwrap
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words import adoption, effects, experiment, rivals, unseen
+from pipeline.diagnosis.words import adoption, beaten, effects, experiment, explained_words, rivals, seen, unseen
 from pipeline.diagnosis.words.dimensions import corrected, remeasured
+from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import place
-from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words.quantity import duration, size, times
 from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
 
+DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
 PROGRAM, COMMAND = "  python -m pipeline.", "python -m pipeline.diagnose"
 WIDE = 112
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
-SAID = {
-    "consistent": "the simulation explains the recording to its noise ({floor} rms).",
-    "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
-    "explained": "physics is missing, and named.",
-    "ambiguous": "physics is missing; this recording cannot decide between {count} explanations.",
-    "unknown": "the mismatch is real, and nothing in the library explains it.",
-}
-
-WITH_ADOPTED = {
-    "consistent": "with what run.yaml has adopted, the simulation explains the recording to its noise ({floor} rms).",
-    "parameters": "with what run.yaml has adopted, the simulation explains the recording once its dimensions move.",
-}
-NONE_NEEDED = {
-    "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
-    "would show more.",
-    "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
-    "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
-    "another speed and load.",
-}
 
 
-def verdict_text(content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None) -> str:
-    """A verdict for a person, whole; `folders` are the runs it is about and `out` its own folder, for the commands."""
+def verdict_text(
+    content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
+) -> str:
+    """A verdict for a person, whole; `folders` are the runs it is about and `out` its own folder, for the commands.
+
+    `doubts` are sentences on the recording itself, which a reader must know before anything else.
+    """
     words = Vocabulary.of(system)
     sections = [
-        (headline(content, words), [*adoption.cautions(content), *unseen.cautions(content, words)]),
+        (headline(content, words), []),
+        (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words)]),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
@@ -50,17 +40,19 @@ def verdict_text(content: dict[str, Any], system: System, folders: list[Path], o
         ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
-        ("Dimensions", [*corrected(content, words), *remeasured(content, adoption.included(content))]),
+        ("Dimensions", moved(content, words)),
         ("The run to make next", following(content, words, folders)),
         ("To adopt it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
-        ("What would have been seen", detectable(content, words)),
+        ("What would have been seen", seen.lines(content, words)),
     ]
-    return "\n\n".join(
-        "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
-        for head, lines in sections
-        if lines or head is sections[0][0]
-    )
+    text = "\n\n".join(section(head, lines) for head, lines in sections if lines or head is sections[0][0])
+    return f"{text}\n\n{section(WORDS, explained_words.lines(content, text, words))}"
+
+
+def section(head: str, lines: list[str]) -> str:
+    """A heading with its lines, wrapped."""
+    return "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
 
 
 def wrapped(line: str, indent: str) -> list[str]:
@@ -74,15 +66,6 @@ def wrapped(line: str, indent: str) -> list[str]:
     )  # fmt: skip
 
 
-def headline(content: dict[str, Any], words: Vocabulary) -> str:
-    """The verdict in one line."""
-    run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
-    floor = size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
-    known = WITH_ADOPTED if adoption.included(content) and content["verdict"] in WITH_ADOPTED else SAID
-    said = known[content["verdict"]].format(floor=floor, count=1 + len(content["alternatives"]))
-    return f"{run}: {content['verdict']}: {said}"
-
-
 def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """How large the mismatch is, where, and what it follows."""
     mismatch = content["mismatch"]
@@ -91,8 +74,9 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
-    of = "averages" if unseen.averaged(content, words) else "samples"
-    noise = f"The noise of the {of} that are compared is {size(floor, words.unit)} rms."
+    over = content["evidence"].get("step_s")
+    step = f"averages of {duration(over)}" if over else "averages"
+    noise = f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms."
     said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
     return [
         f"Over the whole recording {said}.",
@@ -119,6 +103,8 @@ def named(content: dict[str, Any]) -> list[str]:
     """Each mechanism's sentence; also of those that only a user's own library knows."""
     own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
     lines = [f"{entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
+    idle = content["evidence"].get("idle", [])
+    lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
 
 
@@ -127,33 +113,26 @@ def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [rivals.shared(content), *rivals.ties(content, words)] if content["alternatives"] else []
 
 
-def detectable(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """What a verdict without a name is worth: the sizes from which effects would have been seen."""
-    sizes = sorted(content["fit"][f"detectable_{words.ending}"].items(), key=lambda item: item[1])
-    if content["verdict"] not in ("consistent", "parameters") or not sizes:
-        return []
-    return [
-        "An effect would have been seen from this size on (rms):",
-        f"{listing([f'{id_} {size(least, words.unit)}' for id_, least in sizes])}.",
-    ]
-
-
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
     if content["verdict"] == "unknown":
         more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
-        return [*rivals.insufficient(content, words), more]
-    return rivals.beaten(content, words) if content["mechanisms"] else []
+        return [*beaten.insufficient(content, words), more]
+    return beaten.beaten(content, words) if content["mechanisms"] else []
+
+
+def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The dimensions that calibration moved, and which to measure again."""
+    in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
+    again = remeasured(content, adoption.included(content), unseen.inexact(content, words), in_vain)
+    return [*corrected(content, words), *again]
 
 
 def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[str]:
     """The protocol, line by line, and the command that diagnoses its recording together with this one."""
     run = content["next_run"]
     if not run:
-        known = (
-            "consistent" if content["verdict"] == "parameters" and adoption.included(content) else content["verdict"]
-        )
-        return [NONE_NEEDED[known]] if known in NONE_NEEDED else []
+        return no_run(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]

@@ -1,5 +1,6 @@
 """The error on strokes that no fit has seen, in words, and what must be said of it first."""
 
+import math
 from typing import Any
 
 from pipeline.diagnosis.words.quantity import size, times
@@ -66,7 +67,8 @@ def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, nam
     if unseen <= NOTHING_NEW * fitted:
         return f"Something systematic is still missing: {both}. So nothing is new in the unseen ones."
     if named:
-        return f"Something systematic is still missing: {both}."
+        changes = "So something changes from stroke to stroke that the explanation does not foresee."
+        return f"Something systematic is still missing: {both}. {changes}"
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
 
 
@@ -78,6 +80,24 @@ def fitted_times(content: dict[str, Any], words: Vocabulary, named: bool) -> flo
         best = [one for one in evidence["explanations"] if one["standing"] == "named"]
         left = best[0][f"left_{words.ending}"] if best else None
     return float(left) / float(evidence[f"floor_{words.ending}"]) if left is not None else None
+
+
+def inexact(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether the verdict's simulator leaves more than noise of the whole recording."""
+    fitted = fitted_times(content, words, content["verdict"] in ("explained", "ambiguous"))
+    return fitted is not None and fitted > STILL_MISSING
+
+
+def left_over(content: dict[str, Any], words: Vocabulary) -> float:
+    """What a simulator without a name leaves beyond the noise, rms, of all or of unseen strokes; 0 near the noise."""
+    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    found, fitted = errors(content, words), fitted_times(content, words, named=False)
+    beyond = [0.0]
+    if fitted is not None and fitted > STILL_MISSING:
+        beyond.append(floor * math.sqrt(fitted**2 - 1.0))
+    if found is not None and found[2] > STILL_MISSING * noise:
+        beyond.append(math.sqrt(found[2] ** 2 - noise**2))
+    return max(beyond)
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:

@@ -1,14 +1,9 @@
 """The words of the pages: a list at the end, and on a word itself what it means."""
 
-from pathlib import Path
-
-import yaml
 from markupsafe import Markup
 
+from pipeline.glossary import MEANING, TERMS
 from pipeline.report.web.page import folded, together
-
-TERMS: dict[str, dict[str, str]] = yaml.safe_load((Path(__file__).parent / "glossary.yaml").read_text(encoding="utf-8"))
-MEANING = {word: words for terms in TERMS.values() for word, words in terms.items()}
 
 
 def word(text: str) -> Markup:

@@ -1,0 +1,33 @@
+"""The words that a verdict uses, each explained in a line, for who has nothing but `verdict.txt`."""
+
+import re
+from typing import Any
+
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.glossary import MEANING
+
+USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
+
+
+def lines(content: dict[str, Any], text: str, words: Vocabulary) -> list[str]:
+    """The verdict's word, those of errors, then each mechanism that `text`, the verdict so far, names."""
+    used = [word for word in USUAL if re.search(rf"\b{word}\b", text)]
+    named = [id_ for id_, mechanism in mechanisms().items() if re.search(rf"\b{id_}\b", text)]
+    return [f"{word}: {on_rig(meaning(word), words)}" for word in [content["verdict"], *used, *named]]
+
+
+def meaning(word: str) -> str:
+    """What a word means; of a mechanism of a user's own, what it follows."""
+    return MEANING.get(word) or f"a mechanism of your own; it follows {mechanisms()[word].driver}."
+
+
+def on_rig(said: str, words: Vocabulary) -> str:
+    """A meaning, which is written for a string, in the words of a rig."""
+    if words.twisted:
+        return said
+    up, down = words.ways
+    said = said.replace("winding and unwinding", f"{up} and {down}").replace("first turns move", "first motion moves")
+    for of_string, own in (("string", words.string), ("twist", words.motion), ("displacement", words.reading)):
+        said = re.sub(rf"\b{of_string}\b", own, said)
+    return said

@@ -1,0 +1,73 @@
+"""The verdict in one line, and why no run is proposed: neither says more than what is left allows."""
+
+from typing import Any
+
+from pipeline.diagnosis.words import adoption, unseen
+from pipeline.diagnosis.words.quantity import size, times
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
+UNNAMED = ("consistent", "parameters")
+SAID = {
+    "consistent": "the simulation explains the recording to its noise ({floor} rms).",
+    "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
+    "explained": "physics is missing, and named.",
+    "ambiguous": "physics is missing; this recording cannot decide between {count} explanations.",
+    "unknown": "the mismatch is real, and nothing in the library explains it.",
+}
+WITH_ADOPTED = {
+    "consistent": "with what run.yaml has adopted, the simulation explains the recording to its noise ({floor} rms).",
+    "parameters": "with what run.yaml has adopted, the simulation explains the recording once its dimensions move.",
+}
+HARDLY_MOVED = (
+    "{adopted}the simulation explains the recording to its noise ({floor} rms); moving dimensions adds little."
+)
+LEFT_OVER = "{adopted}no further effect can be named, and {left} rms stays unexplained, {ratio} times the noise."
+NONE_NEEDED = {
+    "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
+    "would show more.",
+    "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
+    "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
+    "another speed and load.",
+}
+NONE_PROPOSED = (
+    "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
+    "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
+)
+
+
+def headline(content: dict[str, Any], words: Vocabulary) -> str:
+    """The verdict in one line."""
+    run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
+    verdict, adopted = content["verdict"], bool(adoption.included(content))
+    fitted = unseen.fitted_times(content, words, named=False) if verdict in UNNAMED else None
+    said = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
+    if fitted is not None and fitted > unseen.STILL_MISSING:
+        said = LEFT_OVER
+    elif verdict == "parameters" and moved_in_vain(content, words):
+        said = HARDLY_MOVED
+    evidence = content["evidence"]
+    fields = {
+        "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit),
+        "count": 1 + len(content["alternatives"]),
+        "adopted": "with what run.yaml has adopted, " if adopted else "",
+        "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
+        "ratio": times(fitted or 0.0),
+    }
+    return f"{run}: {verdict}: {said.format(**fields)}"
+
+
+def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether the simulation is hardly nearer to the recording with its dimensions moved than without."""
+    before, after = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return before is not None and after is not None and bool(before <= LITTLE * after)
+
+
+def no_run(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Why no run is proposed."""
+    verdict = content["verdict"]
+    if verdict in UNNAMED and unseen.left_over(content, words):
+        return [NONE_PROPOSED]
+    if verdict == "parameters" and (adoption.included(content) or moved_in_vain(content, words)):
+        verdict = "consistent"
+    return [NONE_NEEDED[verdict]] if verdict in NONE_NEEDED else []

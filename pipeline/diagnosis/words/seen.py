@@ -1,0 +1,29 @@
+"""What a verdict without a name is worth, in words: the sizes from which effects would have been seen."""
+
+from typing import Any
+
+from pipeline.diagnosis.words import unseen
+from pipeline.diagnosis.words.headline import UNNAMED
+from pipeline.diagnosis.words.quantity import listing, size
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+
+def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The smallest effect of each kind that would have been seen; none smaller than what is left unexplained."""
+    sizes = sorted(content["fit"][f"detectable_{words.ending}"].items(), key=lambda item: item[1])
+    if content["verdict"] not in UNNAMED or not sizes:
+        return []
+    left = unseen.left_over(content, words)
+    larger = [f"{id_} {size(least, words.unit)}" for id_, least in sizes if least > left]
+    if not left:
+        return ["An effect would have been seen from this size on (rms):", f"{listing(larger)}."]
+    said = f"{size(left, words.unit)} rms is left beyond the noise: effects of that size and less may hide in it."
+    if not larger:
+        return [said, "A larger one would have been seen."]
+    if len(larger) == len(sizes):
+        return [said, "A larger one would have been seen from this size on (rms):", f"{listing(larger)}."]
+    return [
+        said,
+        "A larger one would have been seen, but these only from their own size on (rms):",
+        f"{listing(larger)}.",
+    ]
