@@ -23,9 +23,9 @@ INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_er
 class Health:
     """A string's `strokes`, one row each: run, stroke, each of INDICATORS with its `_error`, NaN where not measured.
 
-    `string` is its name, `left_out` the complete strokes that wind over another range than the first ones, `jumps` what
-    the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no wear. `anew` are
-    the runs that begin as the string began, and may be of another one.
+    `string` is its name, `left_out` the complete strokes that wind over another range than most of the first three,
+    `jumps` what the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no
+    wear. `anew` are the runs that begin as the string began, and may be of another one.
     """
 
     string: str

@@ -138,7 +138,9 @@ def sentences(health: Health, answers: list[Answer], level: float) -> str:
     table = health.strokes
     lines = [f"{health.string}: {len(table)} strokes seen, the last one stroke {int(table['stroke'].iloc[-1])}."]
     if health.left_out:
-        lines.append(f"  {len(health.left_out)} strokes wind over another range than the first ones and are left out.")
+        lines.append(
+            f"  {len(health.left_out)} strokes wind over another range than most of the first three and are left out."
+        )
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {sentence(one, level)}" for one in answers]

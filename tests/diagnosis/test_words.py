@@ -309,7 +309,10 @@ def test_an_explanation_that_is_the_best_one_without_its_idle_part_ties_no_more(
     ("grows", "said"),
     [
         (0.0, "by up to 0.60 mm (0.30 mm rms): half the loop is 0.3 mm."),
-        (0.24, "by up to 0.60 mm (0.30 mm rms): 0.36 mm of it is the same under every load and at every twist."),
+        (
+            0.24,
+            "by up to 0.60 mm (0.30 mm rms): 0.36 mm of it was fitted as the same under every load and at every twist.",
+        ),
     ],
 )
 def test_half_a_loop_is_told_only_where_it_is_half_of_the_size_beside_it(grows, said):
@@ -425,7 +428,10 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
         text = adopted(verdict)
         assert "physics is missing" not in text and "with what run.yaml has adopted, " in text.splitlines()[0]
         assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
-        assert "the dimensions alone explain" not in text and "None is needed: nothing is missing that" in text
+        assert (
+            "the dimensions alone explain" not in text and "None is proposed: with what was adopted, nothing is" in text
+        )
+        assert "the error on unseen strokes below is no test" in " ".join(text.split())
         assert "can also cover another one that is really there" in text
         assert "Adopted effects bend dimensions as well (creep)" in text
     bare = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None)
@@ -630,3 +636,10 @@ def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
     for word in [*mechanisms(), "consistent", "parameters", "explained", "ambiguous", "unknown"]:
         assert f"- `{word}`: {MEANING[word]}" in page, word
     assert "no physics is missing" not in MEANING["parameters"]
+
+
+def test_an_ambiguous_verdict_says_how_likely_each_effect_is_and_what_rules_out():
+    text = " ".join(told(content(mechanisms=[{**one, "confidence": 0.29} for one in content()["mechanisms"]])).split())
+    assert "How likely each of these is at work, all explanations weighed: " in text and " 29 %" in text
+    assert "An explanation is ruled out where it is unlikely." in text
+    assert "How likely each" not in " ".join(told(content(verdict="explained", alternatives=[])).split())

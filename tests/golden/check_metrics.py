@@ -5,6 +5,7 @@ recording is the same to the bit, so the models without randomness get 0.5 %; th
 other makes and other builds of torch may cost.
 """
 
+import argparse
 import csv
 import json
 import sys
@@ -75,6 +76,12 @@ def misdiagnosis(reports: Path) -> list[str]:
 
 
 if __name__ == "__main__":
-    wrong = complaints(Path(sys.argv[1])) + misdiagnosis(Path(sys.argv[1]))
-    print("\n".join(wrong) or "the tables are the published ones, within their bands, and the diagnosis names the rig")
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("reports", type=Path, help="the folder that the main job made")
+    given = parser.parse_args().reports
+    wrong = complaints(given) + misdiagnosis(given)
+    print(
+        "\n".join(wrong)
+        or "the tables are the published ones, within their bands, and the diagnosis names only what the rig has"
+    )
     sys.exit(bool(wrong))

@@ -17,14 +17,22 @@ def included(content: dict[str, Any]) -> list[str]:
 
 
 def cautions(content: dict[str, Any]) -> list[str]:
-    """What a verdict without a name is worth where run.yaml has adopted effects."""
+    """What a verdict is worth where run.yaml has adopted effects."""
     ids = included(content)
-    if not ids or content["verdict"] not in ("consistent", "parameters"):
+    if not ids:
         return []
-    return [
-        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with "
-        f"{'it' if len(ids) == 1 else 'them'}. An adopted effect can also cover another one that is really there."
+    it, they, was = ("it", "it", "was") if len(ids) == 1 else ("them", "they", "were")
+    lines = [
+        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}. Where {they} {was} fitted "
+        "to this very recording, all its strokes were seen, and the error on unseen strokes below is no test."
     ]
+    if content["verdict"] in ("consistent", "parameters"):
+        lines[0] += " An adopted effect can also cover another one that is really there."
+        lines.append(
+            "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
+            "ambiguous, it is so still, and its run decides."
+        )
+    return lines
 
 
 def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:

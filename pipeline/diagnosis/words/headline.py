@@ -30,6 +30,7 @@ NONE_NEEDED = {
     "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
     "another speed and load.",
 }
+NONE_WITH_ADOPTED = "None is proposed: with what was adopted, nothing is missing that this recording could show."
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
     "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
@@ -68,6 +69,8 @@ def no_run(content: dict[str, Any], words: Vocabulary) -> list[str]:
     verdict = content["verdict"]
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
-    if verdict == "parameters" and (adoption.included(content) or moved_in_vain(content, words)):
+    if verdict in UNNAMED and adoption.included(content):
+        return [NONE_WITH_ADOPTED]
+    if verdict == "parameters" and moved_in_vain(content, words):
         verdict = "consistent"
     return [NONE_NEEDED[verdict]] if verdict in NONE_NEEDED else []

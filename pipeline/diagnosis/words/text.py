@@ -10,7 +10,7 @@ from pipeline.diagnosis.words import adoption, beaten, effects, experiment, expl
 from pipeline.diagnosis.words.dimensions import corrected, remeasured
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import place
-from pipeline.diagnosis.words.quantity import duration, size, times
+from pipeline.diagnosis.words.quantity import duration, listing, size, times
 from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
@@ -36,7 +36,7 @@ def verdict_text(
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
-            [*named(content), *rivals.what_is_left(content, words), *rivals.hidden(content, words)],
+            [*named(content), *likely(content), *rivals.what_is_left(content, words), *rivals.hidden(content, words)],
         ),
         ("What cannot be ruled out beside it", tied(content, words)),
         ("Error on strokes that no fit has seen", unseen.lines(content, words)),
@@ -108,9 +108,21 @@ def named(content: dict[str, Any]) -> list[str]:
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
 
 
+def likely(content: dict[str, Any]) -> list[str]:
+    """How likely each named mechanism is at work, where several explanations are held."""
+    if content["verdict"] != "ambiguous":
+        return []
+    sure = {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
+    said = listing([f"{id_} {100.0 * share:.0f} %" for id_, share in sure.items()])
+    return [] if not sure else [f"How likely each of these is at work, all explanations weighed: {said}."]
+
+
 def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What ties, with what all share first."""
-    return [rivals.shared(content), *rivals.ties(content, words)] if content["alternatives"] else []
+    if not content["alternatives"]:
+        return []
+    rule = "An explanation is ruled out where it is unlikely. What it leaves is one sign of several: docs/diagnosis.md."
+    return [rivals.shared(content), *rivals.ties(content, words), rule]
 
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:

@@ -67,8 +67,8 @@ def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, nam
     if unseen <= NOTHING_NEW * fitted:
         return f"Something systematic is still missing: {both}. So nothing is new in the unseen ones."
     if named:
-        changes = "So something changes from stroke to stroke that the explanation does not foresee."
-        return f"Something systematic is still missing: {both}. {changes}"
+        changes = "So something changes from stroke to stroke that the explanation does not foresee"
+        return f"Something systematic is still missing: {both}. {changes}, or too few strokes were seen."
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
 
 
