@@ -12,6 +12,7 @@ from pipeline.errors import program
 from pipeline.files import write_text
 from pipeline.runs import find_runs
 
+JUDGES = Path(__file__).parent / "teach" / "judges"
 REFUSED = 2  # exit status of the diagnosis when some run cannot be decided; the others are written
 
 
@@ -40,10 +41,11 @@ def main() -> None:
     parser.add_argument("runs", type=Path, help="folder of run folders")
     parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
-    parser.add_argument("--judge", type=Path, metavar="FILE", help="a judge in place of the library's")
+    parser.add_argument("--untaught-by", default="", metavar="AUTHOR", help="whom the judge must not know; none: any")
     told = parser.parse_args()
     runs = list(find_runs(told.runs))
-    asked = ask(runs, told.out, told.without, judge=told.judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
+    judge = JUDGES / f"without_{told.untaught_by}.json" if told.untaught_by else None
+    asked = ask(runs, told.out, told.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
     write_text(told.out / "asked.json", json.dumps(asked) + "\n")
 
 

@@ -45,7 +45,7 @@ def noise_free(case: Case) -> tuple[Problem, Array]:
     if case.thermocouple:
         channels["temperature_c"] = said.temperature_c
     run = parse_run(bench.described("twin", load=False), Path("twin/run.yaml").resolve())
-    problem = engine.make_problem([run], [pd.DataFrame(channels)])
+    problem = engine.make_problem([run], [pd.DataFrame(channels)], most=len(said.time_s))
     return frozen(problem, problem.nominal()), said.displacement_mm - bare.displacement_mm
 
 

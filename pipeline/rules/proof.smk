@@ -33,10 +33,9 @@ def without(wildcards):
     return wildcards.batch.removeprefix("without-") if wildcards.batch.startswith("without-") else ""
 
 
-def judge(wildcards):
-    """An author's cases are judged by who was not taught by this author."""
-    author = BATCHES[wildcards.batch][0].author
-    return f"--judge=pipeline/proof/teach/judges/without_{author}.json" if author else ""
+def author(wildcards):
+    """Whose cases these are: they are judged by who was not taught by this author."""
+    return BATCHES[wildcards.batch][0].author or ""
 
 
 # What is hidden goes two ways: the recordings to whoever diagnoses, the answers to the score alone.
@@ -65,13 +64,13 @@ rule verdict:
         f"{PROOF}/logs/verdict-{{batch}}.log",
     params:
         without=without,
-        judge=judge,
+        author=author,
         code=fingerprint("pipeline.proof.ask", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.ask {input:q} --out {output:q} --without={params.without:q} {params.judge}"
-        " > {log:q} 2>&1"
+        "exec python -m pipeline.proof.ask {input:q} --out {output:q} --without={params.without:q}"
+        " --untaught-by={params.author:q} > {log:q} 2>&1"
 
 
 rule carry_on:

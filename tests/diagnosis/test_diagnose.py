@@ -162,7 +162,7 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     assert again["verdict"] in ("consistent", "parameters")
     assert not (tmp_path / "out" / folder.name / "simulation.yaml").exists()
     text = (tmp_path / "out" / folder.name / "verdict.txt").read_text()
-    assert "The run to make next\n  None is needed: " in text
+    assert "The run to make next\n  None is proposed: " in text
     moved = re.search(r"The misfit was .* rms .*\n(.|\n)* tolerance of [^)]*\)", text)
     assert (again["verdict"] == "parameters") == bool(moved)
 

@@ -78,7 +78,7 @@ def loop_details(mechanism: Mechanism, parameters: dict[str, Any], units: Units)
     """
     part = parameters.get(units.name(HALF), {"value": 0.0})
     grown = [name for name, value in parameters.items() if value["unit"].startswith(f"{part.get('unit')}/")]
-    others = [name for name in parameters if (name in grown or "slack" in name) and parameters[name]["value"]]
+    others = [name for name in parameters if (name in grown or "slack_" in name) and parameters[name]["value"]]
     if not part["value"] or not others:
         return mechanism.details
     wide = quantity(2.0 * part["value"], part["unit"])

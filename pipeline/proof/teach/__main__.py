@@ -42,7 +42,9 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=3, help="of all effects of all authors")
     parser.add_argument("--seed", type=int, default=50_000, help="of the first case")
     parser.add_argument("--jobs", type=int, default=1, help="lessons at a time")
-    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="the judge (.json)")
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="FILE", help="the file of the judge (.json); required"
+    )
     parser.add_argument("--apart", type=Path, metavar="DIR", help="where the judges without one author go")
     given = parser.parse_args()
     wanted = curriculum(list(names()), given.rounds, given.seed)
