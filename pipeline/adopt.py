@@ -112,10 +112,8 @@ def main() -> None:
         temporary.write_text(made, encoding="utf-8", newline="")
         shutil.copymode(path, temporary)
     print(f"{folder / 'run.yaml'}: {KEY} holds {names} now; all else in it stays as it was")
-    print(
-        "its dimensions are still the measured ones, so that pipeline.simulate may err by more than the verdict says, "
-        "which --simulation repeats: the next diagnosis calibrates them anew"
-    )
+    print("its dimensions are still the measured ones: the next diagnosis calibrates them anew")
+    print("until then pipeline.simulate may err by more than the verdict says; with --simulation it does not")
 
 
 if __name__ == "__main__":

@@ -33,9 +33,9 @@ NOTHING = Judged([], {}, 1.0)
 
 def held(named: Array) -> list[int]:
     """Places of the explanations that are held, the likeliest first, from the probability of each."""
-    order = np.argsort(-named, kind="stable")
-    reached = np.cumsum(named[order]) / max(float(named.sum()), 1e-300)
-    return [int(place) for place in order[: int(np.argmax(reached >= HELD)) + 1]]
+    likeliest = np.argsort(-named, kind="stable")
+    reached = np.cumsum(named[likeliest]) / max(float(named.sum()), 1e-300)
+    return [int(place) for place in likeliest[: int(np.argmax(reached >= HELD)) + 1]]
 
 
 def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
@@ -49,9 +49,10 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
     some = weighed(search, base, floor)
     *shares, none = search.linear.problem.judge.probabilities(some).tolist()
     named = np.array(shares)
-    if len(chosen.ids) > TAUGHT and set(some[int(np.argmax(named))].ids) < set(chosen.ids):
+    untaught = np.array([len(one.ids) > TAUGHT for one in some])
+    if len(chosen.ids) > TAUGHT and untaught.any() and set(some[int(np.argmax(named))].ids) < set(chosen.ids):
         # no lesson has three effects: where a third is worth much more than bent formulas are, it is taken
-        named = np.where([len(one.ids) > TAUGHT for one in some], named, 0.0)
+        named = np.where(untaught, named, 0.0)
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
     likely = {one.ids: float(share) for one, share in zip(some, named, strict=True)}
     return Judged([search.explain(some[place].ids) for place in held(named)], likely, none)

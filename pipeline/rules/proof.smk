@@ -35,7 +35,7 @@ def without(wildcards):
 
 def author(wildcards):
     """Whose cases these are: they are judged by who was not taught by this author."""
-    return BATCHES[wildcards.batch][0].author or ""
+    return BATCHES[wildcards.batch][0].author
 
 
 # What is hidden goes two ways: the recordings to whoever diagnoses, the answers to the score alone.

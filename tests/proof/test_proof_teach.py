@@ -12,6 +12,7 @@ import pytest
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.judged import held
 from pipeline.errors import BadInput
+from pipeline.proof import ask
 from pipeline.proof.teach import across, fit
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written
 from pipeline.rig.authors import authors, names
@@ -122,3 +123,15 @@ def test_the_program_keeps_its_lessons_and_writes_judges(tmp_path) -> None:
     ]
     assert json.loads((tmp_path / "judge.json").read_text())["names"] == ["creep", "jam"]
     assert "single" in done.stdout and "mean set" in done.stdout
+
+
+def test_an_authors_cases_are_asked_of_the_judge_who_does_not_know_the_author(tmp_path, monkeypatch) -> None:
+    asked = []
+    monkeypatch.setattr(ask, "find_runs", lambda folder: [folder / "case-1"])
+    monkeypatch.setattr(ask, "ask", lambda runs, out, without, judge: asked.append(judge) or {"status": 0})
+    for author in ("lattice", ""):
+        monkeypatch.setattr(sys, "argv", ["ask", str(tmp_path), "--out", str(tmp_path), f"--untaught-by={author}"])
+        with pytest.raises(SystemExit) as left:
+            ask.main()
+        assert not left.value.code
+    assert asked == [JUDGES / "without_lattice.json", None] and asked[0].is_file()

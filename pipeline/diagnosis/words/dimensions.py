@@ -25,7 +25,7 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
     lines = []
     for name, sigma in ({} if in_vain else moved).items():
         nominal, value = from_to(content, name)
-        far = f"{abs(sigma):.1f} times its tolerance{tolerance(content, name)} away"
+        far = f"{abs(sigma):.1f} times its tolerance{tolerance(content, name, ' ({})')} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
         if assumed(name):
             lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
@@ -53,10 +53,10 @@ def assumed(name: str) -> bool:
     return re.sub(r"_\d+$", "", name) in CALLED or name.startswith("stiffness")
 
 
-def tolerance(content: dict[str, Any], name: str) -> str:
-    """The tolerance of a dimension in brackets, or nothing where the diagnosis does not hold it."""
+def tolerance(content: dict[str, Any], name: str, said: str) -> str:
+    """The tolerance of a dimension as `said` puts it, or nothing where the diagnosis does not hold it."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
-    return "" if sigma is None else f" ({quantity(sigma, unit_of(re.sub(r'_[0-9]+$', '', name)))})"
+    return "" if sigma is None else said.format(quantity(sigma, unit_of(re.sub(r"_\d+$", "", name))))
 
 
 def from_to(content: dict[str, Any], name: str) -> tuple[str, str]:
@@ -81,7 +81,7 @@ def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
     moved = {name: sigma for name, sigma in shown["moved_sigma"].items() if abs(sigma) >= HARDLY}
     for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
         nominal, value = from_to(content, name)
-        far = f"{number(abs(sigma))} times its tolerance{tolerance(content, name).replace('(', 'of ').replace(')', '')}"
+        far = f"{number(abs(sigma))} times its tolerance{tolerance(content, name, ' of {}')}"
         lines.append(f"{name_of(name)}: from {nominal}{' (assumed)' if assumed(name) else ''} to {value} ({far}).")
     if moved and all(abs(sigma) < 1.0 for sigma in moved.values()):
         lines.append("Every dimension stays within its tolerance: none of them was measured wrong.")

@@ -48,8 +48,7 @@ def heading(part: Part, run: dict[str, Any], words: Vocabulary, number_: int | N
 def tried(one: list[str], other: list[str]) -> str:
     """What two explanations differ in."""
     rests = [listing([id_ for id_ in ids if id_ not in both]) for ids, both in ((one, other), (other, one))]
-    if any(" and " in rest for rest in rests):
-        rests = [f"({rest})" if " and " in rest else rest for rest in rests]
+    rests = [f"({rest})" if " and " in rest else rest for rest in rests]
     return f"{rests[0]} from {rests[1]}" if all(rests) else f"whether {''.join(rests)} is at work"
 
 
