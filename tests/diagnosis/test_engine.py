@@ -55,6 +55,17 @@ def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
     assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
 
 
+@pytest.mark.parametrize("kind", ["u_clock", "u_swelling"])
+def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(kind: str, conceal) -> None:
+    found, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
+    helper = {"u_clock": "x_clock", "u_swelling": "x_swelling"}[kind]
+    assert found == "unknown" and helper in ids
+
+
+def test_what_sticks_and_slips_is_not_called_friction_as_well(conceal) -> None:
+    assert verdict(conceal("stick_slip", kappa=3.0, seed=5)[0]) == ("explained", ("stick_slip",))
+
+
 def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
     select, calls = Search.select, []
 
