@@ -8,13 +8,14 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.kinematics import Array
 
-WANDERING = range(1, 9)  # half waves over the recording
+WAVES = 8.0  # half waves over the recording, at most
 MOST_S = 2.0  # of delay that comes or goes
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """`whole_s` is the recording's length; none where nothing is wound, where a lag has the skew of its clock."""
-    return [{"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}] if drivers.levered else []
+    """Parting, or wandering by so many `half_waves`; `whole_s` is the whole recording. None where nothing is wound."""
+    law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
+    return [law, {**law, "half_waves": WAVES}] if drivers.levered else []
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -25,7 +26,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         return lambda reading: np.asarray(-delay * drivers.slope(reading))
 
     found = [Term("parting_s", "sensor", late(share), "s", -MOST_S, MOST_S)]
-    for k in WANDERING:
+    for k in range(1, int(shape.get("half_waves", 0.0)) + 1):
         wave = np.cos(np.pi * k * np.clip(share, 0.0, 1.0))
         found.append(Term(f"wandering_{k}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
     return found
