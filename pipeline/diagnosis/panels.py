@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.words import rivals
-from pipeline.diagnosis.words.quantity import size, times
+from pipeline.diagnosis.words.quantity import percent, size, times
 from pipeline.kinematics import Array
 
 BEFORE, AFTER, TIED, OTHER = "0.45", "#b2182b", "#ef8a62", "0.78"
@@ -81,6 +81,13 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     return image
 
 
+def briefly(one: dict[str, Any]) -> str:
+    """What stands beside an explanation's point: its probability, and why a probable one is none."""
+    share = one.get("probability")
+    said = [] if share is None else [percent(share)]
+    return ", ".join(said + ["its effects cancel"] * bool(one.get("balanced")))
+
+
 def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     """What explanations leave of the recording, in noise floors, coloured by how each fared, with a legend."""
     shown = content["evidence"]["explanations"]
@@ -93,7 +100,7 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
     axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
-        axes.text(1.12 * rms, place, rivals.briefly(one, content, ending), va="center", fontsize=6, color="0.3")
+        axes.text(1.15 * rms, place, briefly(one), va="center", fontsize=6.5, color="0.3")
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
     there = {one["standing"] for one in shown}
     standings = [name for name in STANDINGS if name in there]
@@ -103,7 +110,8 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(xscale="log", xlim=(0.5 * min(1.0, *left, *bent), 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
     plain(axes.xaxis)
-    axes.set_title("explanations: what each leaves")
+    likely = any(one.get("probability") is not None for one in shown)
+    axes.set_title(f"explanations: what each leaves{', and its probability' * likely}", fontsize=10)
 
 
 def plain(axis: Axis) -> None:

@@ -7,7 +7,9 @@ import pytest
 
 from pipeline.diagnosis import figures, panels
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words.quantity import percent
 from pipeline.ingest import read_samples
 
 
@@ -53,6 +55,20 @@ def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_poin
     held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
     panels.held_out(axes, held, 0.02, "mm", "mm")
     assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
+
+
+def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:
+    figure, content = drawn
+    evidence = content["evidence"]
+    held = [one["probability"] for one in evidence["explanations"] if one["standing"] in ("named", "tied")]
+    assert len(held) == 1 + len(content["alternatives"])
+    assert sum(held) >= HELD * (1.0 - evidence["probability_of_none"]) - 1e-4 > sum(held) - min(held)
+    others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
+    assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
+    shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
+    assert shown == [
+        "" if one["probability"] is None else percent(one["probability"]) for one in evidence["explanations"]
+    ]
 
 
 @pytest.mark.parametrize("count", range(1, 7))

@@ -640,6 +640,53 @@ def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
 
 def test_an_ambiguous_verdict_says_how_likely_each_effect_is_and_what_rules_out():
     text = " ".join(told(content(mechanisms=[{**one, "confidence": 0.29} for one in content()["mechanisms"]])).split())
-    assert "How likely each of these is at work, all explanations weighed: " in text and " 29 %" in text
-    assert "An explanation is ruled out where it is unlikely." in text
-    assert "How likely each" not in " ".join(told(content(verdict="explained", alternatives=[])).split())
+    assert "Probability that each of these effects is at work, in whichever explanation: " in text and " 29 %" in text
+    assert "Probability that each" not in " ".join(told(content(verdict="explained", alternatives=[])).split())
+
+
+def weighed(*shares, none=0.041, **changes):
+    """A verdict with the probability of each explanation of CONTENT from the second on, the best one last."""
+    made = content(**changes)
+    for one, share in zip(made["evidence"]["explanations"][1:], shares, strict=True):
+        one["probability"] = share
+    made["evidence"]["probability_of_none"] = none
+    return made
+
+
+def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out():
+    text = " ".join(told(weighed(0.004, 0.06, 0.31, 0.02, 0.52)).split())
+    assert "Probability of this explanation as a whole: 52 %." in text
+    assert "friction_hysteresis + thermal: probability 31 %; leaves 0.070 mm rms (2.3 times the noise)." in text
+    assert "friction_hysteresis + sensor_drift: probability 6 %; leaves" in text
+    assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
+    beaten = text[text.index("Why no other") :]
+    assert beaten.index("sensor_drift: probability") < beaten.index("creep: probability less than 1 %; leaves")
+    rule = "the likeliest ones are kept until together they have 80 % of the probability of all explanations, and every"
+    assert f"How an explanation is ruled out: {rule} other is ruled out. Here the 2 kept have 83 %." in text
+    assert "That none of the explanations is right has a probability of 4 %." in text
+    alone = {"verdict": "explained", "alternatives": [], "next_run": None}
+    text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
+    assert "Here the best one alone has 99 %." in text and "That none" not in text
+    assert "creep: probability 0 (it lacks a third effect, which takes away much more); leaves" in text
+
+
+def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_none():
+    text = told(content(evidence__probability_of_none=None))
+    assert "No probabilities are known on this rig: they were learnt on strings." in text and "probability" not in (
+        text.replace("No probabilities", "").lower()
+    )
+    assert "ruled out where" not in told()
+    unknown = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
+    text = " ".join(told(weighed(0.3, 0.1, 0.0, 0.1, 0.02, none=0.48, **unknown)).split())
+    assert "creep: probability 30 %; takes 99 % of the mismatch's energy." in text
+    assert "is right has a probability of 48 %; from 40 % on the verdict is unknown." in text
+
+
+def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():
+    made = weighed(0.1, 0.1, 0.1, 0.1, 0.5)
+    made["evidence"]["explanations"][3] |= {"ids": ["friction_hysteresis"]}
+    made["alternatives"] = [["friction_hysteresis"]]
+    made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
+    made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
+    (best,) = [one for one in without_idle(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"]
+    assert best["ids"] == ["friction_hysteresis"] and best["probability"] == pytest.approx(0.6)
