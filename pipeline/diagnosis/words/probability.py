@@ -8,8 +8,8 @@ from pipeline.diagnosis.words.quantity import percent
 HELD_STANDINGS = ("named", "tied")
 SEEN = 0.005  # a probability that is worth a word
 WITHOUT = (
-    "No probabilities are known on this rig: they were learnt on strings. An explanation is ruled out where it fits the "
-    "recording worse than the best one by about as much as it should if the best one were true."
+    "No probabilities are known on this rig: they were learnt on strings. An explanation is ruled out where it fits "
+    "the recording worse than the best one by about as much as it should if the best one were true."
 )
 
 
