@@ -439,6 +439,18 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
     assert "no physics is missing" in said and "adopted" not in said.lower()
 
 
+def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"], ["wear", "slack"], ["jam"]]}
+    said = " ".join(adopted(adopted=[one]).split())
+    told_ = "this may be right, for it fitted alike: thermal or wear + slack, or one of 1 more (`adopted` in run.yaml)."
+    assert f"Instead of what was adopted (creep) {told_}" in said and "Whether another explanation fits" not in said
+    said = " ".join(adopted(adopted=[one | {"tied": [], "verdict": "explained"}]).split())
+    assert "No other explanation tied with what was adopted (creep)." in said
+    assert "Whether another explanation fits as well stands in the verdict that was adopted" in " ".join(
+        adopted().split()
+    )
+
+
 def test_a_dimension_at_the_bound_of_calibration_is_told_as_one():
     text = told(content(evidence__moved_sigma={"radius_mm": 3.0}))
     assert "3.0 times its tolerance away, as far as calibration may move it." in text
@@ -490,7 +502,9 @@ def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     assert "So far the two predictions differ by 53 times what the noise alone makes." in text
     assert "The run may not decide either: with the run it should be 69 times," in text
     text = told(content(next_run__gap_now=900.0))
-    assert "With the run it should be 73 times, which takes a worse formula." in text and "may not decide" not in text
+    more = "2.4 times as much"
+    assert f"With the run they should differ by 73 times, {more}: a formula would have to be wrong by {more}" in text
+    assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
 
 
 def to_adopt(**changes):
