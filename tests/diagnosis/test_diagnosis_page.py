@@ -1,6 +1,8 @@
 """The page of figures: what its panels show can be read, and legends lie on no curve."""
 
+import copy
 from dataclasses import replace
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pytest
@@ -10,7 +12,10 @@ from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.diagnosis.words.quantity import percent
+from pipeline.diagnosis.words.unseen import noises
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.ingest import read_samples
+from pipeline.systems import systems
 
 
 @pytest.fixture
@@ -33,7 +38,8 @@ def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what
     small = [axes for axes in bottom.axes if axes.get_lines()]
     assert small and all(axes.get_legend() is None for axes in small)
     (legend,) = bottom.legends
-    assert [text.get_text() for text in legend.get_texts()] == ["calibrated", "as diagnosed", "noise floor"]
+    labels = [text.get_text() for text in legend.get_texts()]
+    assert labels[:2] == ["calibrated", "as diagnosed"] and labels[2].startswith("± noise")
     box = legend.get_window_extent()
     assert all(box.y1 <= axes.get_window_extent().y0 for axes in small)
     ranking = figure.subfigs[-2].axes[0]
@@ -69,6 +75,30 @@ def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_rule
     assert shown == [
         "" if one["probability"] is None else percent(one["probability"]) for one in evidence["explanations"]
     ]
+
+
+def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_words(drawn) -> None:
+    figure, content = drawn
+    words = Vocabulary.of(systems()["separator"])
+    content = copy.deepcopy(content) | {"fit": content["fit"] | {"noise_floor_mm": 0.032}}
+    content["evidence"] |= {"floor_mm": 0.018, "step_s": 0.04}
+    compared, single = noises(content, words)
+    assert (compared, single) == ("noise of averages of 0.04 s: 0.018 mm", "noise of single samples: 0.032 mm")
+    _, (left, right) = plt.subplots(1, 2)
+    panels.ranking(left, content, "mm", compared)
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(right, held, 0.032, "mm", "mm", single)
+    for axes, said in ((left, compared), (right, single)):
+        assert said in [text.get_text() for text in axes.get_legend().get_texts()]
+    drawn_ = figure.subfigs[-2].axes[0].get_legend().get_texts() + figure.subfigs[-1].legends[0].get_texts()
+    assert not [text for text in drawn_ if "floor" in text.get_text()]
+
+
+def test_the_page_says_each_colour_of_the_figure_in_the_words_of_its_legend() -> None:
+    page = " ".join((Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8").split())
+    for colour, label in panels.STANDINGS.values():
+        start = "In an `unknown` verdict orange is" if "not enough" in label else panels.COLOUR[colour]
+        assert f"{start}: {label}" in page, label
 
 
 @pytest.mark.parametrize("count", range(1, 7))

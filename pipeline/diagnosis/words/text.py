@@ -86,7 +86,10 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
     over = content["evidence"].get("step_s")
     step = f"averages of {duration(over)}" if over else "averages"
-    noise = f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms."
+    noise = (
+        f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
+        "It is what `the noise` means here, except for unseen strokes, which are compared sample by sample."
+    )
     said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
     return [
         f"Over the whole recording {said}.",
