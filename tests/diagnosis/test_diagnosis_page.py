@@ -8,6 +8,7 @@ import matplotlib.pyplot as plt
 import pytest
 
 from pipeline.diagnosis import figures, panels
+from pipeline.diagnosis.bounds import BOUND
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.verdict import diagnosis
@@ -99,6 +100,19 @@ def test_the_page_says_each_colour_of_the_figure_in_the_words_of_its_legend() ->
     for colour, label in panels.STANDINGS.values():
         start = "In an `unknown` verdict orange is" if "not enough" in label else panels.COLOUR[colour]
         assert f"{start}: {label}" in page, label
+
+
+def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_json(conceal) -> None:
+    run, samples = read_samples(conceal()[0])
+    sure = {"radius": 0.001, "separator_mm": 0.01, "torsion_zone_mm": 0.01, "length_mm": 0.01}
+    wide = run.model_copy(update={"tolerance": sure})
+    more = samples.assign(displacement_mm=1.05 * samples["displacement_mm"])  # 3 sigma of the gain are 1.5 %
+    for one, table, bound in ((wide, more, "upper"), (run, samples, None)):
+        found = study(make_problem([one], [table]))
+        content = diagnosis(found, found.problem, None, [one], None, frozenset())
+        assert content["parameters"]["scale"].get("at_bound") == bound
+        far = [name for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= BOUND]
+        assert far == [name for name, entry in content["parameters"].items() if "at_bound" in entry]
 
 
 @pytest.mark.parametrize("count", range(1, 7))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
 from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
@@ -451,11 +452,25 @@ def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
     )
 
 
-def test_a_dimension_at_the_bound_of_calibration_is_told_as_one():
-    text = told(content(evidence__moved_sigma={"radius_mm": 3.0}))
-    assert "3.0 times its tolerance away, as far as calibration may move it." in text
-    assert "the best one may lie beyond it" in text
-    assert "as far as calibration" not in told()
+def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_all_else():
+    for sigma, which in ((3.0, "upper"), (-2.96, "lower")):
+        text = " ".join(told(content(evidence__moved_sigma={"radius_mm": sigma})).split())
+        doubts = text.partition("What to know first ")[2].partition("What is missing")[0]
+        assert (
+            f"Suspicious: calibration moved a dimension as far as it may, three times the tolerance: radius, {which}"
+            in (doubts)
+        )
+        assert "bound 0.5612 mm (run.yaml says 0.55 mm). The best value may lie beyond. Measure it again" in doubts
+        assert f"{abs(sigma):.1f} times its tolerance away, as far as calibration may move it." in text
+    assert "Suspicious" not in told() and "as far as calibration" not in told()
+    both = {"radius_mm": 3.0, "scale": -3.0}
+    known = CONTENT["parameters"] | {"scale": {"nominal": 1.0, "value": 0.985, "low": 0.98, "high": 0.99}}
+    text = " ".join(told(content(evidence__moved_sigma=both, parameters=known)).split())
+    assert (
+        "moved 2 dimensions as far as it may" in text
+        and "gain of the displacement sensor, lower bound 0.985 (1 w" in text
+    )
+    assert at_bound(both | {"length_mm": 2.9}) == {"radius_mm": "upper", "scale": "lower"}
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from pipeline.diagnosis.words import (
     seen,
     unseen,
 )
-from pipeline.diagnosis.words.dimensions import corrected, remeasured
+from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import place
 from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
@@ -42,7 +42,7 @@ def verdict_text(
     words = Vocabulary.of(system)
     sections = [
         (headline(content, words), []),
-        (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words)]),
+        (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
