@@ -1,6 +1,7 @@
 """Runs that were left out → a line beneath a table, a part of the page, and the end of the main job, which fails."""
 
 import argparse
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from pipeline.report.plain import plain
 from pipeline.report.web.page import paragraph, together
 from pipeline.report.web.table import table
 
+SIMPLE = re.compile(r"[\w.-]+")
 HEAD = ("Run", "Material", "Why, and how to mend it")
 
 
@@ -47,8 +49,13 @@ def told(asked: argparse.Namespace) -> list[LeftOut]:
 def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
     """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`) where runs were left out; csv stays as it is."""
     if suffix == "md":
-        return [plain(f"Left out: run {one.run}: {one.why}") for one in runs]
-    return [f"Left out: {', '.join(one.run for one in runs)}."] if runs else []
+        return [plain(f"Left out: run {quoted(one.run)}: {one.why}") for one in runs]
+    return [f"Left out: {', '.join(quoted(one.run) for one in runs)}."] if runs else []
+
+
+def quoted(run: str) -> str:
+    """A run's name as it stands, in quotes where a blank or another sign would hide where it begins and ends."""
+    return run if SIMPLE.fullmatch(run) else f'"{run}"'
 
 
 def section(runs: list[LeftOut]) -> Markup:
