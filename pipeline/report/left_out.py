@@ -1,7 +1,6 @@
 """Runs that were left out → a line beneath a table, a part of the page, and the end of the main job, which fails."""
 
 import argparse
-import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -15,7 +14,6 @@ from pipeline.report.plain import plain
 from pipeline.report.web.page import paragraph, together
 from pipeline.report.web.table import table
 
-SIMPLE = re.compile(r"[\w.-]+")
 HEAD = ("Run", "Material", "Why, and how to mend it")
 
 
@@ -54,8 +52,8 @@ def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
 
 
 def quoted(run: str) -> str:
-    """A run's name as it stands, in quotes where a blank or another sign would hide where it begins and ends."""
-    return run if SIMPLE.fullmatch(run) else f'"{run}"'
+    """A run's name as it stands, in quotes where a blank would hide where it ends."""
+    return f'"{run}"' if " " in run else run
 
 
 def section(runs: list[LeftOut]) -> Markup:
