@@ -10,8 +10,9 @@ from typing import Any
 
 import yaml
 
+from pipeline import adopted_error
 from pipeline.complaint import short
-from pipeline.diagnosis.adopt import block, checked
+from pipeline.diagnosis.adopt import adoptions, block, checked
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.errors import BadInput, program
@@ -20,28 +21,28 @@ from pipeline.ingest import read_samples
 from pipeline.regular_file import read_regular
 from pipeline.run_yaml import parse_run
 from pipeline.runs import RECORDINGS, read_run
-from pipeline.simulate import read_diagnosis, simulated
+from pipeline.simulate import read_diagnosis
 from pipeline.strict_yaml import LARGEST, parse_yaml
 
-KEY = "simulation"
+KEY, ORIGIN = "simulation", "adopted"
 
 
-def with_block(text: str, entries: list[dict[str, Any]]) -> str:
-    """Text of a `run.yaml` with `simulation` replaced, or added after the last key; all other text is kept.
+def with_block(text: str, entries: list[dict[str, Any]], named: str = KEY) -> str:
+    """Text of a `run.yaml` with the key `named` replaced, or added after the last key; all other text is kept.
 
     `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
     """
     root: Any = yaml.compose(text, Loader=yaml.SafeLoader)
-    there = next(((key, value) for key, value in root.value if key.value == KEY), None)
+    there = next(((key, value) for key, value in root.value if key.value == named), None)
     if root.flow_style:  # a run.yaml written as JSON
         said = json.dumps(entries, ensure_ascii=False)
         if there:
             return text[: there[1].start_mark.index] + said + text[there[1].end_mark.index :]
         first = root.start_mark.index + 1
-        return f'{text[:first]}"{KEY}": {said}, {text[first:]}'
+        return f'{text[:first]}"{named}": {said}, {text[first:]}'
     newline = "\r\n" if "\r\n" in text else "\n"
     indent = " " * root.value[0][0].start_mark.column
-    lines = textwrap.indent(block(entries).rstrip("\n"), indent).replace("\n", newline)
+    lines = textwrap.indent(block(entries, named).rstrip("\n"), indent).replace("\n", newline)
     if there:
         return text[: there[0].start_mark.index] + lines.lstrip() + text[_end(there[1]) :]
     end = _end(root.value[-1][1])
@@ -59,11 +60,17 @@ def _end(node: yaml.Node) -> int:
     return int(node.end_mark.index)
 
 
-def adopted(text: str, entries: list[dict[str, Any]], path: Path) -> str:
-    """The text with the entries, parsed to see that it says just that and else what it said; raises BadInput."""
-    wanted = {**parse_yaml(text, path), KEY: entries}
+def adopted(text: str, entries: list[dict[str, Any]], path: Path, origin: list[dict[str, Any]] | None = None) -> str:
+    """The text with the entries, parsed to see that it says just that and else what it said; raises BadInput.
+
+    `origin` is where they came from, as the run.yaml shall say it; an empty one replaces an older one only.
+    """
+    there = parse_yaml(text, path)
+    keep = origin or (origin is not None and ORIGIN in there)
+    wanted = {**there, KEY: entries, **({ORIGIN: origin} if keep else {})}
     try:
         made = with_block(text, entries)
+        made = with_block(made, origin or [], ORIGIN) if keep else made
         right = parse_yaml(made, path) == wanted
     except (BadInput, yaml.YAMLError):
         right = False
@@ -74,14 +81,18 @@ def adopted(text: str, entries: list[dict[str, Any]], path: Path) -> str:
     return made
 
 
-def check(content: dict[str, Any], source: Path, folder: Path) -> None:
-    """Raise BadInput unless what a diagnosis names can act in a run; one without a recording takes any known names."""
+def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
+    """How far the simulator is off the run's recording, in words; one without a recording takes any known names.
+
+    Raises BadInput unless what a diagnosis names can act in the run.
+    """
     for number, entry in enumerate(content[KEY]):
         checked(entry, f"{KEY}[{number}]", str(source))
-    if any((folder / name).exists() for name in RECORDINGS):
-        run, samples = read_samples(folder)
-        bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-        simulated(bare, {"run": run.run, "parameters": {}, KEY: content[KEY]}, source, run.run)
+    if not any((folder / name).exists() for name in RECORDINGS):
+        return []
+    run, samples = read_samples(folder)
+    bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
+    return adopted_error.told(bare, run.run, run.simulation, content, source)
 
 
 @program
@@ -98,22 +109,26 @@ def main() -> None:
     if not content[KEY]:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
-    check(content, source, folder)
+    errors = check(content, source, folder)
     of = content.get("run", run.run)
     if run.run not in (of if isinstance(of, list) else [of]):
         said = f"{source} is of {short(of)}: what it names holds for the same string on the same rig only"
         print(f"beware: {said}", file=sys.stderr)
+    origin = adoptions(content, str(source))
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
-    made = adopted(text, content[KEY], path)
-    if parse_yaml(text, path).get(KEY) == content[KEY]:
+    made = adopted(text, content[KEY], path, origin)
+    if parse_yaml(made, path) == parse_yaml(text, path):
         print(f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is")
         return
     with whole(path) as temporary:
         temporary.write_text(made, encoding="utf-8", newline="")
         shutil.copymode(path, temporary)
     print(f"{folder / 'run.yaml'}: {KEY} holds {names} now; all else in it stays as it was")
-    print("its dimensions are still the measured ones: the next diagnosis calibrates them anew")
-    print("until then pipeline.simulate may err by more than the verdict says; with --simulation it does not")
+    others = origin[-1]["tied"] if origin else []
+    if others:
+        print(f"{len(others)} other explanation{'s' * (len(others) > 1)} tied with it: {ORIGIN} in run.yaml names them")
+    for line in (*errors, adopted_error.WHY, adopted_error.NEXT):
+        print(line)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
-from pipeline.diagnosis.adopt import block
+from pipeline.diagnosis.adopt import adoptions, block
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.errors import BadInput, program
@@ -74,6 +74,9 @@ def diagnose(
     if jumps:
         told = ("before", "run", "jump_mm", "floor_mm")
         content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
+    earlier = [one.model_dump() for run in runs for one in run.adopted]
+    if earlier:
+        content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
@@ -88,7 +91,7 @@ def diagnose(
 def write_block(content: dict[str, Any], path: Path) -> None:
     """Write the `simulation` of a diagnosis that names something, ready to be pasted into run.yaml; else remove it."""
     if content["mechanisms"] and content["simulation"]:
-        write_text(path, block(content["simulation"]))
+        write_text(path, block(content["simulation"]) + block(adoptions(content, str(path)), "adopted"))
     else:
         path.unlink(missing_ok=True)  # of an earlier diagnosis
 

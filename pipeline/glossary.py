@@ -29,7 +29,7 @@ TERMS: dict[str, dict[str, str]] = {
         "nominal": "the simulator with the dimensions as they were measured.",
         "calibrated": "the simulator after its dimensions moved, each by at most three times its tolerance.",
         "as diagnosed": "the calibrated simulator with the physics that the verdict names, if any.",
-        "noise floor": "what no systematic cause explains; the sensors' noise.",
+        "noise floor": "what no systematic cause explains: sensors' noise; averages have less than single samples.",
         "mismatch": "what is left after calibration, with the noise taken off.",
         "rms": "root of the mean square: the usual size of something that varies.",
         "consistent": "no missing physics can be named, and moving the dimensions helps nothing either.",

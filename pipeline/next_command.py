@@ -1,13 +1,20 @@
 """The command that comes next for a run folder that was just made."""
 
+import shlex
 from pathlib import Path
+
+MAIN = "snakemake --cores 2"
 
 
 def following(folder: Path, recorded: bool) -> str:
     """What is done next with a run folder: the main job finds runs in raw/ alone."""
+    diagnose = f"python -m pipeline.diagnose {shlex.quote(str(folder))} --out reports/mine"
+    alone = f"or ask only what the simulator leaves out: {diagnose}"
+    in_raw = folder.parent.resolve() == Path("raw").resolve()
     if not recorded:
-        command = f"python -m pipeline.capture PORT {folder}"
-        return f"record into it with: {command} (add --text where the rig prints lines of numbers)"
-    if folder.parent.resolve() == Path("raw").resolve():
-        return "make its reports with: snakemake --cores 2"
-    return f"snakemake reads raw/ alone: diagnose it by python -m pipeline.diagnose {folder} --out reports/diagnosis"
+        command = f"python -m pipeline.capture PORT {shlex.quote(str(folder))}"
+        then = f"then make its reports with: {MAIN}, {alone}" if in_raw else f"then diagnose it by {diagnose}"
+        return f"record into it with: {command} (add --text where the rig prints lines of numbers); {then}"
+    if in_raw:
+        return f"make its reports with: {MAIN}, {alone}"
+    return f"snakemake reads raw/ alone: diagnose it by {diagnose}"

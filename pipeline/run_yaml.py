@@ -88,6 +88,14 @@ class Included(TypedDict, total=False):
     parameters: dict[str, Number]
 
 
+class Adopted(_Section):
+    """What `pipeline.adopt` put into `simulation`: its effects, the verdict on them, and the sets that tied with it."""
+
+    effects: list[str]
+    verdict: Literal["explained", "ambiguous"]
+    tied: list[list[str]] = Field(default_factory=list)
+
+
 class Channel(_Section):
     """Where a channel stands in the recording: value = scale · raw + offset, then the unit."""
 
@@ -109,6 +117,9 @@ class Run(_Section):
     rig: dict[str, Number] = Field(default_factory=dict, description="the rig's dimensions")
     tolerance: dict[str, Positive] = Field(default_factory=dict)
     simulation: list[Included] = Field(default_factory=list)
+    adopted: list[Adopted] = Field(
+        default_factory=list, description="where `simulation` came from, one entry a verdict"
+    )
     file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
     channels: dict[str, Channel] = Field(default_factory=dict)
     tare: Literal["string", "run"] = Field(

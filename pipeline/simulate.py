@@ -91,6 +91,17 @@ def tare(predicted: Array, measured: Array, time_s: Array) -> float:
     return float(np.median((measured - predicted)[start]))
 
 
+def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
+    """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does."""
+    predicted = simulated(problem, content, path, run)
+    unit = problem.system.channel.rpartition("_")[2]
+    if content.get("run") == run and f"zero_{unit}" in content["parameters"]:
+        return predicted + value_of(content, f"zero_{unit}", path, 0.0)
+    return (
+        predicted + tare(predicted, problem.measured, problem.record.time_s) if problem.system.free_zero else predicted
+    )
+
+
 def at_rows(time_s: Array, working_s: Array, predicted: Array) -> Array:
     """A prediction at the working rate, at the recording's own stamps; the first and last mean lie as far inside."""
     inside = (np.ptp(time_s) - np.ptp(working_s)) / 2.0
@@ -114,12 +125,7 @@ def main() -> None:
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
     problem = at_own_rate([run], [samples], thin=run.system.differentiates)
-    predicted = simulated(problem, content, source, run.run)
-    unit = problem.system.channel.rpartition("_")[2]
-    if content.get("run") == run.run and f"zero_{unit}" in content["parameters"]:
-        predicted = predicted + value_of(content, f"zero_{unit}", source, 0.0)
-    elif problem.system.free_zero:
-        predicted = predicted + tare(predicted, problem.measured, problem.record.time_s)
+    predicted = tared(problem, content, source, run.run)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(
             f"warning: {source} counts time from the start of {key_name(content['run'][0])}",

@@ -55,7 +55,10 @@ class Jump:
     def advice(self) -> str:
         """What is seen, and what to do if the zero was moved, or that it was done."""
         if self.taken_off:
-            return f"{self.sentence} For the tables `tare: run` takes it off."
+            return (
+                f"{self.sentence} run.yaml of {self.run} says `tare: run`: so this jump is taken off the displacement "
+                "before the tables and models are made."
+            )
         return (
             f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
             f"{self.run}: it is then tared on its own rest, from where {self.before} ended."

@@ -144,10 +144,19 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
     status, said, _ = new("a-01", "--string-id", "s1", samples=GOOD)
     folder = tmp_path / "raw" / "a-01"
     assert status == 0 and "snakemake reads raw/ alone: diagnose it by" in said
-    assert f"python -m pipeline.diagnose {folder} --out reports/diagnosis" in said
+    assert f"python -m pipeline.diagnose {folder} --out reports/mine" in said
     monkeypatch.chdir(tmp_path)
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
-    assert status == 0 and "make its reports with: snakemake --cores 2" in said
+    assert status == 0 and "make its reports with: snakemake --cores 2, or ask only what the simulator" in said
+    assert f"leaves out: python -m pipeline.diagnose {folder.with_name('a-02')} --out reports/mine" in said
+    status, said, _ = new("a-03", "--string-id", "s1")
+    folder = folder.with_name("a-03")
+    assert (
+        status == 0
+        and f"python -m pipeline.capture PORT {folder} " in said
+        and "; then make its reports with: " in said
+    )
+    assert f"python -m pipeline.diagnose {folder} --out reports/mine" in said
 
 
 def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys):

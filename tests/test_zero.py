@@ -127,7 +127,10 @@ def program(module: str, *words: object) -> str:
     return done.stdout
 
 
-@pytest.mark.parametrize(("tare", "said"), [(None, "write `tare: run` in run.yaml of a-2"), ("run", "takes it off")])
+@pytest.mark.parametrize(
+    ("tare", "said"),
+    [(None, "write `tare: run` in run.yaml of a-2"), ("run", "is taken off the displacement before the tables")],
+)
 def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, said: str) -> None:
     made, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
     for folder in made:

@@ -11,7 +11,7 @@ from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import Log
 from pipeline.capture.port import Port, Unplugged
 from pipeline.capture.screen import Screen, clock
-from pipeline.capture.stream import Outcome
+from pipeline.capture.stream import PERSON, Outcome
 from pipeline.errors import BadInput
 
 HEADER_S = 5.0  # a board that was reset by opening its port needs some of them
@@ -116,7 +116,7 @@ def follow(
         now_s = time.monotonic()
         heard_s = now_s if chunk else heard_s
         if stops():
-            outcome = Outcome("ended")
+            outcome = Outcome("ended", None, PERSON)
         elif now_s - began_s > longest_s:
             outcome = Outcome("ended", None, f"--longest after {longest_s:g} s")
         elif now_s - heard_s > SILENCE_S:

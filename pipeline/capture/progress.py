@@ -60,6 +60,10 @@ class Progress:
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
         other_pace = passed_s > PACE_AFTER_S and abs(recorded_s - passed_s) > PACE_DIFFERS * passed_s
         of = f" of {self.hello.strokes}" if self.hello.strokes else ""
+        rate_hz = self.samples / max(
+            passed_s, 1e-3
+        )  # as they come, which for a rig at another pace is not its own rate
+        own = f" ({rate_hz / self.hello.rate_hz:.2g} times the {self.hello.rate_hz:g} of the rig's own clock)"
         left_s = self.left.at(passed_s)
         return [
             f"{clock(recorded_s)} recorded{f' in {clock(passed_s)}' if other_pace else ''}",
@@ -68,7 +72,7 @@ class Progress:
             f"{self.lost} frames lost",
             *(f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now),
             f"{self.samples} samples",
-            f"{self.samples / max(passed_s, 1e-3):.0f} samples/s",
+            f"{rate_hz:.0f} samples/s{own if other_pace else ''}",
             *([f"{free_bytes / 1e9:.1f} GB free"] if free_bytes else []),
         ]
 

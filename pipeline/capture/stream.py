@@ -14,6 +14,7 @@ from pipeline.wire.frames import END
 SILENCE_S = 3.0
 STOP_S = 5.0  # so long may a device go on that was told to stop
 IDLE_S = 60.0  # so long may bytes come and no new frame
+PERSON = "person"  # who asked for the end, by Ctrl-C
 WRONG_ENDS = 3  # an END that cannot be true is a fault when it comes again and again
 
 
@@ -76,7 +77,7 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
     silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
     began_s = heard_s = new_s = time.monotonic()
     stopped_s, newest = math.inf, 0
-    over: str | None = None  # what stopped it, if nobody asked
+    over: str | None = None  # what stopped it
     outcome: Outcome | None = None
     try:
         port.write(encode(Kind.START, 0, protocol=hello.protocol))
@@ -93,9 +94,9 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
                 if listener.end_seq is not None:
                     port.write(encode(Kind.ACK, listener.end_seq, protocol=hello.protocol))
             elif stops() > 1:
-                outcome = Outcome("aborted")
+                outcome, over = Outcome("aborted"), PERSON
             elif math.isinf(stopped_s) and (stops() or now_s - began_s > longest_s):
-                over = None if stops() else f"--longest after {longest_s:g} s"
+                over = PERSON if stops() else f"--longest after {longest_s:g} s"
                 stopped_s = now_s
                 port.write(encode(Kind.STOP, 1, protocol=hello.protocol))
             elif now_s - heard_s > silence_s:

@@ -30,9 +30,29 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
     return found
 
 
-def block(simulation: list[dict[str, Any]]) -> str:
-    """The lines that say `simulation` in a run.yaml, of the entries of a diagnosis: ready to be pasted there."""
-    return write_yaml({"simulation": simulation})
+def block(entries: list[dict[str, Any]], key: str = "simulation") -> str:
+    """The lines that say `simulation`, or another key, in a run.yaml, of its entries: ready to be pasted there."""
+    return write_yaml({key: entries})
+
+
+def adoptions(content: dict[str, Any], where: str) -> list[dict[str, Any]]:
+    """What a run.yaml says under `adopted` with a diagnosis in it: what was adopted before it, then what it names.
+
+    A file that tells no verdict adds nothing. Raises BadInput for sets of mechanisms that are none.
+    """
+    before, named = content.get("adopted", []), content.get("mechanisms", [])
+    if not isinstance(before, list):
+        raise BadInput(where, "adopted", f"is {short(before)}, not a list", "give a diagnosis.json as it was made")
+    if content.get("verdict") not in ("explained", "ambiguous") or not isinstance(named, list):
+        return before
+    effects = [entry.get("id") if isinstance(entry, dict) else None for entry in named]
+    tied = content.get("alternatives", [])
+    sets = [effects, *tied] if isinstance(tied, list) else [None]
+    for ids in sets:
+        if not isinstance(ids, list) or not all(isinstance(id_, str) and id_ in mechanisms() for id_ in ids):
+            problem = f"holds {short(ids)}, which is no list of mechanisms of the library"
+            raise BadInput(where, "mechanisms, alternatives", problem, "give a diagnosis.json as it was made")
+    return [*before, {"effects": effects, "verdict": content["verdict"], "tied": tied}]
 
 
 def is_number(value: Any) -> bool:

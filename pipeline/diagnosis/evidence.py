@@ -15,14 +15,19 @@ from pipeline.diagnosis.search import Explanation, Search
 from pipeline.kinematics import Array
 
 LISTED = 11  # explanations
+RULED_OUT = 3  # of the likeliest that are not held
 SINGLES, OTHERS = 8, 4  # of one mechanism, and of each larger number
 LEAST_VALUE = 1e-8  # of the largest singular value: smaller directions are rounding
 FOLLOWS = 0.5  # of a signal's energy: what a driver must carry for the signal to follow it
 
 
 def listed(found: Study) -> list[Explanation]:
-    """What is shown: nothing at all, what ties, and the best of every size, from what they leave."""
+    """What is shown: nothing, what ties, the likeliest others, the best of every size; in order of what they leave."""
     shown = {one.ids: one for one in (found.search.nothing, *found.sets)}
+    likeliest = sorted(found.judged.likely, key=lambda ids: -found.judged.likely[ids])
+    for ids in likeliest[: len(found.sets) + RULED_OUT]:
+        if len(shown) < LISTED and tuple(sorted({*ids, *found.random})) not in shown:
+            shown[ids] = found.search.explain(ids)
     for size in range(max((len(one.ids) for one in found.sets), default=1), 0, -1):
         for one in found.search.all_of(size)[: SINGLES if size == 1 else OTHERS]:
             if len(shown) < LISTED:
@@ -54,6 +59,7 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
             "standing": standing,
             f"left_{ending}": float(np.sqrt(max(one.energy, 0.0))),
         }
+        entry["probability"] = probability(found, one.ids)
         entry[f"bent_{ending}"] = float(np.sqrt(max(search.bent(one).energy, 0.0)))
         if first and one.ids and one is not first:
             entry["worse"] = price(search, one) - price(search, first)
@@ -61,10 +67,20 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
             entry[f"gap_{ending}"] = float(np.sqrt(np.mean(np.square(gap))))
             entry["location"] = locate.box(gap, found.problem)
             entry["driver"] = follows(drivers, gap)
-            if standing == "beaten" and entry["worse"] <= 0.0:  # it fits no worse: only that disqualifies it
+            likelier = (entry["probability"] or 0.0) > (probability(found, first.ids) or 0.0)
+            if standing == "beaten" and (likelier or entry["worse"] <= 0.0):  # nothing but that can disqualify it
                 entry["balanced"] = cancels(found.problem, engine.at_work(search, one))
         entries.append(entry)
     return entries
+
+
+def probability(found: Study, ids: tuple[str, ...]) -> float | None:
+    """The judge's probability of an explanation; None where the judge did not weigh it, as on rigs without a string.
+
+    What is random stands in every explanation, and is seen, not weighed.
+    """
+    weighed = {} if not found.problem.drivers.levered else found.judged.likely
+    return weighed.get(ids, weighed.get(tuple(id_ for id_ in ids if id_ not in found.random)))
 
 
 def fitted(search: Search, one: Explanation) -> Array:
@@ -138,6 +154,7 @@ def evidence(found: Study) -> dict[str, Any]:
         f"floor_{ending}": found.floor,
         **misfits(found, ending),
         "explanations": explanations(found, ending),
+        "probability_of_none": found.judged.none if found.judged.likely and drivers.levered else None,
         f"spans_{ending}": spans(found),
         "moved_sigma": moved(found),
         "tolerance": tolerances(found),

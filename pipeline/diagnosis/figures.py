@@ -13,6 +13,8 @@ from matplotlib.patches import Patch
 from pipeline.diagnosis import panels
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.panels import AFTER, BEFORE
+from pipeline.diagnosis.words.unseen import noises
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.files import whole
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
@@ -71,14 +73,16 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
         image = panels.mismatch_map(axes, drivers, residual, f"mismatch, {name} (own scale)", limit)
         maps.colorbar(image, ax=axes, label=unit, pad=0.01)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
-    panels.ranking(ranked, content, ending)
-    panels.held_out(held, content["fit"]["heldout"], content["fit"][f"noise_floor_{ending}"], ending, unit)
+    compared, single = noises(content, Vocabulary.of(problem.system))
+    panels.ranking(ranked, content, ending, compared)
+    floor_here = content["fit"][f"noise_floor_{ending}"]
+    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single)
     followed = list(panels.listeners(drivers).items())[:MOST]
     grid = panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
         kept = {name: residual[counts] for name, residual in residuals.items()}
         panels.by_driver(axes, signal[counts], kept, floor, label)
-    handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label="noise floor")]
+    handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
     for ending_, metadata in ((".png", {"Software": None}), (".pdf", {"CreationDate": None})):

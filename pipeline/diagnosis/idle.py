@@ -20,10 +20,13 @@ def without_idle(content: dict[str, Any], ending: str) -> dict[str, Any]:
         return content
     ids = {entry["id"] for entry in kept}
     others = [other for other in content["alternatives"] if set(other) != ids]
-    shown = []
+    shown: list[dict[str, Any]] = []
+    twins = [one for one in content["evidence"]["explanations"] if set(one["ids"]) == ids]
     for one in content["evidence"]["explanations"]:
         if one["standing"] == "named":
-            shown.append(one | {"ids": [id_ for id_ in one["ids"] if id_ not in idle]})
+            shares = [each["probability"] for each in (one, *twins) if each.get("probability") is not None]
+            kept_ids = [id_ for id_ in one["ids"] if id_ not in idle]
+            shown.append(one | {"ids": kept_ids, "probability": sum(shares) if shares else None})
         elif set(one["ids"]) != ids:
             shown.append(one)
     made = content | {"mechanisms": kept, "alternatives": others}

@@ -14,17 +14,18 @@ from numpy.typing import NDArray
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.words import rivals
-from pipeline.diagnosis.words.quantity import size, times
+from pipeline.diagnosis.words.quantity import percent, size, times
 from pipeline.kinematics import Array
 
-BEFORE, AFTER, TIED, OTHER = "0.45", "#b2182b", "#ef8a62", "0.78"
-BAND = "0.92"  # the noise floor
+BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
+COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
+BAND = "0.92"  # the noise
 BINS = 24
 STANDINGS = {
-    "named": (AFTER, "named: the best"),
+    "named": (AFTER, "the best explanation"),
     "tied": (TIED, "cannot be ruled out"),
-    "beaten": (OTHER, "beaten: verdict.txt says why"),
-    "not needed": ("0.9", "adds too little to count"),
+    "beaten": (OTHER, "ruled out: verdict.txt says why"),
+    "not needed": (MORE, "ruled out, larger than the best"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
@@ -81,8 +82,15 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     return image
 
 
-def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
-    """What explanations leave of the recording, in noise floors, coloured by how each fared, with a legend."""
+def briefly(one: dict[str, Any]) -> str:
+    """What stands beside an explanation's point: its probability, and why a probable one is none."""
+    share = one.get("probability")
+    said = [] if share is None else [percent(share)]
+    return ", ".join(said + ["its effects cancel"] * bool(one.get("balanced")))
+
+
+def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "noise") -> None:
+    """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
     shown = content["evidence"]["explanations"]
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
@@ -93,17 +101,18 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str) -> None:
     axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
     axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
-        axes.text(1.12 * rms, place, rivals.briefly(one, content, ending), va="center", fontsize=6, color="0.3")
+        axes.text(1.15 * rms, place, briefly(one), va="center", fontsize=6.5, color="0.3")
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
     there = {one["standing"] for one in shown}
     standings = [name for name in STANDINGS if name in there]
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=STANDINGS[name][1]) for name in standings]
     handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
-    handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label="noise floor"))
+    handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
-    axes.set(xscale="log", xlim=(0.5 * min(1.0, *left, *bent), 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise floor")
+    axes.set(xscale="log", xlim=(0.5 * min(1.0, *left, *bent), 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise")
     plain(axes.xaxis)
-    axes.set_title("explanations: what each leaves")
+    likely = any(one.get("probability") is not None for one in shown)
+    axes.set_title(f"explanations: what each leaves{', and its probability' * likely}", fontsize=10)
 
 
 def plain(axis: Axis) -> None:
@@ -113,8 +122,10 @@ def plain(axis: Axis) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
-def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str) -> None:
-    """Error on strokes that no fit has seen, with the noise floor; `ending` is that of the keys."""
+def held_out(
+    axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str, noise: str = "noise"
+) -> None:
+    """Error on strokes that no fit has seen, with the floor, called `noise`; `ending` is that of the keys."""
     axes.set_title("error on unseen strokes")
     if not held:
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
@@ -128,7 +139,7 @@ def held_out(axes: Axes, held: dict[str, Any] | None, floor: float, ending: str,
         said = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(said, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
     axes.set(xticks=range(3), xticklabels=("nominal", "calibrated", "as diagnosed"), xlim=(-0.6, 2.6))
-    axes.axhline(floor, color="k", ls="--", lw=0.8, label=f"noise floor {size(floor, unit)}")
+    axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
     axes.tick_params(axis="x", labelsize=8)
     plain(axes.yaxis)

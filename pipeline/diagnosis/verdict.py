@@ -6,6 +6,7 @@ import numpy as np
 
 from pipeline.diagnosis import band, chance, generic, locate, nextrun
 from pipeline.diagnosis.adopt import entries
+from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
 from pipeline.diagnosis.evidence import evidence
@@ -151,6 +152,8 @@ def diagnosis(
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
     content["evidence"] = evidence(found)
+    for name, which in at_bound(content["evidence"]["moved_sigma"]).items():
+        content["parameters"][name]["at_bound"] = which
     if without:
         content["without"] = sorted(without)
     if found.verdict == "unknown" and own_alone(found):

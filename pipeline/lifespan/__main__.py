@@ -1,4 +1,8 @@
-"""Runs of strings → how many strokes each has left: lifespan.json, lifespan.png and sentences."""
+"""Runs of strings → how many strokes each has left: lifespan.json, lifespan.png and sentences.
+
+A forecast needs 12 complete strokes of a string, in one run or in several that are named together. With fewer the
+answer says how far the limits are now. On the synthetic rig: python -m pipeline.rig paper --link /tmp/rig --strokes 24
+"""
 
 import argparse
 import json
@@ -10,6 +14,7 @@ from pipeline.lifespan import figure, record
 from pipeline.lifespan.ask import Answer, model_error, stroke_loss
 from pipeline.lifespan.gather import strings
 from pipeline.lifespan.health import Health
+from pipeline.lifespan.left import LEAST_STROKES
 from pipeline.outputs import folder_to_write
 from pipeline.progress import clear, steps
 
@@ -23,7 +28,8 @@ def ask(one: Health, loss: float, drift_mm: float) -> list[Answer]:
 def main() -> int:
     """Command line."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.lifespan", description=__doc__)
-    parser.add_argument("run_dir", type=Path, nargs="+")
+    runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes or more in all"
+    parser.add_argument("run_dir", type=Path, nargs="+", help=runs)
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")
     parser.add_argument("--drift-mm", type=float, default=1.0, help="error of the model that is borne, in mm")
     parser.add_argument("--level", type=float, default=0.9, help="probability that the interval shall hold")

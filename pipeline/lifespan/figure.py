@@ -14,7 +14,8 @@ from matplotlib.ticker import MaxNLocator
 from pipeline.files import whole
 from pipeline.lifespan.ask import Answer
 from pipeline.lifespan.health import Health
-from pipeline.lifespan.left import BAND_LEVELS
+from pipeline.lifespan.indicators import REFERENCE
+from pipeline.lifespan.left import BAND_LEVELS, LEAST_STROKES
 from pipeline.lifespan.percent import percent
 
 SEEN, LAW, LIMIT = "#0072b2", "#d55e00", "0.25"  # Okabe and Ito: told apart by colour-blind readers too
@@ -38,8 +39,9 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
     with plt.rc_context(style):
         grid: list[Any] = [["loss"] * 6, ["drift"] * 6, [name for name, _ in others for _ in range(6 // len(others))]]
         grid = grid if others else grid[:2]
+        heights = [*(3.0 if len(one.n) else 0.8 for one in answers), 1.8]
         figure, panels = plt.subplot_mosaic(
-            grid, figsize=(7.2, 7.6), layout="constrained", height_ratios=[3, 3, 1.8][: len(grid)]
+            grid, figsize=(7.2, 7.6), layout="constrained", height_ratios=heights[: len(grid)]
         )
         for one, name in zip(answers, ("loss", "drift"), strict=True):
             question(panels[name], one, level)
@@ -49,7 +51,8 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             axes.xaxis.set_major_locator(MaxNLocator(integer=True))
             axes.set_xlabel("stroke n")
             axes.set_ylabel(label)
-        figure.suptitle(f"{health.string}: {len(health.strokes)} strokes seen", fontsize=11)
+        count = len(health.strokes)
+        figure.suptitle(f"{health.string}: {count} stroke{'s' if count != 1 else ''} seen", fontsize=11)
         with whole(path) as temporary:
             figure.savefig(temporary, dpi=130)
         plt.close(figure)
@@ -58,12 +61,14 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
 def question(axes: Axes, one: Answer, level: float) -> None:
     """Indicator, law with its band, limit and interval of one question."""
     left, span, scale = one.left, one.left.span(level), 100.0 if one.unit == "1" else 1.0
+    if not len(one.n):
+        return nothing(axes, one)
     axes.errorbar(one.n, scale * one.values, scale * one.errors, fmt=".", ms=3.5, lw=0.6, color=SEEN, label="measured")
     axes.axhline(scale * one.limit, color=LIMIT, lw=1.0, ls="--", label="limit")
     axes.set_xlabel("stroke n")
     axes.set_ylabel(f"{one.what} ({'%' if one.unit == '1' else one.unit})")
     top = scale * 1.6 * max(one.limit, float(np.nanmax(one.values, initial=0.0)))
-    axes.set_title({"no claim": "no claim: " + left.reason.split(":")[0]}.get(span.state, ""), fontsize=9, loc="left")
+    axes.set_title(no_claim(left.reason) if span.state == "no claim" else "", fontsize=9, loc="left")
     if left.choice and left.band is not None:
         seen = float(one.n[-1])
         end = seen + farthest(span.high, seen)
@@ -80,10 +85,28 @@ def question(axes: Axes, one: Answer, level: float) -> None:
         axes.set_ylim(min(0.0, scale * float(np.nanmin(one.values))) - 0.03 * top, top)
         interval(axes, one, level, end, scale * one.limit)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-    if len(one.n):
-        axes.axvline(one.n[-1], color="0.7", lw=0.8, label="last stroke seen")
+    axes.axvline(one.n[-1], color="0.7", lw=0.8, label="last stroke seen")
     # beside the axes: on them it would lie over lines
     axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.1)
+
+
+def no_claim(reason: str) -> str:
+    """Why nothing is foretold, in a few words."""
+    why = reason.split(":")[0]
+    if "too few" not in why:
+        return f"no claim: {why}"
+    return f"no forecast yet: {' '.join(why.split()[:2])}, {LEAST_STROKES} needed"
+
+
+def nothing(axes: Axes, one: Answer) -> None:
+    """In place of an indicator that has no value yet: why, and from how many strokes on it has."""
+    said = (
+        f"No {one.what} yet: strokes 1 to {REFERENCE} set the reference.\n"
+        f"It shows from {REFERENCE + 1} strokes on, and a forecast from {LEAST_STROKES} on."
+    )
+    axes.text(0.5, 0.5, said, ha="center", va="center", transform=axes.transAxes)
+    axes.set(xticks=[], yticks=[])
+    axes.spines[:].set_visible(False)
 
 
 def farthest(high: float, seen: float) -> float:

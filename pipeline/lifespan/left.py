@@ -112,7 +112,8 @@ def strokes_left(
     `limit_error` is the limit's standard error, `before` how many strokes set the reference and are not among these.
     """
     if len(n) + before < LEAST_STROKES:
-        why = f"{len(n) + before} strokes are too few: {LEAST_STROKES} are the least"
+        count = len(n) + before
+        why = f"{count} stroke{' is' if count == 1 else 's are'} too few: {LEAST_STROKES} are the least"
         return Left(f"{why}, of which 3 set the reference and the last 3 check what those before foretell")
     passed = first_passed(n, values, limit)
     if np.isfinite(passed):

@@ -9,6 +9,7 @@ from pipeline.lifespan.ask import Answer, first
 from pipeline.lifespan.choose import Choice
 from pipeline.lifespan.health import INDICATORS, Health
 from pipeline.lifespan.indicators import REFERENCE
+from pipeline.lifespan.left import LEAST_STROKES
 from pipeline.lifespan.percent import percent
 from pipeline.zero import Jump
 
@@ -17,7 +18,12 @@ UNFORESEEN = (
     "interval gives it a chance that is the same for every string."
 )
 STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
+SYNTHETIC = (
+    "The synthetic rig takes a new string for each recording: let it do more strokes in one, by `--strokes 24` of "
+    "python -m pipeline.rig."
+)
 SHOWN_WEIGHT = 0.005
+LAST = 3  # strokes that tell how far a limit is
 
 
 def finite(value: float, digits: int = 6) -> float | None:
@@ -93,14 +99,50 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
     }
 
 
-def sentence(one: Answer, level: float) -> str:
-    """One question's answer in words."""
+def few(strokes: int) -> bool:
+    """Whether so many strokes are too few for a forecast."""
+    return strokes < LEAST_STROKES
+
+
+def so_far(one: Answer) -> list[str]:
+    """What the last strokes show, where nothing can be said of those to come."""
+    after = len(one.n) - (REFERENCE if one.unit == "1" else 0)
+    if after <= 0:
+        first = f"The first {REFERENCE} strokes are what the later ones are compared with"
+        return [f"{first}: from stroke {REFERENCE + 1} on it shows."]
+    last = one.values[-min(after, LAST) :]
+    of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
+    if one.unit != "1":
+        return [f"So far it is off by {middle:.2g} {one.unit} ({of}, median)."]
+    way = "shorter" if middle > 0.0 else "longer"
+    return [f"So far the stroke is {100.0 * abs(middle):.2g} % {way} than over the first {REFERENCE} ({of}, median)."]
+
+
+def seen(health: Health) -> list[str]:
+    """How many strokes were seen; where they are too few, how many are needed and how to get them."""
+    table = health.strokes
+    strokes = f"{len(table)} stroke{'s' if len(table) != 1 else ''} seen"
+    if not few(len(table)):
+        return [f"{health.string}: {strokes}, the last one stroke {int(table['stroke'].iloc[-1])}."]
+    more = LEAST_STROKES - len(table)
+    needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
+    return [
+        f"{health.string}: no forecast yet: {strokes}; {needed}.",
+        f"  Record {more} or more further strokes of this very string as a new run with the same --string-id "
+        f"({health.string}), then name all runs of it in this command.",
+        f"  {SYNTHETIC}",
+    ]
+
+
+def sentence(one: Answer, level: float, told: bool = True) -> str:
+    """One question's answer in words; unless `told`, without the reason why there is none, which was said before."""
     left, span = one.left, one.left.span(level)
     limit = f"the model calibrated on the first strokes is off by {one.limit:g} {one.unit}"
     limit = f"{percent(one.limit)} of the stroke is lost" if one.unit == "1" else limit
     sure = f"{percent(level)} sure"
     if span.state == "no claim":
-        return f"until {limit}: no claim: {left.reason}."
+        why = f"no claim: {left.reason}" if told else "no forecast yet"
+        return " ".join([f"until {limit}: {why}.", *so_far(one)])
     if span.state == "passed":
         return f"until {limit}: passed already at stroke {left.passed_at:.0f}."
     if span.state == "censored" or left.choice is None:
@@ -135,15 +177,14 @@ def young(run: str) -> str:
 
 def sentences(health: Health, answers: list[Answer], level: float) -> str:
     """All answers in words, a few lines."""
-    table = health.strokes
-    lines = [f"{health.string}: {len(table)} strokes seen, the last one stroke {int(table['stroke'].iloc[-1])}."]
+    lines = seen(health)
     if health.left_out:
         lines.append(
             f"  {len(health.left_out)} strokes wind over another range than most of the first three and are left out."
         )
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
-    lines += [f"  {sentence(one, level)}" for one in answers]
+    lines += [f"  {sentence(one, level, not few(len(health.strokes)))}" for one in answers]
     if any(len(one.left.when) for one in answers):
         lines.append(f"  {UNFORESEEN}")
     return "\n".join(lines)

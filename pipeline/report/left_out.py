@@ -47,8 +47,13 @@ def told(asked: argparse.Namespace) -> list[LeftOut]:
 def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
     """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`) where runs were left out; csv stays as it is."""
     if suffix == "md":
-        return [plain(f"Left out: run {one.run}: {one.why}") for one in runs]
-    return [f"Left out: {', '.join(one.run for one in runs)}."] if runs else []
+        return [plain(f"Left out: run {quoted(one.run)}: {one.why}") for one in runs]
+    return [f"Left out: {', '.join(quoted(one.run) for one in runs)}."] if runs else []
+
+
+def quoted(run: str) -> str:
+    """A run's name as it stands, in quotes where a blank would hide where it ends."""
+    return f'"{run}"' if " " in run else run
 
 
 def section(runs: list[LeftOut]) -> Markup:

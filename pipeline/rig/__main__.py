@@ -14,6 +14,8 @@ from pipeline.rig.options import command
 from pipeline.rig.setup import names, read_setup
 from pipeline.rig.simulate import simulate
 
+MOST_STROKES = 1000
+FORECAST = 12  # strokes that a forecast of the life needs at least; a test holds it to that program's own number
 PACE = 5.0  # the paper's nine strokes in a minute
 
 
@@ -30,6 +32,12 @@ def paced(pace: float, rate_hz: float) -> str:
     return f"at {pace:g} times real time{faster}"
 
 
+def strokes_of(count: int) -> str:
+    """How many strokes a recording has, and how it has another number."""
+    said = f"every recording has {count} stroke{'s' if count != 1 else ''}; --strokes N is for another number"
+    return f"{said} (pipeline.lifespan needs {FORECAST} to foretell)" if count < FORECAST else said
+
+
 @program
 def main() -> int:
     """Make the link, then serve until Ctrl-C, or so many recordings; exit 1 when nobody acknowledges the last one."""
@@ -39,16 +47,23 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--pace", type=float, default=PACE, help=f"times real time, inf for no waiting ({PACE:g})")
     parser.add_argument("--recordings", type=int, default=0, help="so many, then end (default: until Ctrl-C)")
+    strokes = f"strokes of each recording, 1 to {MOST_STROKES:,}; default: as the set-up says (paper: 9)"
+    parser.add_argument("--strokes", type=int, metavar="N", help=strokes)
     arguments = parser.parse_args()
+    if arguments.strokes is not None and not 1 <= arguments.strokes <= MOST_STROKES:
+        parser.error(f"--strokes must be 1 to {MOST_STROKES}")
     if arguments.seed < 0 or not arguments.pace > 0 or arguments.recordings < 0:
         parser.error("--seed and --recordings must be 0 or more, --pace above 0")
     setup = read_setup(arguments.setup)
+    if arguments.strokes is not None:
+        setup = setup.model_copy(update={"motion": setup.motion.of_strokes(arguments.strokes)})
     device, number = Device(simulate(setup, arguments.seed)), 1
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
         print(f"rig: {arguments.setup} is at {arguments.link}, {paced(arguments.pace, setup.rate_hz)}; Ctrl-C ends it")
         print(f"rig: before recording 1 describe its string by: {command(setup, 'example-1')}")
-        print("rig: every recording is of a new string: give each a run and a --string-id of its own", flush=True)
+        print("rig: every recording is of a new string: give each a run and a --string-id of its own")
+        print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
         try:
             while True:
                 served = serve(end, device, arguments.pace)

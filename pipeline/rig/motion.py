@@ -1,6 +1,7 @@
 """What the rig is told to do: strokes, speeds, holds, rests and loads, as twist and load over time."""
 
 from dataclasses import dataclass
+from itertools import cycle, islice
 from typing import Annotated
 
 import numpy as np
@@ -43,6 +44,11 @@ class Motion(BaseModel):
     def each(self) -> list[Strokes]:
         """The strokes one by one."""
         return [stroke for strokes in self.strokes for stroke in [strokes] * strokes.repeat]
+
+    def of_strokes(self, count: int) -> "Motion":
+        """The same motion with so many strokes: its own, one after the other, from the first again where it ends."""
+        each = (stroke.model_copy(update={"repeat": 1}) for stroke in cycle(self.each()))
+        return self.model_copy(update={"strokes": list(islice(each, count))})
 
 
 @dataclass(frozen=True)

@@ -227,7 +227,8 @@ def test_ctrl_c_ends_a_recording_in_good_order(rig, tmp_path):
     assert "samples/s" in said and "aborted means ended before the rig was done; what was recorded is used" in said
     assert said.count("run.yaml") == said.count("python -m pipeline.new_run") == 1 and "run.yaml: is missing" in said
     recording = read_recording((folder / "recording.frames").read_bytes())
-    assert info(folder)["exit_status"] == "aborted"
+    assert (info(folder)["exit_status"], info(folder)["ended_by"]) == ("aborted", "person")
+    assert f"{folder}: ended by person; what had come is kept" in said
     assert info(folder)["samples"]["sent"] == info(folder)["samples"]["received"] == len(recording.time_s) > 10
     assert recording.account.end.reason == 1
 

@@ -74,7 +74,7 @@ def test_a_word_of_stop_that_is_obeyed_is_no_fault():
     said = frames()
     asked = iter([0, 0, 1, 1, 1, 1, 1, 1])
     port = Line([*said[1:6], b"".join(said[6:])])
-    assert record(port, Kept(), hello(), lambda: next(asked, 1)) == Outcome("aborted")
+    assert record(port, Kept(), hello(), lambda: next(asked, 1)) == Outcome("aborted", None, "person")
     assert port.heard == [Kind.START, Kind.STOP, Kind.ACK]
 
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import stat
 import subprocess
 import sys
@@ -134,6 +135,76 @@ def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosi
     diagnosis.write_text('{"parameters": {}, "simulation": [3]}')
     assert run("pipeline.adopt", diagnosis, folder).returncode == 2
     assert run("pipeline.adopt", folder / "run.yaml", folder).returncode == 2
+    assert (folder / "run.yaml").read_bytes() == before
+
+
+def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibrated_dimensions(
+    folder: Path, diagnosis: Path
+) -> None:
+    """The numbers are those of what `pipeline.simulate` writes, and the reason is said beside them."""
+    measured = pd.read_parquet(folder / "recording.parquet")["displacement_mm"]
+
+    def errs(*words: object) -> float:
+        return float((measured - simulated(folder, *words)).pow(2).mean() ** 0.5)
+
+    named(diagnosis, **DRIFT)
+    before, whole = errs(), errs("--simulation", diagnosis)
+    done = run("pipeline.adopt", diagnosis, folder)
+    said = [float(one) for one in re.findall(r"([0-9.]+) mm", done.stdout)]
+    assert said == pytest.approx([errs(), before, whole], rel=0.05), done.stdout
+    assert "run.yaml keeps the dimensions as measured. So it may err by more than the verdict says" in done.stdout
+
+
+TIED = [["creep"], ["thermal", "wear"]]
+
+
+def judged(path: Path, verdict: str, tied: list, **more: object) -> dict:
+    """A diagnosis that names a drift, with its verdict and what tied with it."""
+    content = json.loads(named(path, **DRIFT).read_text())
+    content |= {"verdict": verdict, "mechanisms": [{"id": "sensor_drift"}], "alternatives": tied, **more}
+    path.write_text(json.dumps(content))
+    return content
+
+
+def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folder: Path, diagnosis: Path) -> None:
+    judged(diagnosis, "ambiguous", TIED)
+    done = run("pipeline.adopt", diagnosis, folder)
+    assert done.returncode == 0 and "2 other explanations tied with it: adopted in run.yaml" in done.stdout
+    first = {"effects": ["sensor_drift"], "verdict": "ambiguous", "tied": TIED}
+    text = (folder / "run.yaml").read_text()
+    assert yaml.safe_load(text)["adopted"] == [first] and "# measured by hand" in text
+    assert "holds sensor_drift already" in run("pipeline.adopt", diagnosis, folder).stdout
+    out = folder.parent / "out"
+    done = run("pipeline.diagnose", folder, "--out", out)
+    assert done.returncode == 0, done.stderr
+    content = json.loads((out / folder.name / "diagnosis.json").read_text())
+    assert content["adopted"] == [first]
+    said = " ".join((out / folder.name / "verdict.txt").read_text().split())
+    assert (
+        "Instead of what was adopted (sensor_drift) this may be right, for it fitted alike: creep or thermal + w"
+        in said
+    )
+    pasted = out / folder.name / "simulation.yaml"
+    assert content["verdict"] in ("explained", "ambiguous") and pasted.is_file()
+    own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
+    own |= {"tied": content["alternatives"]}
+    assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
+    assert run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
+    assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]
+    named(diagnosis, **DRIFT)
+    content = json.loads(diagnosis.read_text())
+    del content["verdict"]
+    diagnosis.write_text(json.dumps(content))
+    assert run("pipeline.adopt", diagnosis, folder).returncode == 0  # nobody knows what tied with this one
+    assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == []
+
+
+@pytest.mark.parametrize("tied", [3, [3], [["nothing_known"]], [[["creep"]]]])
+def test_ties_that_are_none_are_refused(folder: Path, diagnosis: Path, tied: object) -> None:
+    before = (folder / "run.yaml").read_bytes()
+    judged(diagnosis, "ambiguous", tied)  # type: ignore[arg-type]
+    done = run("pipeline.adopt", diagnosis, folder)
+    assert done.returncode == 2 and "diagnosis.json: mechanisms, alternatives: holds" in done.stderr, done.stderr
     assert (folder / "run.yaml").read_bytes() == before
 
 

@@ -1,14 +1,22 @@
 """The page of figures: what its panels show can be read, and legends lie on no curve."""
 
+import copy
 from dataclasses import replace
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pytest
 
 from pipeline.diagnosis import figures, panels
+from pipeline.diagnosis.bounds import BOUND
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words.quantity import percent
+from pipeline.diagnosis.words.unseen import noises
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.ingest import read_samples
+from pipeline.systems import systems
 
 
 @pytest.fixture
@@ -31,7 +39,8 @@ def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what
     small = [axes for axes in bottom.axes if axes.get_lines()]
     assert small and all(axes.get_legend() is None for axes in small)
     (legend,) = bottom.legends
-    assert [text.get_text() for text in legend.get_texts()] == ["calibrated", "as diagnosed", "noise floor"]
+    labels = [text.get_text() for text in legend.get_texts()]
+    assert labels[:2] == ["calibrated", "as diagnosed"] and labels[2].startswith("± noise")
     box = legend.get_window_extent()
     assert all(box.y1 <= axes.get_window_extent().y0 for axes in small)
     ranking = figure.subfigs[-2].axes[0]
@@ -53,6 +62,57 @@ def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_poin
     held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
     panels.held_out(axes, held, 0.02, "mm", "mm")
     assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
+
+
+def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:
+    figure, content = drawn
+    evidence = content["evidence"]
+    held = [one["probability"] for one in evidence["explanations"] if one["standing"] in ("named", "tied")]
+    assert len(held) == 1 + len(content["alternatives"])
+    assert sum(held) >= HELD * (1.0 - evidence["probability_of_none"]) - 1e-4 > sum(held) - min(held)
+    others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
+    assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
+    shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
+    assert shown == [
+        "" if one["probability"] is None else percent(one["probability"]) for one in evidence["explanations"]
+    ]
+
+
+def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_words(drawn) -> None:
+    figure, content = drawn
+    words = Vocabulary.of(systems()["separator"])
+    content = copy.deepcopy(content) | {"fit": content["fit"] | {"noise_floor_mm": 0.032}}
+    content["evidence"] |= {"floor_mm": 0.018, "step_s": 0.04}
+    compared, single = noises(content, words)
+    assert (compared, single) == ("noise of averages of 0.04 s: 0.018 mm", "noise of single samples: 0.032 mm")
+    _, (left, right) = plt.subplots(1, 2)
+    panels.ranking(left, content, "mm", compared)
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(right, held, 0.032, "mm", "mm", single)
+    for axes, said in ((left, compared), (right, single)):
+        assert said in [text.get_text() for text in axes.get_legend().get_texts()]
+    drawn_ = figure.subfigs[-2].axes[0].get_legend().get_texts() + figure.subfigs[-1].legends[0].get_texts()
+    assert not [text for text in drawn_ if "floor" in text.get_text()]
+
+
+def test_the_page_says_each_colour_of_the_figure_in_the_words_of_its_legend() -> None:
+    page = " ".join((Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8").split())
+    for colour, label in panels.STANDINGS.values():
+        start = "In an `unknown` verdict orange is" if "not enough" in label else panels.COLOUR[colour]
+        assert f"{start}: {label}" in page, label
+
+
+def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_json(conceal) -> None:
+    run, samples = read_samples(conceal()[0])
+    sure = {"radius": 0.001, "separator_mm": 0.01, "torsion_zone_mm": 0.01, "length_mm": 0.01}
+    wide = run.model_copy(update={"tolerance": sure})
+    more = samples.assign(displacement_mm=1.05 * samples["displacement_mm"])  # 3 sigma of the gain are 1.5 %
+    for one, table, bound in ((wide, more, "upper"), (run, samples, None)):
+        found = study(make_problem([one], [table]))
+        content = diagnosis(found, found.problem, None, [one], None, frozenset())
+        assert content["parameters"]["scale"].get("at_bound") == bound
+        far = [name for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= BOUND]
+        assert far == [name for name, entry in content["parameters"].items() if "at_bound" in entry]
 
 
 @pytest.mark.parametrize("count", range(1, 7))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
 from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
@@ -439,11 +440,37 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
     assert "no physics is missing" in said and "adopted" not in said.lower()
 
 
-def test_a_dimension_at_the_bound_of_calibration_is_told_as_one():
-    text = told(content(evidence__moved_sigma={"radius_mm": 3.0}))
-    assert "3.0 times its tolerance away, as far as calibration may move it." in text
-    assert "the best one may lie beyond it" in text
-    assert "as far as calibration" not in told()
+def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"], ["wear", "slack"], ["jam"]]}
+    said = " ".join(adopted(adopted=[one]).split())
+    told_ = "this may be right, for it fitted alike: thermal or wear + slack, or one of 1 more (`adopted` in run.yaml)."
+    assert f"Instead of what was adopted (creep) {told_}" in said and "Whether another explanation fits" not in said
+    said = " ".join(adopted(adopted=[one | {"tied": [], "verdict": "explained"}]).split())
+    assert "No other explanation tied with what was adopted (creep)." in said
+    assert "Whether another explanation fits as well stands in the verdict that was adopted" in " ".join(
+        adopted().split()
+    )
+
+
+def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_all_else():
+    for sigma, which in ((3.0, "upper"), (-2.96, "lower")):
+        text = " ".join(told(content(evidence__moved_sigma={"radius_mm": sigma})).split())
+        doubts = text.partition("What to know first ")[2].partition("What is missing")[0]
+        assert (
+            f"Suspicious: calibration moved a dimension as far as it may, three times the tolerance: radius, {which}"
+            in (doubts)
+        )
+        assert "bound 0.5612 mm (run.yaml says 0.55 mm). The best value may lie beyond. Measure it again" in doubts
+        assert f"{abs(sigma):.1f} times its tolerance away, as far as calibration may move it." in text
+    assert "Suspicious" not in told() and "as far as calibration" not in told()
+    both = {"radius_mm": 3.0, "scale": -3.0}
+    known = CONTENT["parameters"] | {"scale": {"nominal": 1.0, "value": 0.985, "low": 0.98, "high": 0.99}}
+    text = " ".join(told(content(evidence__moved_sigma=both, parameters=known)).split())
+    assert (
+        "moved 2 dimensions as far as it may" in text
+        and "gain of the displacement sensor, lower bound 0.985 (1 w" in text
+    )
+    assert at_bound(both | {"length_mm": 2.9}) == {"radius_mm": "upper", "scale": "lower"}
 
 
 @pytest.mark.parametrize(
@@ -468,8 +495,9 @@ def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhe
     averaged = told(content(evidence__floor_mm=0.018, evidence__step_s=0.05))
     assert "Compared were averages of 0.05 s, not single samples: the noise of these" in averaged
     assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
-    assert "The noise here is 0.031 mm rms, that of single samples." in text
-    assert "single samples" not in told()
+    assert "Here single samples are compared, so the noise is that of single samples: 0.031 mm rms." in text
+    assert "except for unseen strokes, which are compared sample by sample." in " ".join(text.split())
+    assert "single samples" not in told().split("What the words mean")[0]
 
 
 def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
@@ -490,7 +518,9 @@ def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     assert "So far the two predictions differ by 53 times what the noise alone makes." in text
     assert "The run may not decide either: with the run it should be 69 times," in text
     text = told(content(next_run__gap_now=900.0))
-    assert "With the run it should be 73 times, which takes a worse formula." in text and "may not decide" not in text
+    more = "2.4 times as much"
+    assert f"With the run they should differ by 73 times, {more}: a formula would have to be wrong by {more}" in text
+    assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
 
 
 def to_adopt(**changes):
@@ -640,6 +670,53 @@ def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
 
 def test_an_ambiguous_verdict_says_how_likely_each_effect_is_and_what_rules_out():
     text = " ".join(told(content(mechanisms=[{**one, "confidence": 0.29} for one in content()["mechanisms"]])).split())
-    assert "How likely each of these is at work, all explanations weighed: " in text and " 29 %" in text
-    assert "An explanation is ruled out where it is unlikely." in text
-    assert "How likely each" not in " ".join(told(content(verdict="explained", alternatives=[])).split())
+    assert "Probability that each of these effects is at work, in whichever explanation: " in text and " 29 %" in text
+    assert "Probability that each" not in " ".join(told(content(verdict="explained", alternatives=[])).split())
+
+
+def weighed(*shares, none=0.041, **changes):
+    """A verdict with the probability of each explanation of CONTENT from the second on, the best one last."""
+    made = content(**changes)
+    for one, share in zip(made["evidence"]["explanations"][1:], shares, strict=True):
+        one["probability"] = share
+    made["evidence"]["probability_of_none"] = none
+    return made
+
+
+def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out():
+    text = " ".join(told(weighed(0.004, 0.06, 0.31, 0.02, 0.52)).split())
+    assert "Probability of this explanation as a whole: 52 %." in text
+    assert "friction_hysteresis + thermal: probability 31 %; leaves 0.070 mm rms (2.3 times the noise)." in text
+    assert "friction_hysteresis + sensor_drift: probability 6 %; leaves" in text
+    assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
+    beaten = text[text.index("Why no other") :]
+    assert beaten.index("sensor_drift: probability") < beaten.index("creep: probability less than 1 %; leaves")
+    rule = "the likeliest ones are kept until together they have 80 % of the probability of all explanations, and every"
+    assert f"How an explanation is ruled out: {rule} other is ruled out. Here the 2 kept have 83 %." in text
+    assert "That none of the explanations is right has a probability of 4 %." in text
+    alone = {"verdict": "explained", "alternatives": [], "next_run": None}
+    text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
+    assert "Here the best one alone has 99 %." in text and "That none" not in text
+    assert "creep: probability 0 (it lacks a third effect, which takes away much more); leaves" in text
+
+
+def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_none():
+    text = told(content(evidence__probability_of_none=None))
+    assert "No probabilities are known on this rig: they were learnt on strings." in text and "probability" not in (
+        text.replace("No probabilities", "").lower()
+    )
+    assert "ruled out where" not in told()
+    unknown = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
+    text = " ".join(told(weighed(0.3, 0.1, 0.0, 0.1, 0.02, none=0.48, **unknown)).split())
+    assert "creep: probability 30 %; takes 99 % of the mismatch's energy." in text
+    assert "is right has a probability of 48 %; from 40 % on the verdict is unknown." in text
+
+
+def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():
+    made = weighed(0.1, 0.1, 0.1, 0.1, 0.5)
+    made["evidence"]["explanations"][3] |= {"ids": ["friction_hysteresis"]}
+    made["alternatives"] = [["friction_hysteresis"]]
+    made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
+    made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
+    (best,) = [one for one in without_idle(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"]
+    assert best["ids"] == ["friction_hysteresis"] and best["probability"] == pytest.approx(0.6)

@@ -1,4 +1,5 @@
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -14,13 +15,14 @@ from made_recording import content
 
 from pipeline.errors import BadInput
 from pipeline.lifespan.__main__ import main
-from pipeline.lifespan.ask import Answer, first, stroke_loss
-from pipeline.lifespan.figure import question
+from pipeline.lifespan.ask import Answer, first, model_error, stroke_loss
+from pipeline.lifespan.figure import page, question
 from pipeline.lifespan.gather import strings
-from pipeline.lifespan.left import Left
+from pipeline.lifespan.left import LEAST_STROKES, Left
 from pipeline.lifespan.record import sentence
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
+from pipeline.rig import __main__ as rig
 
 ROOT = Path(__file__).parents[2]
 
@@ -110,7 +112,12 @@ def test_where_the_interval_begins_beyond_the_drawing_its_words_stand_above_the_
 
 def test_too_few_strokes_are_said_and_no_error(tmp_path):
     ran = program(folder(tmp_path, "a-1", samples(5, 0.002)), "--out", tmp_path / "out")
-    assert ran.returncode == 0 and "no claim: 5 strokes are too few: 12" in ran.stdout
+    assert ran.returncode == 0 and ran.stdout.splitlines()[0] == (
+        "a-1: no forecast yet: 5 strokes seen; at least 12 are needed, 7 more than there are."
+    )
+    assert "new run with the same --string-id (a-1), then name all runs" in ran.stdout and "--strokes 24" in ran.stdout
+    assert re.search(r"lost: no forecast yet. So far the stroke is [0-9.]+ % shorter than over the first 3", ran.stdout)
+    assert re.search(r"1 mm: no forecast yet. So far it is off by [0-9.]+ mm \(the last 2 strokes, med", ran.stdout)
     told = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
     assert told["first"] is None and told["questions"]["stroke_loss"]["strokes_left"]["low"] is None
 
@@ -119,8 +126,33 @@ def test_a_single_stroke_is_no_error(tmp_path):
     """No stroke is left to compare with the first ones: the figure had nothing to draw a line at."""
     out = tmp_path / "out"
     ended = program(folder(tmp_path, "a-1", samples(1, 0.004)), "--out", out)
-    assert ended.returncode == 0 and "1 strokes are too few" in ended.stdout, ended.stderr
+    assert ended.returncode == 0 and "no forecast yet: 1 stroke seen" in ended.stdout, ended.stderr
+    assert ended.stdout.count("from stroke 4 on it shows") == 2
     assert (out / "a-1" / "lifespan.png").stat().st_size
+
+
+@pytest.mark.parametrize("strokes", [1, 3, 11, 12])
+def test_no_panel_is_empty_and_one_without_a_forecast_says_how_many_strokes_it_needs(tmp_path, monkeypatch, strokes):
+    health = strings([folder(tmp_path, "a-1", samples(strokes, 0.004))])[0]
+    with monkeypatch.context() as held:
+        held.setattr(plt, "close", lambda figure: None)
+        page(health, [stroke_loss(health, 0.1), model_error(health, 1.0)], 0.9, tmp_path / "page.png")
+    panels = plt.gcf().axes
+    for axes in panels:
+        points = sum(np.isfinite(np.asarray(line.get_ydata(), float)).any() for line in axes.get_lines()
+                     if len(line.get_xdata()) == len(line.get_ydata()) > 0 and line.get_marker() == ".")  # fmt: skip
+        assert points or any("12" in text.get_text() for text in axes.texts)
+    needed = [axes.get_title(loc="left") for axes in panels[:2]]
+    told = f"no forecast yet: {strokes} strokes, 12 needed".replace(" 1 strokes", " 1 stroke")
+    assert (told in needed) == (strokes < 12)
+    plt.close("all")
+
+
+def test_help_the_page_and_the_rig_say_how_many_strokes_a_forecast_needs():
+    page_ = (ROOT / "docs" / "lifespan.md").read_text().split("## How")[0]
+    assert f"{LEAST_STROKES} complete strokes" in page_ and "--strokes 24" in page_
+    assert f"{LEAST_STROKES} complete strokes" in program("--help").stdout and rig.FORECAST == LEAST_STROKES
+    assert "12 to foretell" in rig.strokes_of(9) and "foretell" not in rig.strokes_of(12)
 
 
 def said_of(drawn_when, state):

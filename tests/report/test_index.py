@@ -153,8 +153,8 @@ def test_what_was_left_out_stands_on_the_page_and_beneath_the_tables(tmp_path, r
     assert html.escape(HOSTILE) in text and HOSTILE not in text
     metrics = str(reports.parent / "tables.parquet")
     run("tables", metrics, "--titles", "inn=INN", "--planned", planned, "--out-dir", str(tmp_path))
-    assert "\nLeft out: run \\<img src=x" in (tmp_path / "table_1.md").read_text()
-    assert r"Left out: \textless{}img" in (tmp_path / "table_1.tex").read_text()
+    assert '\nLeft out: run "\\<img src=x' in (tmp_path / "table_1.md").read_text()
+    assert r'Left out: "\textless{}img' in (tmp_path / "table_1.tex").read_text()
     assert "Left out" not in (tmp_path / "table_1.csv").read_text()
 
 

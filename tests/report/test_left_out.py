@@ -39,6 +39,14 @@ def test_it_is_told_beneath_tables_and_on_the_page_with_nothing_unescaped(tmp_pa
     assert left_out.told(nothing) == left_out.beneath("md", []) == left_out.beneath("tex", []) == []
 
 
+def test_a_folder_with_a_blank_in_its_name_is_told_in_quotes():
+    run = LeftOut("my run", "nylon", "raw/my run", "run", "is no name of a run", "rename it")
+    assert left_out.beneath("md", [run]) == [
+        'Left out: run "my run": raw/my run: run: is no name of a run. Mend: rename it.'
+    ]
+    assert left_out.beneath("tex", [run, ONE]) == ['Left out: "my run", a-01.']
+
+
 def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
     samples, strokes = tmp_path / "a-01" / "samples.parquet", tmp_path / "a-01" / "strokes.parquet"
     with noted(tmp_path, samples, note=True):

@@ -1,5 +1,6 @@
 """The name of the rig's port: one rig's alone while it runs, and free once it has ended."""
 
+import json
 import os
 import shlex
 import signal
@@ -55,15 +56,17 @@ def test_a_rig_that_is_told_to_end_takes_its_link_with_it(tmp_path):
 
 
 def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_string(tmp_path):
-    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2")
+    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2", "--strokes", "5")
     try:
-        first, described, strings = (rig.stdout.readline() for _ in range(3))
+        first, described, strings, strokes = (rig.stdout.readline() for _ in range(4))
         assert "without any waiting" in first
         assert command(read_setup("small"), "example-1") in described
         assert "every recording is of a new string" in strings and "--string-id of its own" in strings
+        assert "every recording has 5 strokes; --strokes N is for another number" in strokes
         for name in ("example-1", "example-2"):
             words = ["--", str(tmp_path / "port"), str(tmp_path / name)]
             subprocess.run([sys.executable, "-m", "pipeline.capture", *words], cwd=ROOT, timeout=300)
+            assert json.loads((tmp_path / name / "capture.json").read_text())["hello"]["strokes"] == 5
         said, _ = rig.communicate(timeout=300)
         assert said.count("recording 2 will be of another string than recording 1") == 1 and "recording 3" not in said
     finally:

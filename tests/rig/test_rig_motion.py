@@ -36,6 +36,14 @@ def test_the_motor_keeps_to_its_speed_and_never_jumps():
     assert speed[told.time_s[1:] > 29].max() <= 1 + 1e-9
 
 
+def test_a_motion_of_more_or_fewer_strokes_repeats_its_own_in_their_order():
+    motion = Motion.model_validate(MOTION)
+    assert [stroke.top_turns for stroke in motion.of_strokes(5).each()] == [10, 10, 6, 10, 10]
+    assert len(motion.of_strokes(1).each()) == 1 and motion.of_strokes(3).each() == [
+        one.model_copy(update={"repeat": 1}) for one in motion.each()
+    ]
+
+
 def test_a_way_too_short_for_its_ramps_is_still_made():
     stroke = {"top_turns": 1, "speed_turns_per_s": 2, "speed_up_s": 5, "slow_down_s": 5, "hold_s": 1, "rest_s": 1}
     told = commands(Motion.model_validate({"rest_s": 0, "strokes": [stroke | {"load_n": 1}]}), 0.01)

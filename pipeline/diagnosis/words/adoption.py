@@ -5,8 +5,10 @@ from typing import Any
 
 from pipeline.diagnosis.words import unseen
 from pipeline.diagnosis.words.quantity import listing
+from pipeline.diagnosis.words.rivals import called
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
+NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = "python -m pipeline.adopt"
 
 
@@ -20,18 +22,37 @@ def cautions(content: dict[str, Any]) -> list[str]:
     """What a verdict is worth where run.yaml has adopted effects."""
     ids = included(content)
     if not ids:
-        return []
+        return doubtful(content)
     it, they, was = ("it", "it", "was") if len(ids) == 1 else ("them", "they", "were")
     lines = [
         f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}. Where {they} {was} fitted "
         "to this very recording, all its strokes were seen, and the error on unseen strokes below is no test."
     ]
+    lines.append(
+        f"The noise is estimated anew, with {it} held fixed: what {they} miss{'es' if len(ids) == 1 else ''} of the "
+        "recording can count as noise, so the noise may be larger than in the verdict that was adopted."
+    )
+    doubt = doubtful(content)
     if content["verdict"] in ("consistent", "parameters"):
         lines[0] += " An adopted effect can also cover another one that is really there."
-        lines.append(
+        doubt = doubt or [
             "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
             "ambiguous, it is so still, and its run decides."
-        )
+        ]
+    return lines + doubt
+
+
+def doubtful(content: dict[str, Any]) -> list[str]:
+    """Which explanations tied with what was adopted, a sentence for each verdict that was; nothing where none says."""
+    lines = []
+    for one in content.get("adopted", []):
+        effects, tied = listing(one["effects"]), one["tied"]
+        if not tied:
+            lines.append(f"No other explanation tied with what was adopted ({effects}).")
+            continue
+        named = listing([called(ids) for ids in tied[:NAMED]], "or")
+        rest = f", or one of {len(tied) - NAMED} more (`adopted` in run.yaml)" if len(tied) > NAMED else ""
+        lines.append(f"Instead of what was adopted ({effects}) this may be right, for it fitted alike: {named}{rest}.")
     return lines
 
 

@@ -4,9 +4,10 @@ import math
 from typing import Any
 
 from pipeline.diagnosis.search import EXPLAINED
+from pipeline.diagnosis.words import probability
 from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import listing, size, times
-from pipeline.diagnosis.words.rivals import ALIKE, ALLOWED, called, entries, left
+from pipeline.diagnosis.words.rivals import ALIKE, ALLOWED, called, entries, left, told
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 CLOSEST = 4  # explanations that are shown where none does
@@ -17,11 +18,18 @@ VISIBLE = 0.4  # noise floors: smaller gains need no further word
 def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why each explanation that was beaten was: how much worse it is, where, and following what."""
     first = next(iter(entries(content, "named", "not enough")), None)
-    found = [one for one in entries(content, "beaten") if one is not first][:SHOWN]
+    found = likeliest([one for one in entries(content, "beaten") if one is not first])[:SHOWN]
     lines = [_beaten(one, first, content, words) for one in found if first]
-    lines += [_not_needed(one, content, words) for one in entries(content, "not needed")[: SHOWN - len(lines)]]
+    lines += [
+        _not_needed(one, content, words) for one in likeliest(entries(content, "not needed"))[: SHOWN - len(lines)]
+    ]
     lines += [f"{called([])}: leaves {left(one, content, words)}." for one in entries(content, "nothing")]
     return lines
+
+
+def likeliest(some: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Explanations by falling probability; those without one as they came, last."""
+    return sorted(some, key=lambda one: -(one.get("probability") or 0.0))
 
 
 def insufficient(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -33,7 +41,9 @@ def insufficient(content: dict[str, Any], words: Vocabulary) -> list[str]:
     energy, lines = nothing[f"left_{ending}"] ** 2 - floor**2, []
     for one in entries(content, "not enough", "beaten", "not needed")[:CLOSEST]:
         taken = (nothing[f"left_{ending}"] ** 2 - one[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
-        said = f"{called(one['ids'])}: takes {100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
+        likely = probability.said(one)
+        share = f"{100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
+        said = f"{called(one['ids'])}: {likely}{'; ' if likely else ''}takes {share}"
         helper = all(id_.startswith("x_") for id_ in one["ids"])
         lines.append(f"{said}{', and is no physics of the library' if helper else ''}.")
     return [*lines, f"{100.0 * EXPLAINED:.0f} % make an explanation."]
@@ -41,7 +51,7 @@ def insufficient(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
     ending = words.ending
-    said = f"{called(one['ids'])}: leaves {left(one, content, words)}"
+    said = told(one, content, words)
     where = place(one["location"], content["evidence"], words)
     where = where if where == EVERYWHERE else f"mostly {where}"
     follows = f" This difference follows {words.follows(one['driver'])}." if one["driver"] else ""
@@ -55,7 +65,14 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
         return f"{said}, {_beside(one, first, words)}. {less}. {differs}"
     if one.get("balanced"):
         return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
-    return f"{said}, {_beside(one, first, words)}. The search prefers the best one all the same. {differs}"
+    return f"{said}, {_beside(one, first, words)}. {_preferred(one, first)} {differs}"
+
+
+def _preferred(one: dict[str, Any], first: dict[str, Any]) -> str:
+    """Why an explanation that fits no worse than the best one is ruled out all the same."""
+    if one.get("probability") is None:
+        return "The search prefers the best one all the same."
+    return "What it leaves is one sign of several; by all of them together it is improbable."
 
 
 def _beside(one: dict[str, Any], first: dict[str, Any], words: Vocabulary) -> str:
@@ -78,11 +95,11 @@ def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary)
     smaller = [other for other in shown if set(other["ids"]) < set(one["ids"]) and other["standing"] != "not needed"]
     base = min(smaller, key=lambda other: float(other[f"left_{ending}"]), default=None)
     if base is None:
-        said = f"{called(one['ids'])}: leaves {left(one, content, words)}"
-        return f"{said}: too little less for one mechanism more."
+        return f"{told(one, content, words)}: too little less for one mechanism more."
     saved, bent = (_saved(base, one, f"{key}_{ending}") for key in ("left", "bent"))
     further = [id_ for id_ in one["ids"] if id_ not in base["ids"]]
-    added = f"{listing(further)}, added to {called(base['ids'])}"
+    likely = probability.said(one)
+    added = f"{listing(further)}, added to {called(base['ids'])}{f' ({likely})' if likely else ''}"
     if not saved:
         return f"{added}: explains nothing more."
     takes = "takes" if len(further) == 1 else "take"

@@ -3,6 +3,7 @@
 import re
 from typing import Any
 
+from pipeline.diagnosis.bounds import BOUND, at_bound
 from pipeline.diagnosis.words.headline import LITTLE
 from pipeline.diagnosis.words.quantity import listing, number, quantity, said_unit, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -10,7 +11,6 @@ from pipeline.schemas import unit_of
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
-BOUND = 2.95  # sigma, from which a dimension stands where calibration had to stop
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
@@ -34,8 +34,6 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
     if moved and in_vain:
         names = listing([f"the {name_of(name)}" for name in moved])
         lines.append(f"Measure {names} again before you believe any of these values.")
-    elif any(abs(sigma) >= BOUND for sigma in moved.values()):
-        lines.append("A value as far away as that is where calibration had to stop: the best one may lie beyond it.")
     if moved and adopted:
         lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}): change none that is not measured.")
     elif moved and inexact:
@@ -46,6 +44,25 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
             "describes another rig."
         )
     return lines
+
+
+def suspicious(content: dict[str, Any]) -> list[str]:
+    """What a reader must know first of dimensions that calibration moved to the bound of what it may do."""
+    found = [name for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
+    if not found:
+        return []
+    said = []
+    for name in found:
+        nominal, value = from_to(content, name)
+        which = at_bound(content["evidence"]["moved_sigma"])[name]
+        whence = f"{nominal} was assumed" if assumed(name) else f"run.yaml says {nominal}"
+        said.append(f"{name_of(name)}, {which} bound {value} ({whence})")
+    one = len(found) == 1
+    return [
+        f"Suspicious: calibration moved {'a dimension' if one else f'{len(found)} dimensions'} as far as it may, three "
+        f"times the tolerance: {'; '.join(said)}. The best value may lie beyond. Measure {'it' if one else 'them'} "
+        "again and write the new value into run.yaml. If it is the same as before, rather physics is missing."
+    ]
 
 
 def assumed(name: str) -> bool:

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import listing, number
+from pipeline.diagnosis.words.quantity import listing, number, times
 from pipeline.diagnosis.words.technician import Part, lasting, parts
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -67,7 +67,11 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
     formula = "That is no noise, but a formula that is wrong by a few per cent can make it too, so it does not decide."
     said = f"{said} So far the two predictions differ by {number(now)} {noise}. {formula}"
     if then >= LITTLE * now:
-        return f"{said} With the run it should be {number(then)} times, which takes a worse formula."
+        more = f"{times(then / now)} times as much"
+        return (
+            f"{said} With the run they should differ by {number(then)} times, {more}: a formula would have to be wrong "
+            f"by {more} to make that. So the run can decide."
+        )
     best = f"with the run it should be {number(then)} times, and no other run that was tried in simulation does better"
     return f"{said} The run may not decide either: {best}. Make it only if the answer matters."
 

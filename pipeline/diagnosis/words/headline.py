@@ -9,19 +9,17 @@ from pipeline.diagnosis.words.vocabulary import Vocabulary
 LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
 UNNAMED = ("consistent", "parameters")
 SAID = {
-    "consistent": "the simulation explains the recording to its noise ({floor} rms).",
+    "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
     "explained": "physics is missing, and named.",
     "ambiguous": "physics is missing; this recording cannot decide between {count} explanations.",
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 WITH_ADOPTED = {
-    "consistent": "with what run.yaml has adopted, the simulation explains the recording to its noise ({floor} rms).",
+    "consistent": "with what run.yaml has adopted, the simulation explains the recording to its noise ({floor}).",
     "parameters": "with what run.yaml has adopted, the simulation explains the recording once its dimensions move.",
 }
-HARDLY_MOVED = (
-    "{adopted}the simulation explains the recording to its noise ({floor} rms); moving dimensions adds little."
-)
+HARDLY_MOVED = "{adopted}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
 LEFT_OVER = "{adopted}no further effect can be named, and {left} rms stays unexplained, {ratio} times the noise."
 NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
@@ -49,7 +47,8 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         said = HARDLY_MOVED
     evidence = content["evidence"]
     fields = {
-        "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit),
+        "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
+        + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
         "adopted": "with what run.yaml has adopted, " if adopted else "",
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),

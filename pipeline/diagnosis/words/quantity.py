@@ -70,6 +70,13 @@ def times(ratio: float) -> str:
     return f"{ratio:.1f}" if ratio < 10.0 else number(ratio)
 
 
+def percent(share: float) -> str:
+    """A share as `26 %`; what would round to nothing or to everything is said as less or more."""
+    if 0.0 < share < 0.01:
+        return "less than 1 %"
+    return "more than 99 %" if 0.99 < share < 1.0 else f"{100.0 * share:.0f} %"
+
+
 def listing(words: Sequence[str], last: str = "and") -> str:
     """Words as a list: a; a and b; a, b and c."""
     if len(words) < 2:

@@ -1,9 +1,9 @@
 """The explanations that were weighed, in words: what ties, and why the others were beaten."""
 
-import math
 from collections import Counter
 from typing import Any
 
+from pipeline.diagnosis.words import probability
 from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -36,14 +36,10 @@ def left(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str
     return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
 
 
-def briefly(one: dict[str, Any], content: dict[str, Any], ending: str) -> str:
-    """Why an explanation that leaves as little as the best was beaten all the same, in a few words; else nothing."""
-    first = next(iter(entries(content, "named")), None)
-    if one["standing"] != "beaten" or first is None or one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
-        return ""
-    if one["worse"] > 0.0:
-        return f"less likely by {times(math.sqrt(one['worse']))} σ"
-    return "a balance" if one.get("balanced") else "not preferred"
+def told(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+    """An explanation by its name with its probability, if it has one, and what it leaves; without a full stop."""
+    likely = probability.said(one)
+    return f"{called(one['ids'])}: {likely}{'; ' if likely else ''}leaves {left(one, content, words)}"
 
 
 def shared(content: dict[str, Any]) -> str:
@@ -72,7 +68,7 @@ def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
     shown = {tuple(one["ids"]): one for one in content["evidence"]["explanations"]}
     found = [shown.get(tuple(ids)) for ids in content["alternatives"]]
     lines = [
-        f"{called(ids)}{f': leaves {left(one, content, words)}' if one else ''}."
+        f"{told(one, content, words) if one else called(ids)}."
         for ids, one in zip(content["alternatives"], found, strict=True)
     ]
     bent = [ratio for one in found if one for ratio in [_bent(one, content, words)] if ratio is not None]

@@ -6,11 +6,21 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words import adoption, beaten, effects, experiment, explained_words, rivals, seen, unseen
-from pipeline.diagnosis.words.dimensions import corrected, remeasured
+from pipeline.diagnosis.words import (
+    adoption,
+    beaten,
+    effects,
+    experiment,
+    explained_words,
+    probability,
+    rivals,
+    seen,
+    unseen,
+)
+from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import place
-from pipeline.diagnosis.words.quantity import duration, listing, size, times
+from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
 from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
@@ -32,7 +42,7 @@ def verdict_text(
     words = Vocabulary.of(system)
     sections = [
         (headline(content, words), []),
-        (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words)]),
+        (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
@@ -76,7 +86,10 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
     over = content["evidence"].get("step_s")
     step = f"averages of {duration(over)}" if over else "averages"
-    noise = f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms."
+    noise = (
+        f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
+        "It is what `the noise` means here, except for unseen strokes, which are compared sample by sample."
+    )
     said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
     return [
         f"Over the whole recording {said}.",
@@ -113,24 +126,26 @@ def likely(content: dict[str, Any]) -> list[str]:
     if content["verdict"] != "ambiguous":
         return []
     sure = {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
-    said = listing([f"{id_} {100.0 * share:.0f} %" for id_, share in sure.items()])
-    return [] if not sure else [f"How likely each of these is at work, all explanations weighed: {said}."]
+    said = listing([f"{id_} {percent(share)}" for id_, share in sure.items()])
+    lines = [f"Probability that each of these effects is at work, in whichever explanation: {said}."] if sure else []
+    best = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    return lines if best is None else [*lines, f"Probability of this explanation as a whole: {percent(best)}."]
 
 
 def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What ties, with what all share first."""
     if not content["alternatives"]:
         return []
-    rule = "An explanation is ruled out where it is unlikely. What it leaves is one sign of several: docs/diagnosis.md."
-    return [rivals.shared(content), *rivals.ties(content, words), rule]
+    return [rivals.shared(content), *rivals.ties(content, words), *probability.rule(content)]
 
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
     if content["verdict"] == "unknown":
         more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
-        return [*beaten.insufficient(content, words), more]
-    return beaten.beaten(content, words) if content["mechanisms"] else []
+        return [*beaten.insufficient(content, words), *probability.of_none(content), more]
+    lines = beaten.beaten(content, words) if content["mechanisms"] else []
+    return [*(probability.rule(content) if content["verdict"] == "explained" else []), *lines]
 
 
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:

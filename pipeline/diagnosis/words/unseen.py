@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import size, times
+from pipeline.diagnosis.words.quantity import duration, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no more is missing on others
@@ -112,8 +112,20 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         for name, error in zip(names, found, strict=True)
     ]
     split = content["fit"]["heldout"]["split"]
-    known = f"Held out: the {split}. The noise here is {size(noise, words.unit)} rms"
-    return [f"{'; '.join(said)}.", f"{known}{', that of single samples' if averaged(content, words) else ''}."]
+    if not averaged(content, words):
+        return [f"{'; '.join(said)}.", f"Held out: the {split}. The noise here is {size(noise, words.unit)} rms."]
+    known = f"Held out: the {split}. Here single samples are compared, so the noise is that of single samples"
+    return [f"{'; '.join(said)}.", f"{known}: {size(noise, words.unit)} rms."]
+
+
+def noises(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:
+    """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
+    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    if not averaged(content, words):
+        return f"noise: {size(floor, words.unit)}", f"noise: {size(noise, words.unit)}"
+    over = content["evidence"].get("step_s")
+    step = f" of {duration(over)}" if over else ""
+    return f"noise of averages{step}: {size(floor, words.unit)}", f"noise of single samples: {size(noise, words.unit)}"
 
 
 def averaged(content: dict[str, Any], words: Vocabulary) -> bool:

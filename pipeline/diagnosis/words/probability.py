@@ -1,0 +1,57 @@
+"""How probable each explanation is, and by which rule the improbable ones are ruled out, in words."""
+
+from typing import Any
+
+from pipeline.diagnosis.judged import HELD, UNKNOWN
+from pipeline.diagnosis.words.quantity import percent
+
+HELD_STANDINGS = ("named", "tied")
+SEEN = 0.005  # a probability that is worth a word
+WITHOUT = (
+    "No probabilities are known on this rig: they were learnt on strings. An explanation is ruled out where it fits "
+    "the recording worse than the best one by about as much as it should if the best one were true."
+)
+
+
+def known(content: dict[str, Any]) -> bool:
+    """Whether the explanations were weighed by their probability."""
+    return any(one.get("probability") is not None for one in content["evidence"]["explanations"])
+
+
+def said(one: dict[str, Any]) -> str:
+    """An explanation's probability as `probability 26 %`; nothing where it has none."""
+    share = one.get("probability")
+    if share is None:
+        return ""
+    if share == 0.0:
+        return "probability 0 (it lacks a third effect, which takes away much more)"
+    return f"probability {percent(share)}"
+
+
+def rule(content: dict[str, Any]) -> list[str]:
+    """How an explanation is ruled out, with the numbers of this verdict."""
+    if content["verdict"] not in ("explained", "ambiguous"):
+        return []
+    if not known(content):
+        return [WITHOUT] if "probability_of_none" in content["evidence"] else []
+    shown = content["evidence"]["explanations"]
+    together = sum(one.get("probability") or 0.0 for one in shown if one["standing"] in HELD_STANDINGS)
+    none = content["evidence"]["probability_of_none"]
+    several = content["verdict"] == "ambiguous"
+    kept = f"Here the {1 + len(content['alternatives'])} kept have" if several else "Here the best one alone has"
+    lines = [
+        f"How an explanation is ruled out: the likeliest ones are kept until together they have {percent(HELD)} of the "
+        f"probability of all explanations, and every other is ruled out. {kept} {percent(together)}."
+    ]
+    if none >= SEEN:
+        lines.append(f"That none of the explanations is right has a probability of {percent(none)}.")
+    return lines
+
+
+def of_none(content: dict[str, Any]) -> list[str]:
+    """How probable it is that nothing in the library explains a recording, where that alone can make `unknown`."""
+    none = content["evidence"].get("probability_of_none")
+    if none is None or not known(content):
+        return []
+    enough = f"; from {percent(UNKNOWN)} on the verdict is unknown" if none >= UNKNOWN else ""
+    return [f"That none of the library's explanations is right has a probability of {percent(none)}{enough}."]
