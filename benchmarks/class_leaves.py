@@ -1,4 +1,4 @@
-"""What the library's class of a mechanism leaves of other authors' laws of it, calibration free: rms over the mismatch."""
+"""What the class of a mechanism leaves of other authors' laws of it, calibration free: rms over the mismatch."""
 
 import argparse
 import statistics
