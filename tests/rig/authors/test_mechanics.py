@@ -1,4 +1,4 @@
-"""The author `mechanics`: recordings that the pipeline takes, sizes that are kept, and MuJoCo asked for only when needed."""
+"""The author `mechanics`: recordings that the pipeline takes, sizes that are kept, and MuJoCo only when needed."""
 
 import subprocess
 import sys
@@ -17,7 +17,7 @@ from pipeline.rig.authors.mechanics import LAWS, engine, make
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
 
 ROOT = Path(__file__).parents[3]
-EVERY = [(effect, number) for effect, writers in WRITERS.items() for number in range(len(writers))]
+ONE_EACH = [(effect, place % len(writers)) for place, (effect, writers) in enumerate(WRITERS.items())]
 NEEDS_LOADS = ("axial_elasticity", "shaft_windup")
 
 
@@ -41,7 +41,8 @@ def calibrated(made, displacement_mm, around):
     """The sigmas, at most three from `around`, and the zero with which the geometry is nearest; and what it leaves."""
 
     def error(moves):
-        return (displacement_mm - shown_mm(made, moves[:6]) - moves[6])[::8]
+        left = (displacement_mm - shown_mm(made, moves[:6]) - moves[6])[::8] / made.truth["noise_floor_mm"]
+        return np.append(left, moves[:6] - around)  # so that dimensions that act alike share a move
 
     zero = float(np.median(displacement_mm - shown_mm(made, around)))
     low, high = np.append(np.add(around, -3.0), -np.inf), np.append(np.add(around, 3.0), np.inf)
@@ -65,8 +66,8 @@ def test_it_has_ten_and_more_of_the_contracts_effects_with_two_laws_each():
     assert authors()["mechanics"].laws == LAWS
 
 
-@pytest.mark.parametrize(("effect", "number"), EVERY)
-def test_every_law_is_recorded_at_the_size_that_was_asked(tmp_path, monkeypatch, effect, number):
+@pytest.mark.parametrize(("effect", "number"), ONE_EACH)
+def test_a_law_of_every_effect_is_recorded_at_the_size_that_was_asked(tmp_path, monkeypatch, effect, number):
     """The recordings with and without the effect have the same noise, so that their difference is the effect."""
     monkeypatch.setitem(WRITERS, effect, (WRITERS[effect][number],))
     protocol = "rich" if effect in NEEDS_LOADS else "poor"
@@ -95,7 +96,7 @@ def test_a_recording_that_hides_nothing_is_its_calibrated_geometry_and_noise(tmp
     usual = error[np.abs(error - np.median(error)) < 6 * made.truth["noise_floor_mm"]]
     assert len(error) - len(usual) < 10, "outliers are a few"
     assert np.std(usual) == pytest.approx(made.truth["noise_floor_mm"], rel=0.1)
-    assert np.abs(sigmas).max() < 2.99, "the dimensions were measured within their tolerances"
+    assert np.abs(sigmas).max() < 2.8, "the dimensions were measured within their tolerances"
 
 
 def test_protocols_are_what_they_are_called():

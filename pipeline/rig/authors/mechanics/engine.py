@@ -122,7 +122,6 @@ def simulated(
     model = mujoco.MjModel.from_xml_string(text)
     model.opt.timestep = step_s
     data = mujoco.MjData(model)
-    through = 0.5 * (controls + np.concatenate([controls[1:], controls[-1:]]))  # a step's mean: no delay by half a step
     if len(start):
         data.qpos[:] = start[: model.nq]
         data.act[:] = start[model.nq :]
@@ -137,7 +136,7 @@ def simulated(
                 getattr(model, field)[:] = values
                 mujoco.mj_setConst(model, mujoco.MjData(model))
             if last > first:
-                states, _ = rollout.rollout(model, data, found[-1][-1:], control=through[None, first:last])
+                states, _ = rollout.rollout(model, data, found[-1][-1:], control=controls[None, first:last])
                 found.append(states[0])
     rows = np.concatenate(found)[: len(controls)]
     if not np.isfinite(rows).all() or np.any(np.diff(rows[:, 0]) <= 0.0):  # from where it fails on, its clock stands

@@ -11,39 +11,47 @@ from pipeline.rig.authors.interface import OutOfReach
 
 BOUND_SIGMA = 3.0
 SCALE, ANGLE_TURNS = 0.005, 0.05
-POINTS = 3000
+POINTS, PASSES = 1500, 3
 NEAR, TRIES = 0.03, 16
 FIRST_OF_MOST = 10.0  # how far below the largest strength the first try is
 
 
 class Calibration:
-    """What a bounded recalibration can take back: the reading's change by each parameter's one sigma, linearised."""
+    """What a bounded recalibration of a string's dimensions, its scale and its angle can take back of an effect."""
 
     def __init__(self, geometry: Geometry, turns: Array, load_n: Array) -> None:
         self.rows = np.unique(np.linspace(0, len(turns) - 1, POINTS).astype(int))
-        turns, load_n = turns[self.rows], load_n[self.rows]
-        usual = geometry.contraction_mm(turns, load_n)
-        moved = {
+        self.geometry, self.turns, self.load_n = geometry, turns[self.rows], load_n[self.rows]
+        sigmas = {
             "radius_mm": TOLERANCE["radius"] * geometry.radius_mm,
             "length_mm": TOLERANCE["length_mm"],
             "torsion_zone_mm": TOLERANCE["torsion_zone_mm"],
             "separator_mm": TOLERANCE["separator_mm"],
         }
-        columns = [SCALE * (usual - usual[0]), ANGLE_TURNS * geometry.slope_mm_per_turn(turns, load_n)]
-        for name, sigma in moved.items():
-            value = getattr(geometry, name)
-            if np.isnan(value):
-                continue
-            up, down = (replace(geometry, **{name: value + sign * sigma}) for sign in (0.5, -0.5))
-            columns.append(up.contraction_mm(turns, load_n) - down.contraction_mm(turns, load_n))
-        shapes = np.column_stack(columns)
-        self.shapes = shapes - shapes.mean(axis=0)
+        self.sigmas = {name: sigma for name, sigma in sigmas.items() if not np.isnan(getattr(geometry, name))}
+        self.usual = self._shown(np.zeros(len(self.sigmas) + 2))
+
+    def _shown(self, moves: Array) -> Array:
+        """The reading with scale, angle and dimensions moved by so many sigmas, its mean taken off, in mm."""
+        moved = {
+            name: getattr(self.geometry, name) + move * sigma
+            for move, (name, sigma) in zip(moves[2:], self.sigmas.items(), strict=True)
+        }
+        shown = replace(self.geometry, **moved).contraction_mm(self.turns + ANGLE_TURNS * moves[1], self.load_n)
+        shown = shown * (1.0 + SCALE * moves[0])
+        return np.asarray(shown - shown.mean())
 
     def left_mm(self, effect_mm: Array) -> float:
-        """Rms of what is left of an effect after recalibration and a free zero, in mm."""
-        effect = effect_mm[self.rows] - effect_mm[self.rows].mean()
-        fit = lsq_linear(self.shapes, effect, (-BOUND_SIGMA, BOUND_SIGMA), method="bvls")
-        return float(np.sqrt(np.mean(np.square(effect - self.shapes @ fit.x))))
+        """Rms of what is left of an effect after recalibration and a free zero, in mm; by steps of Gauss and Newton."""
+        wanted = self.usual + effect_mm[self.rows] - effect_mm[self.rows].mean()
+        moves, step = np.zeros(len(self.sigmas) + 2), 0.1 * np.eye(len(self.sigmas) + 2)
+        left = [float(np.std(wanted - self.usual))]
+        for _ in range(PASSES):
+            slopes = np.column_stack([(self._shown(moves + one) - self._shown(moves - one)) / 0.2 for one in step])
+            bounds = (-BOUND_SIGMA - moves - 1e-9, BOUND_SIGMA - moves + 1e-9)
+            moves = moves + lsq_linear(slopes, wanted - self._shown(moves), bounds, method="bvls").x
+            left.append(float(np.std(wanted - self._shown(moves))))
+        return min(left)
 
 
 def strength_for(size: Callable[[float], float], wanted: float, bounds: tuple[float, float]) -> tuple[float, float]:
