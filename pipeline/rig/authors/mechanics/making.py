@@ -8,10 +8,12 @@ import numpy as np
 
 from pipeline.kinematics import Array
 from pipeline.rig.authors.interface import Asked, Made
-from pipeline.rig.authors.mechanics import motion, reading, specimen
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
+from pipeline.rig.authors.mechanics.motion import driven, planned
+from pipeline.rig.authors.mechanics.reading import noise, recorded, sampled
 from pipeline.rig.authors.mechanics.scene import Law, Scene, displacement_mm
 from pipeline.rig.authors.mechanics.sizing import Calibration, strength_for
+from pipeline.rig.authors.mechanics.specimen import drawn, measured
 
 HELD_OUT = 0.3  # of the strokes, at the end
 WANDER, WANDER_S = 0.02, 25.0  # how much an effect's strength wanders, and in what time
@@ -44,25 +46,25 @@ def _held_out_from(scene: Scene, strokes: int) -> float:
 def make(asked: Asked) -> Made:
     """The recording that is asked, its run.yaml and its answer; raises OutOfReach, or NotInstalled without MuJoCo."""
     draw = np.random.default_rng([asked.seed, 5])
-    material, geometry, top, usual_load_n = specimen.drawn(draw)
-    plan = motion.planned(asked.protocol, draw)
+    material, geometry, top, usual_load_n = drawn(draw)
+    plan = planned(asked.protocol, draw)
     low = float(draw.uniform(0.0, 1.0))
-    turns, load_n = motion.driven(plan, low, top, usual_load_n, draw)
+    turns, load_n = driven(plan, low, top, usual_load_n, draw)
     scene = Scene(geometry, turns, load_n)
-    errors = reading.noise(len(turns), draw)
+    errors = noise(len(turns), draw)
     changes = bool(np.ptp(load_n) > 0.0)
     with_load = changes or draw.random() < 0.3
     with_temperature = draw.random() < 0.4
-    told = specimen.measured(material, geometry, None if with_load else float(load_n[0]), draw)
+    told = measured(material, geometry, None if with_load else float(load_n[0]), draw)
     written = draw.integers(2**62)
 
     def table(shown_mm: Array) -> tuple[Any, Array]:
         rest = np.random.default_rng(written)
-        return reading.recorded(scene, shown_mm, errors, with_load, with_temperature, rest)
+        return recorded(scene, shown_mm, errors, with_load, with_temperature, rest)
 
     usual_mm = displacement_mm(scene, [])
     floor_mm = _rms(table(usual_mm)[1])
-    calibration = Calibration(geometry, *(reading.sampled(one, errors) for one in (turns, load_n)))
+    calibration = Calibration(geometry, *(sampled(one, errors) for one in (turns, load_n)))
     acting, effects = [], []
     for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
         own = np.random.default_rng([asked.seed, 5, zlib.crc32(effect.encode())])
@@ -71,7 +73,7 @@ def make(asked: Asked) -> Made:
 
         def alone(strength: float, law: Law = law) -> Array:
             change = displacement_mm(scene, [(law, strength)]) - usual_mm
-            return reading.sampled(change - change[0], errors)
+            return sampled(change - change[0], errors)
 
         def size(strength: float) -> float:
             return calibration.left_mm(alone(strength)) / floor_mm
