@@ -10,7 +10,7 @@ import yaml
 from scipy.optimize import least_squares
 
 from pipeline.ingest import read_samples
-from pipeline.kinematics import TOLERANCE, Geometry
+from pipeline.kinematics import TOLERANCE, Geometry, usual_stiffness
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, OutOfReach
 from pipeline.rig.authors.mechanics import LAWS, engine, make
@@ -29,7 +29,7 @@ def shown_mm(made, sigmas):
         made.content["actuator"],
         string["radius_mm"] * (1 + TOLERANCE["radius"] * radius),
         string["length_mm"] + TOLERANCE["length_mm"] * length,
-        string.get("stiffness_n_per_mm", 30.0),
+        string.get("stiffness_n_per_mm", usual_stiffness(string["radius_mm"], string["length_mm"])),
         rig.get("torsion_zone_mm", np.nan) + TOLERANCE["torsion_zone_mm"] * zone,
         rig.get("separator_mm", np.nan) + TOLERANCE["separator_mm"] * separator,
     )
