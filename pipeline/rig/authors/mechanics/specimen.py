@@ -7,7 +7,6 @@ import numpy as np
 from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
 
 MODULI_MPA = {"UHMWPE": 11e3, "Vectran": 9.5e3, "nylon": 3.7e3, "polyester": 6e3}  # of a braided line, voids and all
-
 SOFT = "nylon"
 
 
