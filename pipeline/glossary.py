@@ -64,6 +64,8 @@ TERMS: dict[str, dict[str, str]] = {
         "clamp_slip": "the clamp gives way suddenly and for good.",
         "end_stop": "the motion is cut off at an end.",
         "load_swing": "the load swings on the string, and rings after starts and stops.",
+        "x_clock": "the clocks of motor and displacement part; a stand-in, no physics of the library.",
+        "x_swelling": "the radius changes with time, at rest too (damp air); a stand-in, no physics of the library.",
         "x_wave": "a steady oscillation in time, whatever the rig does; a stand-in, no physics of the library.",
     },
 }

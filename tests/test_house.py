@@ -133,6 +133,15 @@ def test_an_author_of_concealed_physics_knows_nobody_of_us():
     assert ours == {INTERFACE}, "an author would reach more of us through what it shares"
 
 
+def test_one_author_alone_uses_mujoco_and_nobody_imports_it_before_it_is_needed():
+    users = {
+        module for module, path in MODULES.items() if re.search(r"^\s*(from|import) mujoco", path.read_text(), re.M)
+    }
+    assert users == {f"{AUTHORS}.mechanics.engine"}
+    program = f"import sys, {AUTHORS}; {AUTHORS}.authors(); sys.exit('mujoco' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", program], cwd=ROOT).returncode == 0
+
+
 def test_nobody_but_the_proof_imports_an_author():
     for module in MODULES:
         if part(module) != "proof" and not module.startswith(AUTHORS):

@@ -67,3 +67,8 @@ class Mechanism:
     random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None
     mark: Callable[[Drivers, Array, Array], float] | None = None
     least_mark: float = 0.0
+
+
+def physics(ids: tuple[str, ...]) -> bool:
+    """Whether a set of mechanisms names any physics of the library."""
+    return not all(id_.startswith("x_") for id_ in ids)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.diagnosis import compare, order
+from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.problem import State
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.diagnosis.weigh import weighed
@@ -54,5 +55,6 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
         # no lesson has three effects: where a third is worth much more than bent formulas are, it is taken
         named = np.where(untaught, named, 0.0)
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
+    none += sum(share for one, share in zip(some, named.tolist(), strict=True) if not physics(one.ids))
     likely = {one.ids: float(share) for one, share in zip(some, named, strict=True)}
     return Judged([search.explain(some[place].ids) for place in held(named)], likely, none)

@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.diagnosis import chance, form
 from pipeline.diagnosis.calibrate import calibrate
-from pipeline.diagnosis.interface import Shape
+from pipeline.diagnosis.interface import Shape, physics
 from pipeline.diagnosis.judged import UNKNOWN, Judged
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
@@ -152,8 +152,3 @@ def refuse_faint(found: Study, folder: Path) -> None:
         if problem.system.differentiates:
             mend += "; or set a lower working_hz in its system"
         raise BadInput(folder, problem.system.channel, gap, mend)
-
-
-def physics(ids: tuple[str, ...]) -> bool:
-    """Whether a set names any physics of the library."""
-    return not all(id_.startswith("x_") for id_ in ids)

@@ -11,12 +11,13 @@ from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
 from pipeline.diagnosis.evidence import evidence
 from pipeline.diagnosis.idle import without_idle
+from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.intervals import intervals
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.named import as_entry, listed
 from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.outcome import Study, physics, rms
+from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.fingerprint import fingerprint

@@ -29,6 +29,9 @@ def asked_of(planned: Planned, known: list[str]) -> Asked:
 def made(planned: Planned) -> Made:
     """The author's recording of a planned case; raises OutOfReach when its rig or protocol cannot show the effect."""
     author = authors()[planned.author]
+    strange = sorted(set(planned.effects) - set(author.laws))
+    if strange:
+        raise OutOfReach(f"{planned.author} knows no law of {', '.join(strange)}")
     return author.make(asked_of(planned, list(author.laws)))
 
 

@@ -144,6 +144,8 @@ def compound(m: Motion, effects, seed: int) -> np.ndarray:
             squeeze *= np.sqrt(0.6 * (1 + a * f**s * np.tan(alpha[0]) ** 2) / phi)
         elif kind == "wear":
             squeeze *= 1 - a * np.sign(u(-1, 1)) * (c / c[-1]) ** u(0.5, 1.1)
+        elif kind == "u_swelling":  # damp air thickens the strands
+            squeeze *= 1 + a * np.sqrt(t / t[-1])
         elif kind == "friction_hysteresis":
             loop = 0.7 * rateloop(th, u(0.25, 0.5)) + 0.3 * rateloop(th, u(0.8, 1.6))
             stretch += a * loop * (np.exp(0.4 * f * np.sin(alpha)) - 1 + 0.1 * f)
@@ -224,6 +226,8 @@ def compound(m: Motion, effects, seed: int) -> np.ndarray:
                 q += dt * v
                 out[i] = q
             x = x + a * out
+        elif kind == "u_clock":  # the sensor's clock is slow, and jumps ahead once
+            x = np.interp(t - a * (t / t[-1] - 0.7 * (t > 0.6 * t[-1])), t, x)
         elif kind == "u_encoder":  # interpolation error of the displacement encoder
             p = u(1.5, 3.0)
             x = x + a * np.sin(2 * np.pi * x / p) + 0.4 * a * np.sin(4 * np.pi * x / p + 1)
@@ -244,9 +248,9 @@ SINGLE = (
     "plastic_elongation creep thermal stiffening axial_elasticity radius_compaction wear friction_hysteresis viscous_loss backlash "
     "shaft_windup count_slip slack jam overtwist stick_slip clamp_slip sensor_lag sensor_drift eccentricity end_stop load_swing"
 ).split()
-UNKNOWN = "u_encoder u_bump u_resonance u_humidity u_tangle".split()
+UNKNOWN = "u_encoder u_bump u_resonance u_humidity u_tangle u_clock u_swelling".split()
 START = {"backlash": 0.05, "slack": 0.3, "jam": 0.5, "sensor_lag": 0.03, "radius_compaction": 0.1, "wear": 0.01, "stiffening": 0.1,
-         "shaft_windup": 0.05, "count_slip": 0.1, "load_swing": 1.0}  # fmt: skip
+         "shaft_windup": 0.05, "u_swelling": 0.01, "count_slip": 0.1, "load_swing": 1.0}  # fmt: skip
 
 
 def beyond(effect: np.ndarray, m: Motion, floor: float) -> np.ndarray:

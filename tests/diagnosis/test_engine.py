@@ -55,6 +55,18 @@ def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
     assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
 
 
+@pytest.mark.parametrize("kind", ["u_clock", "u_swelling"])
+def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(kind: str, conceal) -> None:
+    found, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
+    helper = {"u_clock": "x_clock", "u_swelling": "x_swelling"}[kind]
+    assert found == "unknown" and helper in ids
+
+
+def test_what_sticks_and_slips_needs_no_friction_beside_it(conceal) -> None:
+    found, ids = verdict(conceal("stick_slip", kappa=3.0, seed=5)[0])
+    assert found in ("explained", "ambiguous") and ids == ("stick_slip",)
+
+
 def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
     select, calls = Search.select, []
 

@@ -46,6 +46,14 @@ def test_a_third_effect_is_taken_where_one_was_weighed(monkeypatch, some, shares
     assert [one.ids for one in found.sets] == [ids] and found.likely[ids] == pytest.approx(likely)
 
 
+def test_a_set_without_physics_of_the_library_counts_as_none_of_them(monkeypatch):
+    sets = [("x_clock",), ("sensor_lag",), ("sensor_lag", "x_clock")]
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in sets])
+    found = judged.judged(judge_of([0.5, 0.3, 0.1, 0.1]), None, explanation("sensor_lag"), 0.01)
+    assert found.none == pytest.approx(0.6) and [one.ids for one in found.sets] == [("x_clock",), ("sensor_lag",)]
+    assert found.confidence("sensor_lag") == pytest.approx(0.4)
+
+
 def test_a_number_that_the_other_stretches_hardly_show_stays_nothing():
     """A column acts in the last stretch; what little there is of it before would tell a number of any size."""
     rows, draw = 1000, np.random.default_rng(0)

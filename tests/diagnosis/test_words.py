@@ -693,7 +693,7 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     assert beaten.index("sensor_drift: probability") < beaten.index("creep: probability less than 1 %; leaves")
     rule = "the likeliest ones are kept until together they have 80 % of the probability of all explanations, and every"
     assert f"How an explanation is ruled out: {rule} other is ruled out. Here the 2 kept have 83 %." in text
-    assert "That none of the explanations is right has a probability of 4 %." in text
+    assert "That no physics of the library explains the recording has a probability of 4 %." in text
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
     assert "Here the best one alone has 99 %." in text and "That none" not in text

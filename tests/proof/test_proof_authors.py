@@ -8,7 +8,7 @@ import pytest
 from pipeline.errors import BadInput
 from pipeline.proof import authored
 from pipeline.proof.conceal_batch import concealed
-from pipeline.proof.plan import batches, plan, read, written
+from pipeline.proof.plan import Planned, batches, plan, read, written
 from pipeline.proof.score.authors import by_author, by_law
 from pipeline.proof.score.cases import gather
 from pipeline.proof.score.hands import section
@@ -53,6 +53,12 @@ def test_each_author_gets_its_cases_in_batches_of_its_own():
     assert sorted(found) == ["batch-000", "batch-001", "by_a-000", "by_b-000", "by_b-001"]
     assert all(len({case.author for case in batch}) == 1 for batch in found.values())
     assert read(written(cases)) == cases
+
+
+def test_an_author_who_knows_no_law_of_an_effect_makes_no_case_of_it():
+    planned = Planned("case-1", 1, "single", "rich", ("thermal",), (1.0,), author="mechanics")
+    with pytest.raises(authored.OutOfReach, match="mechanics knows no law of thermal"):
+        authored.made(planned)
 
 
 def test_what_the_plan_leaves_open_is_drawn_from_what_the_author_knows():

@@ -7,6 +7,8 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
 PRESSED = (0.03, 0.1, 0.3)  # of the highest pressure of the strands on each other: where voids have closed
 SATURATING = (0.15, 0.4)  # of the steepest helix: where a bundle that settles early has settled
+SETTLING = (0.2, 0.45)  # of the steepest helix: the same, for one that begins slowly
+STAGES, WIDE = (0.5, 0.7), 0.09  # of the steepest helix: where fibres rearrange late, and over how much of it
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -26,6 +28,12 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     found = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
     for share in SATURATING:
         found.append(Term(f"within_{share:g}", "radius", np.expm1(-slope / (share * shape["steepest"])), "1", high=0.5))
+    for share in SETTLING:
+        early = np.expm1(-((slope / (share * shape["steepest"])) ** 2))
+        found.append(Term(f"settled_{share:g}", "radius", early, "1", high=0.5))
+    for share in STAGES:
+        late = -1.0 / (1.0 + np.exp((share - slope / shape["steepest"]) / WIDE))
+        found.append(Term(f"stage_at_{share:g}", "radius", late, "1", high=0.5))
     pressure = np.maximum(drivers.load, 0.0) * slope**2 / shape["highest_pressure"]
     for share in PRESSED:
         for name, power in (("closing", 1), ("ordering", 2)):

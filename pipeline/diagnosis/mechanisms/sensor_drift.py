@@ -5,14 +5,15 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 
-WANDERING = range(2, 9)  # half waves over the recording: what a drift does that is no law but a walk
+WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording
 MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SETTLING}  # of each over the recording
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """`whole_s` is the recording's length, for scale."""
-    return [{"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}]
+    """A law, or one about which the zero wanders by so many `half_waves`; `whole_s` is the recording's length."""
+    law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
+    return [law, {**law, "half_waves": WAVES}] if drivers.free_zero and drivers.levered else [law]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
@@ -20,9 +21,9 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     share = drivers.elapsed_s / shape["whole_s"]
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
-    if drivers.free_zero and drivers.levered:
-        signals |= {f"wandering_{k}_mm": np.cos(np.pi * k * np.clip(share, 0.0, 1.0)) for k in WANDERING}
-        means = dict.fromkeys(signals, 0.0)
+    for k in range(2, int(shape.get("half_waves", 0.0)) + 1):
+        name = f"wandering_{k}_mm"
+        signals[name], means[name] = np.cos(np.pi * k * np.clip(share, 0.0, 1.0)), 0.0
     return [Term(name, "sensor", signal - means[name], "mm", -np.inf) for name, signal in signals.items()]
 
 

@@ -44,7 +44,7 @@ def rule(content: dict[str, Any]) -> list[str]:
         f"probability of all explanations, and every other is ruled out. {kept} {percent(together)}."
     ]
     if none >= SEEN:
-        lines.append(f"That none of the explanations is right has a probability of {percent(none)}.")
+        lines.append(f"That no physics of the library explains the recording has a probability of {percent(none)}.")
     return lines
 
 
@@ -54,4 +54,4 @@ def of_none(content: dict[str, Any]) -> list[str]:
     if none is None or not known(content):
         return []
     enough = f"; from {percent(UNKNOWN)} on the verdict is unknown" if none >= UNKNOWN else ""
-    return [f"That none of the library's explanations is right has a probability of {percent(none)}{enough}."]
+    return [f"That no physics of the library explains the recording has a probability of {percent(none)}{enough}."]

@@ -1,6 +1,7 @@
 """Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if clearly better."""
 
-from pipeline.diagnosis import calibrate, candidates, engine, generic, outcome
+from pipeline.diagnosis import calibrate, candidates, engine, generic
+from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Problem, State
@@ -14,10 +15,10 @@ def learn(seen: Calibrated) -> Learnt:
     """One mechanism or none, its shape refined; the zero of the reading stays free, every dimension is frozen."""
     problem = frozen(seen.problem, seen.state)
     shapes = candidates.catalogue(problem, candidates.suggested(problem, seen.state))
-    physics = {id_: options for id_, options in shapes.items() if outcome.physics((id_,))}
+    known = {id_: options for id_, options in shapes.items() if physics((id_,))}
     floor = engine.noise_of(problem, seen.state, generic.dictionary(problem.drivers)).floor
     noise = white(floor)
-    search = Search(Linear(problem, seen.state, noise, physics))
+    search = Search(Linear(problem, seen.state, noise, known))
     best = search.all_of(1)[0]
     named: list[str] = []
     state = seen.state

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.judge import Judge
 from pipeline.diagnosis.judged import UNKNOWN, held
 from pipeline.proof.teach.fit import explanations, fitted
@@ -41,6 +42,7 @@ def judged(judge: Judge, lesson: Lesson) -> Judged:
     """What a judge says of a lesson."""
     some = explanations(lesson)
     *named, none = judge.probabilities(some).tolist()
+    none += sum(share for one, share in zip(some, named, strict=True) if not physics(one.ids))
     places = held(np.array(named)) if none < UNKNOWN else []
     return Judged(lesson, tuple(some[place].ids for place in places), tuple(places))
 

@@ -30,14 +30,17 @@ def blank(lessons: list[Lesson]) -> Judge:
 
 
 def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
-    """The judge whose softmax makes the right answers of some lessons likeliest; "none" is right where none is."""
+    """The judge whose softmax makes the right answers of some lessons likeliest.
+
+    "None of them" is right where none is, and so is a set without physics of the library.
+    """
     judge = blank(lessons)
     seen = [explanations(lesson) for lesson in lessons]
     table = np.vstack([judge.basis(some) for some in seen])
     none = np.array([none_of(some) for some in seen])
     starts = np.cumsum([0, *map(len, seen)])[:-1]
     case = np.repeat(np.arange(len(seen)), [len(some) for some in seen])
-    right = np.concatenate([np.array(lesson.right, float) for lesson in lessons])
+    right = np.concatenate([np.array(lesson.answers, float) for lesson in lessons])
     named = np.array([any(lesson.right) for lesson in lessons])
     count = table.shape[1]
 
@@ -46,9 +49,9 @@ def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
         top = np.maximum(np.maximum.reduceat(scores, starts), of_none)
         odds, none_odds = np.exp(scores - top[case]), np.exp(of_none - top)
         whole = np.add.reduceat(odds, starts) + none_odds
-        good = np.where(named, np.add.reduceat(odds * right, starts), none_odds)
+        good = np.add.reduceat(odds * right, starts) + np.where(named, 0.0, none_odds)
         slope = odds / whole[case] - right * odds / good[case]
-        none_slope = none_odds / whole - np.where(named, 0.0, 1.0)
+        none_slope = none_odds / whole - np.where(named, 0.0, none_odds / good)
         gradient = np.concatenate([table.T @ slope, none.T @ none_slope])
         return float(-np.sum(np.log(good / whole)) + 0.5 * prior * weights @ weights), gradient + prior * weights
 

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.judge import Weighed
 from pipeline.diagnosis.weigh import weighed
 from pipeline.rig.authors import authors
@@ -31,6 +32,11 @@ class Lesson:
     ids: tuple[tuple[str, ...], ...] = ()
     signs: tuple[dict[str, float], ...] = ()
     right: tuple[bool, ...] = ()
+
+    @property
+    def answers(self) -> tuple[bool, ...]:
+        """Which explanations a judge may call: those that are right; else those without physics of the library."""
+        return self.right if any(self.right) else tuple(not physics(ids) for ids in self.ids)
 
 
 def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:

@@ -1,0 +1,46 @@
+"""Two clocks part: the displacement comes ever later, or now later and now earlier."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.kinematics import Array
+
+WAVES = 8.0  # half waves over the recording, at most
+MOST_S = 2.0  # of delay that comes or goes
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Parting, or wandering by so many `half_waves`; `whole_s` is the whole recording. None where nothing is wound."""
+    law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
+    return [law, {**law, "half_waves": WAVES}] if drivers.levered else []
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """A delay that grows with time, or wanders; one that stays is a lag."""
+    share = drivers.elapsed_s / shape["whole_s"]
+
+    def late(delay: Array) -> Callable[[Array], Array]:
+        return lambda reading: np.asarray(-delay * drivers.slope(reading))
+
+    found = [Term("parting_s", "sensor", late(share), "s", -MOST_S, MOST_S)]
+    for k in range(1, int(shape.get("half_waves", 0.0)) + 1):
+        wave = np.cos(np.pi * k * np.clip(share, 0.0, 1.0))
+        found.append(Term(f"wandering_{k}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
+    return found
+
+
+MECHANISM = Mechanism(
+    id="x_clock",
+    driver="displacement rate and time",
+    equation="x_m(t) = x(t - d(t))",
+    source="physics.md F8; no physics of the rig",
+    confused_with="sensor_lag, whose delay stays what it is",
+    told_apart_by="fast strokes at the beginning and at the end: a lag is the same in both",
+    sentence="The clocks of motor and displacement part, which is worth {size} at these speeds.",
+    shapes=shapes,
+    terms=terms,
+    helper=True,
+)

@@ -1,0 +1,35 @@
+"""The radius changes with time, at work and at rest alike: the string takes up moisture, or dries."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import saturations
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """Thicker or thinner; `whole_s` is the recording's length, for scale. None where nothing is wound."""
+    if not drivers.levered:
+        return []
+    return [{"sign": sign, "whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")} for sign in (-1.0, 1.0)]
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Relative change of radius with time, saturating, straight and bent."""
+    grown = saturations(drivers.elapsed_s, shape["whole_s"])
+    grown["faster"] = np.square(drivers.elapsed_s / shape["whole_s"])
+    return [Term(name, "radius", shape["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
+
+
+MECHANISM = Mechanism(
+    id="x_swelling",
+    driver="time",
+    equation="r_e = r (1 +- k g(t))",
+    source="none: the air is not on the rig",
+    confused_with="wear, which stands still at rest; sensor_drift, which is the same at every twist",
+    told_apart_by="a long rest between two strokes: what the air does goes on in it",
+    sentence="The radius changes with time, at rest too, which moves the {reading} by up to {span} ({size}).",
+    shapes=shapes,
+    terms=terms,
+    helper=True,
+)
