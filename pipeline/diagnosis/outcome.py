@@ -84,7 +84,9 @@ def decide(
     new = {id_: shape for id_, shape in random.items() if id_ not in {act.id for act in problem.included}}
     if new:
         sets = [replace(one, ids=tuple(sorted({*one.ids, *new}))) for one in sets or [search.nothing]]
-        best = replace(best, acts=best.acts + tuple(chance.act(problem, id_, shape) for id_, shape in new.items()))
+        there = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
+        silent = [chance.act(problem, id_, shape) for id_, shape in new.items() if id_ not in there]
+        best = replace(best, acts=(*best.acts, *silent))
     if not sets:
         verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"
         if verdict == "consistent" and better > (PARAMETERS_FROM * floor) ** 2:
