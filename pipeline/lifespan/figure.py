@@ -153,9 +153,10 @@ def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -
         f"{'more than' if left.state == 'censored' else 'at least'} {at_least(left.low)}"
     )  # fmt: skip
     words += f" strokes left in {percent(level)} of the futures"
-    late = low > 0.5 * end  # words that begin there would leave the axes
-    place, away = ((min(high, end), height), (-3, -6)) if late else ((low, height), (3, -6))
+    late = low > 0.5 * end  # words that begin there would leave the axes; above the limit they hide no line
+    place, away = ((min(high, end), height), (-3, 8)) if late else ((low, height), (3, -6))
     axes.annotate(
-        words, place, xytext=away, textcoords="offset points", ha="right" if late else "left", va="top", fontsize=8,
+        words, place, xytext=away, textcoords="offset points", ha="right" if late else "left", fontsize=8,
+        va="bottom" if late else "top",
         bbox={"facecolor": "w", "edgecolor": "none", "alpha": 0.7, "pad": 0.8},
     )  # fmt: skip
