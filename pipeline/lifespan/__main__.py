@@ -10,7 +10,7 @@ from pathlib import Path
 
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
-from pipeline.lifespan import figure, record
+from pipeline.lifespan import figure, record, sentences
 from pipeline.lifespan.ask import Answer, model_error, stroke_loss
 from pipeline.lifespan.gather import strings
 from pipeline.lifespan.health import Health
@@ -53,7 +53,7 @@ def main() -> int:
         write_text(told.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
         figure.page(one, answers, told.level, told.out / one.string / "lifespan.png")
         clear()
-        print(record.sentences(one, answers, told.level))
+        print(sentences.sentences(one, answers, told.level))
     return 0
 
 

@@ -24,6 +24,12 @@ class Answer:
     left: Left
 
 
+def lived(health: Health) -> float:
+    """Strokes from the first one seen to the last: both questions look ahead by the same multiple of them."""
+    n = health.strokes["stroke"]
+    return float(n.iloc[-1] - n.iloc[0] + 1)
+
+
 def stroke_loss(health: Health, loss: float) -> Answer:
     """When the stroke has lost a share `loss` of what it was over the first strokes."""
     table = health.strokes.dropna(subset=["stroke_mm"])  # a stroke that ends short has no reading at the top
@@ -31,7 +37,7 @@ def stroke_loss(health: Health, loss: float) -> Answer:
     first_mm = float(stroke_mm[:REFERENCE].mean())
     lost = 1.0 - stroke_mm / first_mm
     spread = float(np.median(np.abs(np.diff(lost)))) / (0.6745 * np.sqrt(2.0)) if len(lost) > 1 else 0.0
-    left = strokes_left(n, lost, loss, limit_error=spread / np.sqrt(REFERENCE))
+    left = strokes_left(n, lost, loss, limit_error=spread / np.sqrt(REFERENCE), lived=lived(health))
     errors = table["stroke_mm_error"].to_numpy() / first_mm
     return Answer("stroke_loss", "share of the stroke lost", "1", n, lost, errors, loss, left)
 
@@ -50,7 +56,7 @@ def model_error(health: Health, drift_mm: float) -> Answer:
         off_mm,
         errors,
         drift_mm,
-        strokes_left(n, off_mm, drift_mm, before=before),
+        strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health)),
     )
 
 

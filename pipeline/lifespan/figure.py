@@ -17,13 +17,18 @@ from pipeline.lifespan.health import Health
 from pipeline.lifespan.indicators import REFERENCE
 from pipeline.lifespan.left import BAND_LEVELS, LEAST_STROKES
 from pipeline.lifespan.percent import percent
+from pipeline.lifespan.whole import at_least, at_most
 
-SEEN, LAW, LIMIT = "#0072b2", "#d55e00", "0.25"  # Okabe and Ito: told apart by colour-blind readers too
-FARTHEST = 4.0  # times the strokes seen: as far as is drawn
+SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 OTHERS = (
     ("rest_mm", "rest, drift (mm)"),
     ("loop_mm", "loop (mm)"),
     ("stiffness_n_per_mm", "stiffness (N/mm)"),
+)
+NEGATIVE_LOOP = "below 0: at equal twist the string\nis shorter while it unwinds"
+BAND = (
+    f"Shaded: {percent(1.0 - BAND_LEVELS[-1])} of the futures lie above and {percent(BAND_LEVELS[0])} below. Where the "
+    "shade falls, the wear goes back in some of them.\nA sudden end is drawn nowhere, but counts in the strokes left."
 )
 
 
@@ -51,11 +56,24 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             axes.xaxis.set_major_locator(MaxNLocator(integer=True))
             axes.set_xlabel("stroke n")
             axes.set_ylabel(label)
+            if name == "loop_mm" and float(np.nanmin(table[name])) < 0.0:
+                axes.text(0.98, 0.97, NEGATIVE_LOOP, ha="right", va="top", transform=axes.transAxes, fontsize=7.5)
         count = len(health.strokes)
         figure.suptitle(f"{health.string}: {count} stroke{'s' if count != 1 else ''} seen", fontsize=11)
+        if said := footnote(answers, level):
+            figure.supxlabel(said, fontsize=7.5, x=0.02, ha="left")
         with whole(path) as temporary:
             figure.savefig(temporary, dpi=130)
         plt.close(figure)
+
+
+def footnote(answers: list[Answer], level: float) -> str:
+    """How to read the futures, where any are drawn."""
+    drawn = [one.left for one in answers if one.left.band is not None]
+    if not drawn:
+        return ""
+    far = f" An arrow: the forecast does not look further than {at_least(drawn[0].horizon)} strokes."
+    return BAND + far * any(not np.isfinite(left.span(level).high) for left in drawn)
 
 
 def question(axes: Axes, one: Answer, level: float) -> None:
@@ -71,12 +89,13 @@ def question(axes: Axes, one: Answer, level: float) -> None:
     axes.set_title(no_claim(left.reason) if span.state == "no claim" else "", fontsize=9, loc="left")
     if left.choice and left.band is not None:
         seen = float(one.n[-1])
-        end = seen + farthest(span.high, seen)
+        end = seen + farthest(span.high, seen, left.horizon)
         past = np.linspace(one.n[0], seen, 200)
-        axes.plot(past, scale * left.choice.curve(past - one.n[0] + 1.0), color=LAW, lw=1.4)
-        n, (low, middle, high) = left.band
-        name = left.choice.best.law.name
-        axes.plot(seen + n, scale * middle, color=LAW, lw=1.4, label=f"median future; law of most weight: {name}")
+        fitted = scale * left.choice.curve(past - one.n[0] + 1.0)
+        axes.plot(past, fitted, color=FITTED, lw=1.2, label=f"laws fitted, most weight: {left.choice.best.law.name}")
+        n, values = left.band
+        low, middle, high = values if one.unit == "1" else np.maximum(values, 0.0)  # a root mean square is not below 0
+        axes.plot(seen + n, scale * middle, color=LAW, lw=1.4, label="median of the futures")
         axes.fill_between(
             seen + n, scale * low, scale * high, color=LAW, alpha=0.18, lw=0,
             label=f"{percent(BAND_LEVELS[-1] - BAND_LEVELS[0])} of the futures",
@@ -109,33 +128,35 @@ def nothing(axes: Axes, one: Answer) -> None:
     axes.spines[:].set_visible(False)
 
 
-def farthest(high: float, seen: float) -> float:
-    """Strokes ahead that are drawn: all of an interval that has an end, else some times the strokes seen."""
-    return FARTHEST * seen if not np.isfinite(high) else max(1.15 * high, 0.375 * seen)
+def farthest(high: float, seen: float, horizon: float) -> float:
+    """Strokes ahead that are drawn: all of an interval that has an end, else as far as the forecast looks."""
+    return max(1.15 * high, 0.375 * seen) if np.isfinite(high) else horizon
 
 
 def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -> None:
     """The interval of the stroke that passes the limit, on the limit's line; an arrow where it has no end."""
     left, seen = one.left.span(level), float(one.n[-1])
     low, high = seen + left.low, seen + left.high
-    if low > end:
-        words, place = f"{percent(level)} interval begins at stroke {low:.0f} →", (1.0, height)
-        axes.annotate(
-            words, place, xycoords=("axes fraction", "data"), xytext=(0, 4), textcoords="offset points", ha="right",
-            va="bottom", fontsize=8,
-        )  # fmt: skip
-        return
     bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
     axes.plot([low, min(high, end)], [height, height], **bar)
     axes.plot([low], [height], marker="|", ms=11, mew=2.0, color="k", zorder=4)
     axes.plot(
-        [min(high, end)], [height], marker="|" if high <= end else ">", ms=11 if high <= end else 6, mew=2.0, color="k"
+        [min(high, end)],
+        [height],
+        marker="|" if high <= end else ">",
+        ms=11 if high <= end else 6,
+        mew=2.0,
+        color="k",
+        clip_on=False,
     )
-    words = f"{left.low:.0f} to {left.high:.0f}" if np.isfinite(left.high) else f"more than {left.low:.0f}"
-    words += f" strokes left ({percent(level)})"
-    late = low > 0.5 * end  # words that begin there would leave the axes
-    place, away = ((min(high, end), height), (-3, -6)) if late else ((low, height), (3, -6))
+    words = f"{at_least(left.low)} to {at_most(left.high)}" if left.state == "interval" else (
+        f"{'more than' if left.state == 'censored' else 'at least'} {at_least(left.low)}"
+    )  # fmt: skip
+    words += f" strokes left in {percent(level)} of the futures"
+    late = low > 0.5 * end  # words that begin there would leave the axes; above the limit they hide no line
+    place, away = ((min(high, end), height), (-3, 8)) if late else ((low, height), (3, -6))
     axes.annotate(
-        words, place, xytext=away, textcoords="offset points", ha="right" if late else "left", va="top", fontsize=8,
+        words, place, xytext=away, textcoords="offset points", ha="right" if late else "left", fontsize=8,
+        va="bottom" if late else "top",
         bbox={"facecolor": "w", "edgecolor": "none", "alpha": 0.7, "pad": 0.8},
     )  # fmt: skip

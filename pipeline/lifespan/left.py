@@ -97,6 +97,11 @@ def surprises(seen: float, generator: np.random.Generator) -> Array:
     return np.asarray(seen * (generator.random(FUTURES) ** (-1.0 / HAZARD) - 1.0))
 
 
+def sudden(times: float) -> float:
+    """Chance of a sudden end within `times` the strokes seen, the same for every string."""
+    return float(1.0 - (1.0 + times) ** -HAZARD)
+
+
 def first_passed(n: Array, values: Array, limit: float) -> float:
     """First stroke at which the median of PASSED_OF strokes is past the limit, NaN where none is."""
     windows = np.lib.stride_tricks.sliding_window_view(values, PASSED_OF)
@@ -105,11 +110,18 @@ def first_passed(n: Array, values: Array, limit: float) -> float:
 
 
 def strokes_left(
-    n: Array, values: Array, limit: float, limit_error: float = 0.0, before: int = 0, seed: int = 0
+    n: Array,
+    values: Array,
+    limit: float,
+    limit_error: float = 0.0,
+    before: int = 0,
+    seed: int = 0,
+    lived: float | None = None,
 ) -> Left:
     """Strokes left until the indicator `values` over strokes n, both of shape (strokes,), passes a limit.
 
     `limit_error` is the limit's standard error, `before` how many strokes set the reference and are not among these.
+    `lived` is how many strokes the string was seen for, which sets the horizon; without it those from first n to last.
     """
     if len(n) + before < LEAST_STROKES:
         count = len(n) + before
@@ -122,7 +134,7 @@ def strokes_left(
     if not drifts(n, values):
         return Left("the drift is below the noise of the strokes: there is nothing to continue", choice=choice)
     seen = float(n[-1] - n[0] + 1.0)
-    horizon = HORIZON * seen
+    horizon = HORIZON * (seen if lived is None else lived)
     ahead = np.concatenate([[0.0], np.geomspace(0.25, horizon, STEPS)])
     generator = np.random.default_rng(seed)
     paths = futures(choice, ahead, generator)

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+LATE = "75% of the life"
 HEADER = (
     "| method | asked | no claim | held 90 % (counted) | held 50 % (counted) | missed: too late / too early | "
     "upper end given | width of 90 % / strokes left | error of median / strokes left |"
@@ -33,7 +34,7 @@ def line(method: str, rows: pd.DataFrame) -> str:
         share(claims["held_90%"]),
         share(claims["held_50%"]),
         f"{late} / {len(missed) - late}",
-        f"{100 * np.isfinite(claims['high']).mean():.0f} %",
+        f"{100 * np.isfinite(claims['high']).mean():.0f} %" if len(claims) else "–",
         number(width),
         number(off),
     ]
@@ -48,6 +49,16 @@ def number(value: float) -> str:
 def table(rows: pd.DataFrame, by: str) -> list[str]:
     """Lines of a table with a row for every value of a column."""
     return [HEADER, "|---|" + "---|" * 8, *(line(str(name), part) for name, part in rows.groupby(by, sort=False))]
+
+
+def kinds(rows: pd.DataFrame) -> list[str]:
+    """Lines of a table with a row for every kind of claim, over the whole life and late in it."""
+    late = rows[rows["cut"] == LATE]
+    said = ((state, part, late[late["state"] == state]) for state, part in rows.groupby("state"))
+    pairs = [
+        (line(str(state), part), line(f"{state}, {LATE}", old)) for state, part, old in said if state != "no claim"
+    ]
+    return [HEADER, "|---|" + "---|" * 8, *(row for pair in pairs for row in pair)]
 
 
 def bounds(rows: pd.DataFrame) -> str:
@@ -70,5 +81,5 @@ def words(rows: pd.DataFrame) -> str:
             "",
             f"{ours['string'].nunique()} strings, {censored} of them censored. {bounds(ours)}.",
         ]
-        lines += ["", *table(part, "method"), "", *table(ours, "cut"), ""]
+        lines += ["", *table(part, "method"), "", *table(ours, "cut"), "", *kinds(ours), ""]
     return "\n".join(lines)

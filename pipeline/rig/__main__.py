@@ -10,12 +10,13 @@ from types import FrameType
 from pipeline.errors import program
 from pipeline.rig.device import Device
 from pipeline.rig.line import line, serve
-from pipeline.rig.options import command
+from pipeline.rig.options import command, free_name
 from pipeline.rig.setup import names, read_setup
 from pipeline.rig.simulate import simulate
 
 MOST_STROKES = 1000
 FORECAST = 12  # strokes that a forecast of the life needs at least; a test holds it to that program's own number
+RAW = Path("raw")  # of the folder in which the rig is started: where pipeline.new_run makes a run's folder
 PACE = 5.0  # the paper's nine strokes in a minute
 
 
@@ -61,7 +62,7 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
         print(f"rig: {arguments.setup} is at {arguments.link}, {paced(arguments.pace, setup.rate_hz)}; Ctrl-C ends it")
-        print(f"rig: before recording 1 describe its string by: {command(setup, 'example-1')}")
+        print(f"rig: before recording 1 describe its string by: {command(setup, free_name(RAW))}")
         print("rig: every recording is of a new string: give each a run and a --string-id of its own")
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
         try:

@@ -1,10 +1,20 @@
 """A set-up's string and rig as a command line of `pipeline.new_run`, for a person who records it as one of his own."""
 
+import os
+from itertools import count
+from pathlib import Path
+
 from pipeline.rig.setup import SetUp
 
 MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
 STRING = ("radius_mm", "length_mm", "stiffness_n_per_mm")
 RIG = ("torsion_zone_mm", "separator_mm", "load_n")
+
+
+def free_name(raw: Path, number: int = 1) -> str:
+    """The first name from example-`number` on under which the folder `raw` holds nothing yet; it need not be there."""
+    names = (f"example-{at}" for at in count(number))
+    return next(name for name in names if not os.path.lexists(raw / name))
 
 
 def option(name: str) -> str:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.new_run import main as new_run
-from pipeline.rig.options import command
+from pipeline.rig.options import command, free_name
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
 from pipeline.runs import read_run
@@ -19,9 +19,10 @@ from pipeline.runs import read_run
 ROOT = Path(__file__).parents[2]
 
 
-def start(link, *options):
+def start(link, *options, folder=ROOT):
     words = [sys.executable, "-m", "pipeline.rig", "small", "--link", str(link), *options]
-    return subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    return subprocess.Popen(words, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}, **pipes)
 
 
 def test_a_second_rig_takes_no_link_of_a_live_one_and_a_stale_one_is_replaced(tmp_path):
@@ -60,7 +61,7 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
     try:
         first, described, strings, strokes = (rig.stdout.readline() for _ in range(4))
         assert "without any waiting" in first
-        assert command(read_setup("small"), "example-1") in described
+        assert command(read_setup("small"), free_name(ROOT / "raw")) in described
         assert "every recording is of a new string" in strings and "--string-id of its own" in strings
         assert "every recording has 5 strokes; --strokes N is for another number" in strokes
         for name in ("example-1", "example-2"):
@@ -96,6 +97,27 @@ def test_the_command_that_the_rig_says_describes_its_very_string(tmp_path, monke
     run = read_run(tmp_path / "example-1")
     own = described_as(setup, tmp_path / "synthetic-1" / "run.yaml")
     assert dimensions(run) == dimensions(own) and run.rig == own.rig and run.string_id == "example-1"
+
+
+def test_the_line_that_the_rig_says_names_a_run_that_is_not_there_yet_and_works_as_it_stands(tmp_path, monkeypatch):
+    """The line named example-1 although that run was there, and was refused."""
+    for name in ("example-1", "example-3"):
+        (tmp_path / "raw" / name).mkdir(parents=True)
+        (tmp_path / "raw" / name / "run.yaml").write_text("kept")
+    rig = start(tmp_path / "port", folder=tmp_path)
+    try:
+        assert "Ctrl-C ends it" in rig.stdout.readline()
+        said = rig.stdout.readline().rstrip("\n")
+    finally:
+        rig.kill()
+        rig.communicate()
+    assert said == f"rig: before recording 1 describe its string by: {command(read_setup('small'), 'example-2')}"
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", shlex.split(said.partition("by: ")[2])[2:])
+    with pytest.raises(SystemExit) as ended:
+        new_run()
+    assert not ended.value.code and read_run(tmp_path / "raw" / "example-2").string_id == "example-2"
+    assert free_name(tmp_path / "raw") == "example-4" and free_name(tmp_path / "nowhere") == "example-1"
 
 
 def test_the_page_of_the_protocol_has_the_command_that_the_rig_says():

@@ -1,0 +1,134 @@
+"""What is said of a string's life in sentences: what is seen, what is foretold, how far to trust it, what to do."""
+
+import numpy as np
+
+from pipeline.lifespan.advice import advice
+from pipeline.lifespan.ask import Answer
+from pipeline.lifespan.health import Health
+from pipeline.lifespan.indicators import REFERENCE
+from pipeline.lifespan.left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
+from pipeline.lifespan.measured import measured
+from pipeline.lifespan.percent import of_100, percent, tail
+from pipeline.lifespan.whole import at_least, at_most
+from pipeline.zero import Jump
+
+UNFORESEEN = (
+    "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
+    f"{of_100(sudden(1.0))} until the strokes seen have doubled, and of {of_100(sudden(HORIZON))} within "
+    f"{HORIZON:g} times the strokes seen; wear that speeds up later has a chance of {of_100(ACCELERATES)}. Every "
+    "string is given the same three chances, so this string's own may be larger."
+)
+SYNTHETIC = (
+    "The synthetic rig takes a new string for each recording: let it do more strokes in one, by `--strokes 24` of "
+    "python -m pipeline.rig."
+)
+LAST = 3  # strokes that tell how far a limit is
+
+
+def few(strokes: int) -> bool:
+    """Whether so many strokes are too few for a forecast."""
+    return strokes < LEAST_STROKES
+
+
+def so_far(one: Answer) -> str:
+    """What the last strokes show, whatever may be said of those to come."""
+    after = len(one.n) - (REFERENCE if one.unit == "1" else 0)
+    if after <= 0:
+        first = f"the first {REFERENCE} strokes are what the later ones are compared with"
+        return f"So far: {first}: from stroke {REFERENCE + 1} on it shows."
+    last = one.values[-min(after, LAST) :]
+    of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
+    if one.unit != "1":
+        return f"So far: the model is off by {middle:.2g} {one.unit} (median of {of})."
+    against = f"{of} against the first {REFERENCE}"
+    if middle <= 0.0:
+        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
+    return f"So far: {100.0 * middle:.2g} % of the stroke is lost ({against})."
+
+
+def seen(health: Health) -> list[str]:
+    """How many strokes were seen; where they are too few, how many are needed and how to get them."""
+    table = health.strokes
+    strokes = f"{len(table)} stroke{'s' if len(table) != 1 else ''} seen"
+    if not few(len(table)):
+        return [f"{health.string}: {strokes}, the last one stroke {int(table['stroke'].iloc[-1])}."]
+    more = LEAST_STROKES - len(table)
+    needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
+    return [
+        f"{health.string}: no forecast yet: {strokes}; {needed}.",
+        f"  Record {more} or more further strokes of this very string as a new run with the same --string-id "
+        f"({health.string}), then name all runs of it in this command.",
+        f"  {SYNTHETIC}",
+    ]
+
+
+def sentence(one: Answer, level: float, told: bool = True) -> str:
+    """One question's answer in words; unless `told`, without the reason why there is none, which was said before."""
+    left, span = one.left, one.left.span(level)
+    limit = f"the model calibrated on the first strokes is off by {one.limit:g} {one.unit}"
+    limit = f"{percent(one.limit)} of the stroke is lost" if one.unit == "1" else limit
+    if span.state == "no claim":
+        return f"until {limit}: {f'no claim: {left.reason}' if told else 'no forecast yet'}."
+    if span.state == "passed":
+        return f"until {limit}: passed already at stroke {left.passed_at:.0f}."
+    most, further = f"{at_least(left.horizon)} strokes", "the forecast does not look further than"
+    if span.state == "censored":
+        return f"until {limit}: more than {most} left in {percent(level)} of the futures; {further} {most}."
+    half = f"half of the futures stay below the limit for longer than {at_least(span.median)} strokes" if np.isfinite(
+        span.median) else f"at least half of the futures stay below the limit for all {most}"  # fmt: skip
+    if span.state == "interval":
+        ends = tail((1.0 - level) / 2.0)
+        between = f"{at_least(span.low)} to {at_most(span.high)} strokes left in {percent(level)} of the futures"
+        return f"until {limit}: {between} ({ends} pass it sooner, {ends} later); {half}."
+    least = f"at least {at_least(span.low)} strokes left in {percent(level)} of the futures"
+    return f"until {limit}: {least} ({tail(1.0 - level)} pass it sooner); {half}; {further} {most}."
+
+
+def law(one: Answer) -> str:
+    """The law that has the most weight."""
+    choice = one.left.choice
+    return f"The law of most weight: {choice.best.law.name} ({percent(choice.weights.max())})." if choice else ""
+
+
+def answered(one: Answer, level: float, told: bool) -> list[str]:
+    """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
+    state = one.left.span(level).state
+    lines = [f"  {so_far(one)}", f"  {sentence(one, level, told)}"]
+    if state in ("no claim", "passed"):
+        return lines
+    return [*lines, f"    {' '.join([measured(one.question, state), law(one)]).strip()}"]
+
+
+def zero(jump: Jump) -> str:
+    """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
+    if jump.taken_off:
+        return f"{jump.run} has `tare: run`: the {abs(jump.jump_mm):.2g} mm by which its zero was moved are taken off."
+    done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
+    return f"{jump.advice} {done}."
+
+
+def young(run: str) -> str:
+    """What is said of a run that begins as the string began."""
+    return (
+        f"{run} begins as this string began: its first strokes and their loops are those of strokes 1 to {REFERENCE} "
+        f"again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its run.yaml "
+        "(--string-id of pipeline.new_run)."
+    )
+
+
+def sentences(health: Health, answers: list[Answer], level: float) -> str:
+    """All answers in words, a few lines."""
+    lines = seen(health)
+    if health.left_out:
+        lines.append(
+            f"  {len(health.left_out)} strokes wind over another range than most of the first three and are left out."
+        )
+    lines += [f"  {young(run)}" for run in health.anew]
+    lines += [f"  {zero(jump)}" for jump in health.jumps]
+    enough = not few(len(health.strokes))
+    lines += [line for one in answers for line in answered(one, level, enough)]
+    if any(len(one.left.when) for one in answers):
+        lines.append(f"  {UNFORESEEN}")
+    if enough:
+        lines.append(f"  {advice(answers)}")
+    return "\n".join(lines)

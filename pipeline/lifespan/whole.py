@@ -1,0 +1,15 @@
+"""Bounds in whole strokes: a lower one is cut down and an upper one is cut up, so that neither promises too much."""
+
+import math
+
+HAIR = 1e-6  # of a stroke: what arithmetic adds to a whole number makes it no other
+
+
+def at_least(strokes: float) -> str:
+    """A lower bound, or a stroke that is not reached: `9` of 9.52."""
+    return f"{math.floor(strokes + HAIR)}"
+
+
+def at_most(strokes: float) -> str:
+    """An upper bound: `10` of 9.52."""
+    return f"{math.ceil(strokes - HAIR)}"
