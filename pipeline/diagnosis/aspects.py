@@ -6,14 +6,16 @@ from pipeline.diagnosis.judge import Judge, Weighed
 
 CHIEF = 2  # aspects that are kept for each explanation
 SIGNS = {
-    "left": ("left_share", "left_floors", "left_behind_1", "left_behind_2", "left_behind_3", "mismatch_floors"),
-    "fit": ("gain", "behind_1", "behind_2", "behind_3"),
+    "fit": (
+        "gain", "behind_1", "behind_2", "behind_3",
+        "left_share", "left_floors", "left_behind_1", "left_behind_2", "left_behind_3", "mismatch_floors",
+    ),
     "numbers": ("numbers",),
     "weakest": ("weakest_share", "weakest_floors", "weakest_gain", "weakest_completes"),
     "instead": ("instead",),
     "more": ("more_share", "more_floors", "more_gain", "more_completes"),
     "cancels": ("cancels",),
-}  # of each aspect; the first tells which way it points
+}  # of each aspect; the first tells which way it points  # fmt: skip
 MARKS = ("with_", "without_")  # of a mechanism, whose id follows
 
 

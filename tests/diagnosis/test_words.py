@@ -744,6 +744,9 @@ def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
         assert f" Error on the last 30 % of strokes, which the adopted effects {said} nominal 1.9 mm" in text
         assert "unseen" not in text and "no fit has seen" not in text
     assert "It was fitted to this very recording, all its strokes included" in second()
+    again = content(adopted=[{"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}])
+    again["simulation"] = [{"id": "creep", "parameters": {}}]
+    assert "which the adopted effects have seen" in told(again), "creep, which is adopted, is named once more"
     elsewhere = second(runs=["nylon-2"])
     assert "Error on strokes that no fit has seen" in elsewhere and "very recording" not in elsewhere
     held = {"fit__heldout__calibrated_mm": 3.0, "fit__heldout__explained_mm": 3.0, "evidence__calibrated_mm": 0.031}
@@ -808,11 +811,14 @@ def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
 
 def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
     made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
-    made["evidence"]["explanations"][3]["because"] = [{"aspect": "left", "log_odds": -0.9, "more": 1.2}]
+    made["evidence"]["explanations"][3]["because"] = [{"aspect": "fit", "log_odds": -0.9, "more": -1.2}]
     made["evidence"]["explanations"][2]["because"] = [{"aspect": "more", "log_odds": -0.9, "more": -1.2}]
     text = " ".join(told(made).split())
     likely, beaten = text.split("Why no other explanation")
-    assert "times the noise). It is 2.0 times less likely than the best one, chiefly since it leaves more." in likely
+    assert (
+        "times the noise). It is 2.0 times less likely than the best one, chiefly since it fits the recording worse."
+        in likely
+    )
     assert (
         "It is 8.7 times less likely than the best one, chiefly since a further effect would add less to it" in beaten
     )

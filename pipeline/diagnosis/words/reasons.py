@@ -6,8 +6,7 @@ from pipeline.diagnosis.words.quantity import number, times
 
 # of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger
 SAID = {
-    "left": ("it leaves less", "it leaves more"),
-    "fit": ("it fits worse sample by sample", "it fits better sample by sample"),
+    "fit": ("it fits the recording worse", "it fits the recording better"),
     "numbers": ("it has fewer free numbers", "it has more free numbers"),
     "weakest": ("its weakest part is worth less", "its weakest part is worth more"),
     "instead": (

@@ -7,8 +7,9 @@ UNSEEN, SEEN, PERHAPS = "unseen", "seen", "perhaps"
 
 
 def included(content: dict[str, Any]) -> list[str]:
-    """Ids that the simulator had from run.yaml before it was asked."""
+    """Ids that the simulator had from run.yaml before it was asked, those that it names once more among them."""
     new = {entry["id"] for entry in content["mechanisms"]}
+    new -= {id_ for one in content.get("adopted", []) for id_ in one["effects"]}
     return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
 
 
