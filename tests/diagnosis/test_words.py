@@ -759,7 +759,10 @@ def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
 def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed():
     text = second(next_experiment="One stroke under half the load: 28 s in all.")
     still = "What was adopted tied with others. The run that decides is still that of the adopted verdict: "
-    assert f"The run to make next {still}One stroke under half the load: 28 s in all. Diagnose the runs" in text
+    assert (
+        f"The run to make next {still}One stroke under half the load: 28 s in all. Take `simulation` and `adopted` out"
+        in text
+    )
     assert "nothing is missing" not in text and "None is proposed" not in text
     assert f"{still}it stands there under the same heading." in second()
     assert "None is proposed" in second(tied=[], verdict="explained")

@@ -33,7 +33,8 @@ NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording s
 STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict"
 LOST = "it stands there under the same heading."
 WITHOUT = (
-    "Diagnose the runs together without `simulation` in their run.yaml: an effect that is adopted is not weighed again."
+    "Take `simulation` and `adopted` out of their run.yaml before you diagnose the runs together: an effect that is "
+    "adopted is not weighed again."
 )
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
