@@ -3,25 +3,16 @@
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.record import wild
 from pipeline.diagnosis.words.quantity import size
-from pipeline.simulate import tared
+from pipeline.simulate import off, tared
 
 WHY = (
     "The effects were fitted together with the calibrated dimensions, but run.yaml keeps the dimensions as measured. "
-    "So it may err by more than the verdict says. Measure again the dimensions that the verdict names, and write them "
-    "into run.yaml."
+    "So it may err by more than the verdict says. Do not copy calibrated values into run.yaml: measure again the "
+    "dimensions that the verdict names, and write what you measured."
 )
 NEXT = "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator."
-
-
-def off(problem: Problem, content: dict[str, Any], path: Path, run: str) -> float:
-    """How far what a diagnosis simulates is off a run's recording, rms, lonely wild readings left out."""
-    residual = problem.measured - tared(problem, content, path, run)
-    return float(np.sqrt(np.mean(np.square(residual[~wild(residual)[0]]))))
 
 
 def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any], path: Path) -> list[str]:
@@ -31,14 +22,21 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     """
     unit = problem.drivers.units.reading
     plain: dict[str, Any] = {"run": run, "parameters": {}}
-    old, new = (off(problem, {**plain, "simulation": acts}, path, run) for acts in (before, content["simulation"]))
-    lines = [
-        f"on this recording, its zero set in the first second, pipeline.simulate RUN_DIR errs by {size(new, unit)} rms "
-        f"now; before, {size(old, unit)}"
-    ]
+    (old, old_fitted), (new, new_fitted) = (
+        off(problem, tared(problem, {**plain, "simulation": acts}, path, run))
+        for acts in (before, content["simulation"])
+    )
+    zero = ", its zero set in the first second," if problem.system.free_zero else ""
+    now = f"{size(new, unit)} rms now; before, {size(old, unit)}"
+    lines = [f"on this recording{zero} pipeline.simulate RUN_DIR errs by {now}"]
+    if problem.system.free_zero:
+        fitted = f"{size(new_fitted, unit)} rms now; before, {size(old_fitted, unit)}"
+        lines.append(
+            f"a verdict fits the zero instead: with its zero fitted to the whole recording it errs by {fitted}"
+        )
     of = content.get("run", run)
     if content["parameters"] and run in (of if isinstance(of, list) else [of]):
-        whole = off(problem, content, path, run)
+        whole, _ = off(problem, tared(problem, content, path, run))
         lines.append(
             f"with --simulation {path} it errs by {size(whole, unit)}: that takes the calibrated dimensions too"
         )

@@ -74,7 +74,7 @@ def diagnose(
     if jumps:
         told = ("before", "run", "jump_mm", "floor_mm")
         content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
-    earlier = [one.model_dump() for run in runs for one in run.adopted]
+    earlier = [one.model_dump(exclude_none=True) for run in runs for one in run.adopted]
     if earlier:
         content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
     if together:

@@ -94,6 +94,8 @@ class Adopted(_Section):
     effects: list[str]
     verdict: Literal["explained", "ambiguous"]
     tied: list[list[str]] = Field(default_factory=list)
+    runs: list[str] | None = Field(None, description="the runs that the effects were fitted to")
+    next_experiment: str | None = Field(None, description="the run that decides between what tied, in words")
 
 
 class Channel(_Section):

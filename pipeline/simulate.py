@@ -14,7 +14,8 @@ from pipeline.complaint import key_name, short
 from pipeline.diagnosis.adopt import acts_from, is_number
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.words.quantity import listing
+from pipeline.diagnosis.record import wild
+from pipeline.diagnosis.words.quantity import listing, size
 from pipeline.errors import BadInput, program
 from pipeline.ingest import read_samples
 from pipeline.kinematics import Array
@@ -102,6 +103,13 @@ def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Ar
     )
 
 
+def off(problem: Problem, predicted: Array) -> tuple[float, float]:
+    """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and its zero fitted."""
+    residual = problem.measured - predicted
+    residual = residual[~wild(residual)[0]]
+    return float(np.sqrt(np.mean(np.square(residual)))), float(np.std(residual))
+
+
 def at_rows(time_s: Array, working_s: Array, predicted: Array) -> Array:
     """A prediction at the working rate, at the recording's own stamps; the first and last mean lie as far inside."""
     inside = (np.ptp(time_s) - np.ptp(working_s)) / 2.0
@@ -126,6 +134,7 @@ def main() -> None:
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
     problem = at_own_rate([run], [samples], thin=run.system.differentiates)
     predicted = tared(problem, content, source, run.run)
+    error, _ = off(problem, predicted)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(
             f"warning: {source} counts time from the start of {key_name(content['run'][0])}",
@@ -137,6 +146,9 @@ def main() -> None:
     schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
     print(f"{run.run}: {len(table)} samples simulated with {acting} and the dimensions of {source}")
+    if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
+        zero = ", its zero set in the first second" if problem.system.free_zero else ""
+        print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
 
 
 if __name__ == "__main__":

@@ -52,7 +52,13 @@ def adoptions(content: dict[str, Any], where: str) -> list[dict[str, Any]]:
         if not isinstance(ids, list) or not all(isinstance(id_, str) and id_ in mechanisms() for id_ in ids):
             problem = f"holds {short(ids)}, which is no list of mechanisms of the library"
             raise BadInput(where, "mechanisms, alternatives", problem, "give a diagnosis.json as it was made")
-    return [*before, {"effects": effects, "verdict": content["verdict"], "tied": tied}]
+    made: dict[str, Any] = {"effects": effects, "verdict": content["verdict"], "tied": tied}
+    runs, experiment = content.get("run"), content.get("next_experiment")
+    if runs:
+        made["runs"] = [runs] if isinstance(runs, str) else runs
+    if isinstance(experiment, str) and tied:
+        made["next_experiment"] = experiment
+    return [*before, made]
 
 
 def is_number(value: Any) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import engine, generic, locate, named
+from pipeline.diagnosis import aspects, engine, generic, locate, named
 from pipeline.diagnosis.compare import price
 from pipeline.diagnosis.outcome import Study, cancels, rms
 from pipeline.diagnosis.problem import Problem
@@ -63,6 +63,7 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
         entry[f"bent_{ending}"] = float(np.sqrt(max(search.bent(one).energy, 0.0)))
         if first and one.ids and one is not first:
             entry["worse"] = price(search, one) - price(search, first)
+            entry["because"] = because(found, one.ids, first.ids)
             gap = fitted(search, first) - fitted(search, one)
             entry[f"gap_{ending}"] = float(np.sqrt(np.mean(np.square(gap))))
             entry["location"] = locate.box(gap, found.problem)
@@ -81,6 +82,15 @@ def probability(found: Study, ids: tuple[str, ...]) -> float | None:
     """
     weighed = {} if not found.problem.drivers.levered else found.judged.likely
     return weighed.get(ids, weighed.get(tuple(id_ for id_ in ids if id_ not in found.random)))
+
+
+def because(found: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[dict[str, Any]] | None:
+    """What counts most against an explanation beside the best one; None where the judge did not weigh both."""
+    known = {one.ids: one for one in found.judged.weighed}
+    one, first = (
+        known.get(each, known.get(tuple(id_ for id_ in each if id_ not in found.random))) for each in (ids, best)
+    )
+    return aspects.chief(found.problem.judge, one, first) if one and first and one is not first else None
 
 
 def fitted(search: Search, one: Explanation) -> Array:

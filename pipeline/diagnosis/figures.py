@@ -13,6 +13,7 @@ from matplotlib.patches import Patch
 from pipeline.diagnosis import panels
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.panels import AFTER, BEFORE
+from pipeline.diagnosis.words.sight import heading
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.files import whole
@@ -76,7 +77,7 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     compared, single = noises(content, Vocabulary.of(problem.system))
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
-    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single)
+    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content))
     followed = list(panels.listeners(drivers).items())[:MOST]
     grid = panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):

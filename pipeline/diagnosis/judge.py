@@ -54,6 +54,25 @@ class Judge:
         apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
         return np.hstack([every, APART * apart])
 
+    def because(self, one: Weighed, other: Weighed) -> dict[str, float]:
+        """What each sign, the `names` and the `size` add to the log of how much likelier `one` is than `other`.
+
+        The parts add up to all of it. A sign counts by the mean of its weights in explanations of either size; what
+        is due to the sizes alone counts under `size`.
+        """
+        first, second = self.basis([one, other])
+        half = len(self.weights) // (1 + len(SIZES))
+        weights = self.weights[:half] + APART * np.array(
+            [self.weights[half * len(each.ids) : half * (1 + len(each.ids))] for each in (one, other)]
+        )
+        mean, apart = weights.mean(axis=0), weights[0] - weights[1]
+        parts = mean * (first - second)[:half]
+        found = {"size": float(parts[0] + apart @ (first + second)[:half] / 2.0)}
+        at = 1
+        for name, knots in self.knots.items():
+            found[name], at = float(parts[at : at + len(knots) - 1].sum()), at + len(knots) - 1
+        return found | {"names": float(parts[at:].sum())}
+
     def probabilities(self, some: list[Weighed]) -> Array:
         """Of each explanation, and, last, of none of them."""
         scores = np.append(self.basis(some) @ self.weights, none_of(some) @ self.of_none)

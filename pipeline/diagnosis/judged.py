@@ -6,6 +6,7 @@ import numpy as np
 
 from pipeline.diagnosis import compare, order
 from pipeline.diagnosis.interface import physics
+from pipeline.diagnosis.judge import Weighed
 from pipeline.diagnosis.problem import State
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.diagnosis.weigh import weighed
@@ -23,6 +24,7 @@ class Judged:
     sets: list[Explanation]
     likely: dict[tuple[str, ...], float]
     none: float
+    weighed: tuple[Weighed, ...] = ()  # with their signs
 
     def confidence(self, id_: str) -> float:
         """How likely a mechanism is at work, whatever is beside it."""
@@ -57,4 +59,4 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
     none += sum(share for one, share in zip(some, named.tolist(), strict=True) if not physics(one.ids))
     likely = {one.ids: float(share) for one, share in zip(some, named, strict=True)}
-    return Judged([search.explain(some[place].ids) for place in held(named)], likely, none)
+    return Judged([search.explain(some[place].ids) for place in held(named)], likely, none, tuple(some))

@@ -1,5 +1,6 @@
 """The panels of a diagnosis' page: each draws one thing on the axes that it is given."""
 
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -21,23 +22,19 @@ BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
 BAND = "0.92"  # the noise
 BINS = 24
+TITLE_WIDE = 42  # characters
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
-    "tied": (TIED, "cannot be ruled out"),
-    "beaten": (OTHER, "ruled out: verdict.txt says why"),
-    "not needed": (MORE, "ruled out, larger than the best"),
+    "tied": (TIED, "likely as well"),
+    "beaten": (OTHER, "less likely: verdict.txt says why"),
+    "not needed": (MORE, "less likely, larger than the best"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
 BENT_FORMULA = "left if its formulas may be a little wrong"
 MOTION = {
-    "turns": "twist",
-    "deg": "angle",
-    "rad": "angle",
-    "m": "position",
-    "mm": "position",
-    "": "motion",
-}  # by its unit
+    "turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion",
+}  # by its unit  # fmt: skip
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 
 
@@ -123,10 +120,11 @@ def plain(axis: Axis) -> None:
 
 
 def held_out(
-    axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str, noise: str = "noise"
-) -> None:
-    """Error on strokes that no fit has seen, with the floor, called `noise`; `ending` is that of the keys."""
-    axes.set_title("error on unseen strokes")
+    axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str, noise: str = "noise",
+    title: str = "Error on strokes that no fit has seen",
+) -> None:  # fmt: skip
+    """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys."""
+    axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
     if not held:
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])

@@ -106,10 +106,11 @@ def diagnosis(
     unit = problem.system.channel.rpartition("_")[2]
     parameters, sizes, shapes = intervals(problem, found.state, found.noise)
     named = found.verdict in ("explained", "ambiguous")
-    mismatch = None
+    mismatch, pattern = None, None
     if found.verdict != "consistent":
         signal, driver = mismatch_signal(found)
         if found.verdict == "parameters":
+            pattern = {"location": locate.box(signal, problem), "driver": driver}
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
             driver = ["the dimensions themselves"]
         place = locate.box(signal, problem)
@@ -151,7 +152,7 @@ def diagnosis(
         "simulation": entries(found.state.acts, problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
-    content["evidence"] = evidence(found)
+    content["evidence"] = evidence(found) | ({"pattern": pattern} if pattern else {})
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():
         content["parameters"][name]["at_bound"] = which
     if without:

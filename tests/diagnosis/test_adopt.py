@@ -147,14 +147,27 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     def errs(*words: object) -> float:
         return float((measured - simulated(folder, *words)).pow(2).mean() ** 0.5)
 
+    def fitted() -> float:
+        return float((measured - simulated(folder)).std())
+
     named(diagnosis, **DRIFT)
-    before, whole = errs(), errs("--simulation", diagnosis)
+    before, before_fitted, whole = errs(), fitted(), errs("--simulation", diagnosis)
     done = run("pipeline.adopt", diagnosis, folder)
     said = [float(one) for one in re.findall(r"([0-9.]+) mm", done.stdout)]
-    assert said == pytest.approx([errs(), before, whole], rel=0.05), done.stdout
+    assert said == pytest.approx([errs(), before, fitted(), before_fitted, whole], rel=0.05), done.stdout
     assert "run.yaml keeps the dimensions as measured. So it may err by more than the verdict says" in done.stdout
+    assert "Do not copy calibrated values into run.yaml: measure again" in done.stdout
 
 
+def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None:
+    out = folder.parent / "simulated.parquet"
+    done = run("pipeline.simulate", folder, "--out", out)
+    error = pd.read_parquet(folder / "recording.parquet")["displacement_mm"] - pd.read_parquet(out)["displacement_mm"]
+    said = re.search(r"rms error against the recording, its zero set in the first second: ([0-9.]+) mm\n", done.stdout)
+    assert said and float(said[1]) == pytest.approx(float(error.pow(2).mean() ** 0.5), rel=0.05), done.stdout
+
+
+NEXT = "One stroke under twice the load: 28 s in all."
 TIED = [["creep"], ["thermal", "wear"]]
 
 
@@ -167,10 +180,11 @@ def judged(path: Path, verdict: str, tied: list, **more: object) -> dict:
 
 
 def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folder: Path, diagnosis: Path) -> None:
-    judged(diagnosis, "ambiguous", TIED)
+    judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
     done = run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "2 other explanations tied with it: adopted in run.yaml" in done.stdout
-    first = {"effects": ["sensor_drift"], "verdict": "ambiguous", "tied": TIED}
+    first = {"effects": ["sensor_drift"], "verdict": "ambiguous", "tied": TIED, "runs": [folder.name]}
+    first |= {"next_experiment": NEXT}
     text = (folder / "run.yaml").read_text()
     assert yaml.safe_load(text)["adopted"] == [first] and "# measured by hand" in text
     assert "holds sensor_drift already" in run("pipeline.adopt", diagnosis, folder).stdout
@@ -181,13 +195,15 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     assert content["adopted"] == [first]
     said = " ".join((out / folder.name / "verdict.txt").read_text().split())
     assert (
-        "Instead of what was adopted (sensor_drift) this may be right, for it fitted alike: creep or thermal + w"
+        "Instead of what was adopted (sensor_drift) this may be right, for it was likely as well: creep or thermal + w"
         in said
     )
     pasted = out / folder.name / "simulation.yaml"
     assert content["verdict"] in ("explained", "ambiguous") and pasted.is_file()
     own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
-    own |= {"tied": content["alternatives"]}
+    own |= {"tied": content["alternatives"], "runs": [folder.name]}
+    own |= {"next_experiment": content["next_experiment"]} if content["next_experiment"] else {}
+    assert "Error on the last 30 % of strokes, which the adopted effects have seen" in said and "unseen" not in said
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
     assert run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]

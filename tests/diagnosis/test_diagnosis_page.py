@@ -13,6 +13,7 @@ from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.diagnosis.words.quantity import percent
+from pipeline.diagnosis.words.sight import heading
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.ingest import read_samples
@@ -93,6 +94,19 @@ def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_wo
         assert said in [text.get_text() for text in axes.get_legend().get_texts()]
     drawn_ = figure.subfigs[-2].axes[0].get_legend().get_texts() + figure.subfigs[-1].legends[0].get_texts()
     assert not [text for text in drawn_ if "floor" in text.get_text()]
+
+
+def test_the_title_of_the_error_on_held_out_strokes_says_whether_a_fit_has_seen_them(drawn) -> None:
+    figure, content = drawn
+    assert figure.subfigs[-2].axes[1].get_title() == "Error on strokes that no fit has seen"
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": [content["run"]]}
+    _, axes = plt.subplots()
+    held = {"split": "last 2 strokes", "nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    made = content | {"adopted": [one], "fit": content["fit"] | {"heldout": held}}
+    panels.held_out(axes, held, 0.02, "mm", "mm", title=heading(made))
+    said = " ".join(axes.get_title().split())
+    assert said == "Error on the last 2 strokes, which the adopted effects have seen"
+    assert max(map(len, axes.get_title().splitlines())) <= panels.TITLE_WIDE
 
 
 def test_the_page_says_each_colour_of_the_figure_in_the_words_of_its_legend() -> None:

@@ -105,7 +105,7 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
     assert "-0.000" not in text and "-0 " not in text
     assert "Over the whole recording 0.44 mm rms after calibration, 15 times the noise." in text
     assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
-    assert "friction_hysteresis follows the direction of motion and the load.\n  creep follows time under" in text
+    assert "Its parts follow the direction of motion and the load; time under load." in text
 
 
 def test_sentences_say_size_reach_and_what_was_found():
@@ -127,8 +127,8 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
     ):  # fmt: skip
         assert step in text
     assert (
-        "This run is to tell creep from thermal. So far the two predictions differ by 2.2 times what the noise alone "
-        "makes; with the run it should be 73 times."
+        "This run is to tell creep from thermal. So far the two predictions differ by 2.2 standard deviations; "
+        "with the run it should be 73."
     ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
     assert "with the same `string.id`" in text
@@ -183,7 +183,9 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
     assert "Together they leave 0.030 mm rms (1.0 times the noise)." in text
     assert "Both explanations have friction_hysteresis. The other one is:" in text
     assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise)." in text
-    allowed = "If a true effect may differ from its formula by 10 % of its size, this leaves 1.0 times the noise."
+    allowed = (
+        "If a true effect may differ from its formula by 10 % of its size, friction_hysteresis + thermal leaves 1.0"
+    )
     assert text.count(allowed) == 1
     beaten = text[text.index("Why no other explanation") :]
     assert "creep: leaves 0.060 mm rms (2.0 times the noise). Its prediction differs from the best one by" in beaten
@@ -331,10 +333,10 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     text = told(made)
     said = "creep moves the reading by 3.5 mm rms, but only 0.44 mm rms is missing. The rest hides in dimensions that"
-    assert f"{said} calibration moved, and in the other effects. So this recording tells badly how large it is." in text
+    assert f"{said} calibration moved, and in the other effects. Its size is poorly known." in text
     assert "friction_hysteresis moves" not in text
     made["mechanisms"][1]["rms_mm"]["value"] = 0.6
-    assert "creep moves the reading by 0.60 mm rms" in told(made) and "tells badly" not in told(made)
+    assert "creep moves the reading by 0.60 mm rms" in told(made) and "poorly known" not in told(made)
 
 
 def test_events_are_told_one_by_one():
@@ -413,7 +415,7 @@ def test_the_sentences_keep_their_subject_and_need_no_second_reading():
         text = told(made)
         assert ("so it does not decide" in text) == (gap > 25.0)
         assert "standard deviations of the noise" not in text
-        assert not re.search("make up for|a little wrong|slightly wrong|two part|less likely|whatever the rig", text)
+        assert not re.search("make up for|a little wrong|slightly wrong|two part|whatever the rig", text)
 
 
 def adopted(verdict="parameters", **changes):
@@ -427,14 +429,17 @@ def adopted(verdict="parameters", **changes):
 def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
     for verdict in ("consistent", "parameters"):
         text = adopted(verdict)
-        assert "physics is missing" not in text and "with what run.yaml has adopted, " in text.splitlines()[0]
-        assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
         assert (
-            "the dimensions alone explain" not in text and "None is proposed: with what was adopted, nothing is" in text
+            "physics is missing" not in text and "nothing further can be named beside what was adopted (creep)" in text
         )
-        assert "the error on unseen strokes below is no test" in " ".join(text.split())
+        assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
+        assert "the dimensions alone explain" not in text and "None is proposed: beside what" in text
+        assert "if it is this one, the error on its last strokes below is no test" in " ".join(text.split())
         assert "can also cover another one that is really there" in text
-        assert "Adopted effects bend dimensions as well (creep)" in text
+        assert (
+            "Adopted effects bend dimensions as well (creep). Do not copy calibrated values into run.yaml: measure"
+            in text
+        )
     bare = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None)
     said = " ".join(told(bare).split())
     assert "no physics is missing" in said and "adopted" not in said.lower()
@@ -443,8 +448,10 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
 def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
     one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"], ["wear", "slack"], ["jam"]]}
     said = " ".join(adopted(adopted=[one]).split())
-    told_ = "this may be right, for it fitted alike: thermal or wear + slack, or one of 1 more (`adopted` in run.yaml)."
-    assert f"Instead of what was adopted (creep) {told_}" in said and "Whether another explanation fits" not in said
+    told_ = "this may be right, for it was likely as well: thermal or wear + slack, or one of 1 more (`adopted` in run"
+    assert (
+        f"Instead of what was adopted (creep) {told_}.yaml)." in said and "Whether another explanation fits" not in said
+    )
     said = " ".join(adopted(adopted=[one | {"tied": [], "verdict": "explained"}]).split())
     assert "No other explanation tied with what was adopted (creep)." in said
     assert "Whether another explanation fits as well stands in the verdict that was adopted" in " ".join(
@@ -476,8 +483,8 @@ def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_a
 @pytest.mark.parametrize(
     ("calibrated", "said"),
     [
-        (0.039, "Something systematic is still missing: the unseen strokes are missed by 1.3 times the noise, those"),
-        (0.030, "Something changes from stroke to stroke that the fit does not foresee: the unseen strokes are missed"),
+        (0.039, "Something systematic is still missing: the last strokes are missed by 1.3 times the noise, those"),
+        (0.030, "Something changes from stroke to stroke that the fit does not foresee: the last strokes are missed"),
     ],
 )
 def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones(calibrated, said):
@@ -485,7 +492,7 @@ def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones
     text = adopted(**held, evidence__calibrated_mm=calibrated)
     assert said in text
     assert ("from stroke to stroke" in text) == (calibrated < 0.035)
-    assert ("So nothing is new in the unseen ones." in text) == (calibrated > 0.035)
+    assert ("So nothing is new in the last strokes." in text) == (calibrated > 0.035)
 
 
 def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
@@ -496,7 +503,7 @@ def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhe
     assert "Compared were averages of 0.05 s, not single samples: the noise of these" in averaged
     assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
     assert "Here single samples are compared, so the noise is that of single samples: 0.031 mm rms." in text
-    assert "except for unseen strokes, which are compared sample by sample." in " ".join(text.split())
+    assert "except for the unseen strokes, compared sample by sample." in " ".join(text.split())
     assert "single samples" not in told().split("What the words mean")[0]
 
 
@@ -515,11 +522,11 @@ def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means(
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    assert "So far the two predictions differ by 53 times what the noise alone makes." in text
-    assert "The run may not decide either: with the run it should be 69 times," in text
+    assert "So far the two predictions differ by 53 standard deviations." in text
+    assert "The run may not decide either: with the run it should be 69," in text
     text = told(content(next_run__gap_now=900.0))
     more = "2.4 times as much"
-    assert f"With the run they should differ by 73 times, {more}: a formula would have to be wrong by {more}" in text
+    assert f"With the run they should differ by 73, {more}: a formula would have to be wrong by {more}" in text
     assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
 
 
@@ -534,7 +541,7 @@ def test_what_is_named_comes_with_the_command_that_adopts_it():
     assert "  python -m pipeline.adopt reports/nylon-3/diagnosis.json raw/nylon-3\n" in to_adopt()
     assert "Another explanation may be the right one" in to_adopt()
     assert "Another explanation" not in to_adopt(verdict="explained", next_run=None)
-    assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Do not: on unseen strokes")
+    assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Do not: on the unseen strokes")
     assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
 
 
@@ -569,8 +576,8 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
     text = adopted(verdict, **LEFT)
     head = " ".join(text.partition("\n\n")[0].split())
     assert head == (
-        f"nylon-3: {verdict}: with what run.yaml has adopted, no further effect can be named, and 0.052 mm rms "
-        "stays unexplained, 2.5 times the noise."
+        f"nylon-3: {verdict}: nothing further can be named beside what was adopted (creep), and 0.052 mm rms stays "
+        "unexplained, 2.5 times the noise."
     )
     assert "Something systematic is still missing" in text
     assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
@@ -624,7 +631,9 @@ def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_show
 def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig():
     made = content()
     made["evidence"]["explanations"][-1]["left_mm"] = 0.05
-    said = "What the simulation still misses bends dimensions as well: change none that is not measured."
+    said = (
+        "What the simulation still misses bends dimensions as well. Do not copy calibrated values into run.yaml: meas"
+    )
     assert said in told(made) and said not in told()
     many = {f"{name}_mm": 3.0 for name in ("radius", "length", "separator", "torsion_zone")}
     values = dict.fromkeys(many, CONTENT["parameters"]["radius_mm"])
@@ -691,8 +700,9 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
     beaten = text[text.index("Why no other") :]
     assert beaten.index("sensor_drift: probability") < beaten.index("creep: probability less than 1 %; leaves")
-    rule = "the likeliest ones are kept until together they have 80 % of the probability of all explanations, and every"
-    assert f"How an explanation is ruled out: {rule} other is ruled out. Here the 2 kept have 83 %." in text
+    rule = "the likeliest ones, until together they have 80 % of the probability of all explanations. Every other is"
+    assert f"Which explanations are kept: {rule} less likely, not impossible. Here the 2 kept have 83 %." in text
+    assert "ruled out" not in text and "What is likely beside it Both explanations" in text
     assert "That no physics of the library explains the recording has a probability of 4 %." in text
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
@@ -705,11 +715,11 @@ def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_n
     assert "No probabilities are known on this rig: they were learnt on strings." in text and "probability" not in (
         text.replace("No probabilities", "").lower()
     )
-    assert "ruled out where" not in told()
+    assert "left out where" not in told()
     unknown = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.3, 0.1, 0.0, 0.1, 0.02, none=0.48, **unknown)).split())
     assert "creep: probability 30 %; takes 99 % of the mismatch's energy." in text
-    assert "is right has a probability of 48 %; from 40 % on the verdict is unknown." in text
+    assert "recording has a probability of 48 %; from 40 % on the verdict is unknown." in text
 
 
 def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():
@@ -720,3 +730,111 @@ def test_two_explanations_that_an_idle_effect_made_different_share_one_probabili
     made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
     (best,) = [one for one in without_idle(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"]
     assert best["ids"] == ["friction_hysteresis"] and best["probability"] == pytest.approx(0.6)
+
+
+def second(**changes):
+    """The words on a run whose own verdict was adopted, and named creep and what tied with it."""
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    return " ".join(adopted(adopted=[one | changes]).split())
+
+
+def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
+    for runs, said in ((["nylon-3"], "have seen"), (None, "may have seen")):
+        text = second(runs=runs)
+        assert f" Error on the last 30 % of strokes, which the adopted effects {said} nominal 1.9 mm" in text
+        assert "unseen" not in text and "no fit has seen" not in text
+    assert "It was fitted to this very recording, all its strokes included" in second()
+    again = content(adopted=[{"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}])
+    again["simulation"] = [{"id": "creep", "parameters": {}}]
+    assert "which the adopted effects have seen" in told(again), "creep, which is adopted, is named once more"
+    elsewhere = second(runs=["nylon-2"])
+    assert "Error on strokes that no fit has seen" in elsewhere and "very recording" not in elsewhere
+    held = {"fit__heldout__calibrated_mm": 3.0, "fit__heldout__explained_mm": 3.0, "evidence__calibrated_mm": 0.031}
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    doubts = " ".join(adopted(adopted=[one], **held).split())
+    assert "On the last strokes the calibrated simulator is worse" in doubts and "unseen" not in doubts
+    assert "Something systematic is still missing: the last strokes are missed by 96 times the noise. " in doubts
+
+
+def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed():
+    text = second(next_experiment="One stroke under half the load: 28 s in all.")
+    still = "What was adopted tied with others. The run that decides is still that of the adopted verdict: "
+    assert (
+        f"The run to make next {still}One stroke under half the load: 28 s in all. Take `simulation` and `adopted` out"
+        in text
+    )
+    assert "nothing is missing" not in text and "None is proposed" not in text
+    assert f"{still}it stands there under the same heading." in second()
+    assert "None is proposed" in second(tied=[], verdict="explained")
+
+
+def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place():
+    made = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "mismatch__rms_mm": 0.012}
+    box = {"motor_turns": [0.0, 6.0], "strokes": [1, 12], "phase": "hold", "share": 0.81}
+    pattern = {"location": box, "driver": ["time under load"]}
+    text = " ".join(told(content(**made, evidence__pattern=pattern)).split())
+    left = "0.012 mm rms is left after calibration, 0.4 times the noise, and no effect is named for it."
+    assert f"What is missing {left} That is more than the smallest size from which some effects would" in text
+    share = "81 % of the energy of what is systematic in it lies at 0 to 6 turns, in holds. It follows time under load."
+    assert share in text
+    assert "What is missing" not in told(content(**made | {"mismatch__rms_mm": 0.0}, evidence__pattern=pattern))
+    assert "That is more than" not in told(content(**made | {"mismatch__rms_mm": 0.003}, evidence__pattern=pattern))
+
+
+def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
+    zero = {"zero_mm": {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}}
+    said = "In a verdict the zero of the reading is fitted. pipeline.adopt and pipeline.simulate set it in the first"
+    assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
+
+
+def confident(friction, creep, **changes):
+    """A verdict with the confidence of both of its effects."""
+    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, **changes)
+    for entry, share in zip(made["mechanisms"], (friction, creep), strict=True):
+        entry["confidence"] = share
+    return made
+
+
+def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
+    lines = told(confident(0.93, 0.46)).splitlines()
+    assert lines[1] == "  Sure: friction_hysteresis (93 %). Open: creep (46 %) and thermal."
+    lines = told(confident(0.8, 0.62, alternatives=[["friction_hysteresis"]])).splitlines()
+    assert lines[1] == "  Sure: friction_hysteresis (80 %). Probable: creep (62 %)."
+    assert not told(content()).splitlines()[1]
+
+
+def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
+    text = told(confident(0.93, 0.46))
+    assert "One of creep and thermal is needed; which one is open." in text and "more likely absent" not in text
+    text = told(confident(0.93, 0.46, alternatives=[["friction_hysteresis", "thermal"], ["friction_hysteresis"]]))
+    assert "creep is more likely absent than at work (46 %)." in text and "is needed; which" not in text
+    text = told(confident(0.93, 0.62))
+    assert "is needed; which" not in text and "more likely absent" not in text
+
+
+def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
+    made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
+    made["evidence"]["explanations"][3]["because"] = [{"aspect": "fit", "log_odds": -0.9, "more": -1.2}]
+    made["evidence"]["explanations"][2]["because"] = [{"aspect": "more", "log_odds": -0.9, "more": -1.2}]
+    text = " ".join(told(made).split())
+    likely, beaten = text.split("Why no other explanation")
+    assert (
+        "times the noise). It is 2.0 times less likely than the best one, chiefly since it fits the recording worse."
+        in likely
+    )
+    assert (
+        "It is 8.7 times less likely than the best one, chiefly since a further effect would add less to it" in beaten
+    )
+    assert "creep: probability less than 1 %" in beaten and "It is 130 times less likely than the best one." in beaten
+
+
+def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():
+    for start, said in ((2.8, "over the whole range."), (8.0, "at 8 to 30.7 turns.")):
+        box = {"motor_turns": [start, 30.7], "strokes": [1, 12], "phase": "all", "share": 0.8}
+        assert f"80 % of its energy lies {said}" in told(content(mismatch__location=box))
+
+
+def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
+    text = told(content(next_run__title="one stroke under twice the load"))
+    said = "Only if the rig bears so much. If your rig cannot do this run, the likelier explanations stay tied."
+    assert said in text and "If your rig cannot" not in told()

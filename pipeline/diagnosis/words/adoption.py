@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import unseen
+from pipeline.diagnosis.words import sight, unseen
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.rivals import called
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -12,26 +12,13 @@ NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = "python -m pipeline.adopt"
 
 
-def included(content: dict[str, Any]) -> list[str]:
-    """Ids that the simulator had from run.yaml before it was asked."""
-    new = {entry["id"] for entry in content["mechanisms"]}
-    return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
-
-
 def cautions(content: dict[str, Any]) -> list[str]:
     """What a verdict is worth where run.yaml has adopted effects."""
-    ids = included(content)
+    ids = sight.included(content)
     if not ids:
         return doubtful(content)
-    it, they, was = ("it", "it", "was") if len(ids) == 1 else ("them", "they", "were")
-    lines = [
-        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}. Where {they} {was} fitted "
-        "to this very recording, all its strokes were seen, and the error on unseen strokes below is no test."
-    ]
-    lines.append(
-        f"The noise is estimated anew, with {it} held fixed: what {they} miss{'es' if len(ids) == 1 else ''} of the "
-        "recording can count as noise, so the noise may be larger than in the verdict that was adopted."
-    )
+    it = "it" if len(ids) == 1 else "them"
+    lines = [f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}.{_sight(content, ids)}"]
     doubt = doubtful(content)
     if content["verdict"] in ("consistent", "parameters"):
         lines[0] += " An adopted effect can also cover another one that is really there."
@@ -40,6 +27,18 @@ def cautions(content: dict[str, Any]) -> list[str]:
             "ambiguous, it is so still, and its run decides."
         ]
     return lines + doubt
+
+
+def _sight(content: dict[str, Any], ids: list[str]) -> str:
+    """What the adopted effects have seen of this recording; nothing where it was another."""
+    they, were = ("It", "was") if len(ids) == 1 else ("They", "were")
+    fitted = f"{they} {were} fitted to this very recording"
+    return {
+        sight.UNSEEN: "",
+        sight.SEEN: f" {fitted}, all its strokes included: the error on its last strokes below is no test.",
+        sight.PERHAPS: f" Nobody wrote down which recording {they.lower()} {were} fitted to: if it is this one, the "
+        "error on its last strokes below is no test.",
+    }[sight.sight(content)]
 
 
 def doubtful(content: dict[str, Any]) -> list[str]:
@@ -52,7 +51,9 @@ def doubtful(content: dict[str, Any]) -> list[str]:
             continue
         named = listing([called(ids) for ids in tied[:NAMED]], "or")
         rest = f", or one of {len(tied) - NAMED} more (`adopted` in run.yaml)" if len(tied) > NAMED else ""
-        lines.append(f"Instead of what was adopted ({effects}) this may be right, for it fitted alike: {named}{rest}.")
+        lines.append(
+            f"Instead of what was adopted ({effects}) this may be right, for it was likely as well: {named}{rest}."
+        )
     return lines
 
 
@@ -61,7 +62,7 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
     if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
         return []
     if unseen.harmful(content, words):
-        return ["Do not: on unseen strokes it makes the simulator worse."]
+        return [f"Do not: on the {sight.strokes(content)} it makes the simulator worse."]
     lines = ["This puts it into run.yaml, from which the next diagnosis starts (or paste simulation.yaml there):"]
     lines += [f"  {COMMAND} {out / 'diagnosis.json'} {folder}" for folder in folders]
     if content["verdict"] == "ambiguous":

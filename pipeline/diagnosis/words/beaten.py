@@ -7,6 +7,7 @@ from pipeline.diagnosis.search import EXPLAINED
 from pipeline.diagnosis.words import probability
 from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words.reasons import why
 from pipeline.diagnosis.words.rivals import ALIKE, ALLOWED, called, entries, left, told
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -19,12 +20,16 @@ def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why each explanation that was beaten was: how much worse it is, where, and following what."""
     first = next(iter(entries(content, "named", "not enough")), None)
     found = likeliest([one for one in entries(content, "beaten") if one is not first])[:SHOWN]
-    lines = [_beaten(one, first, content, words) for one in found if first]
-    lines += [
-        _not_needed(one, content, words) for one in likeliest(entries(content, "not needed"))[: SHOWN - len(lines)]
-    ]
+    lines = [with_why(_beaten(one, first, content, words), one, first) for one in found if first]
+    larger = likeliest(entries(content, "not needed"))[: SHOWN - len(lines)]
+    lines += [with_why(_not_needed(one, content, words), one, first) for one in larger]
     lines += [f"{called([])}: leaves {left(one, content, words)}." for one in entries(content, "nothing")]
     return lines
+
+
+def with_why(said: str, one: dict[str, Any], first: dict[str, Any] | None) -> str:
+    """What is said of an explanation, and then why it is less likely than the first one."""
+    return " ".join(part for part in (said, why(one, first)) if part)
 
 
 def likeliest(some: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -65,14 +70,8 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
         return f"{said}, {_beside(one, first, words)}. {less}. {differs}"
     if one.get("balanced"):
         return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
-    return f"{said}, {_beside(one, first, words)}. {_preferred(one, first)} {differs}"
-
-
-def _preferred(one: dict[str, Any], first: dict[str, Any]) -> str:
-    """Why an explanation that fits no worse than the best one is ruled out all the same."""
-    if one.get("probability") is None:
-        return "The search prefers the best one all the same."
-    return "What it leaves is one sign of several; by all of them together it is improbable."
+    preferred = "The search prefers the best one all the same. " if one.get("probability") is None else ""
+    return f"{said}, {_beside(one, first, words)}. {preferred}{differs}"
 
 
 def _beside(one: dict[str, Any], first: dict[str, Any], words: Vocabulary) -> str:
@@ -110,5 +109,5 @@ def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary)
         said += f". Of the {size(saved, words.unit)} only {size(bent, words.unit)} are sure {allowed}"
     kept = [other for other in entries(content, "tied") if len(other["ids"]) >= len(one["ids"])]
     if any(other[f"left_{ending}"] >= one[f"left_{ending}"] for other in kept):
-        return f"{said}. Some that cannot be ruled out leave as much, and are ranked before it all the same."
+        return f"{said}. Some that are likely leave as much, and are ranked before it all the same."
     return f"{said}. That is too little for {'one mechanism' if len(further) == 1 else 'so many mechanisms'} more."

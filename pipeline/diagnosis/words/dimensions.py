@@ -1,6 +1,7 @@
 """Dimensions that calibration moved further than they were measured wrong, in words."""
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from pipeline.diagnosis.bounds import BOUND, at_bound
@@ -35,15 +36,21 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
         names = listing([f"the {name_of(name)}" for name in moved])
         lines.append(f"Measure {names} again before you believe any of these values.")
     if moved and adopted:
-        lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}): change none that is not measured.")
+        lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}). {do_not_copy(moved)}")
     elif moved and inexact:
-        lines.append("What the simulation still misses bends dimensions as well: change none that is not measured.")
+        lines.append(f"What the simulation still misses bends dimensions as well. {do_not_copy(moved)}")
     if len(moved) >= MANY:
         lines.append(
             "So many at once are hardly measured wrong: rather physics is missing that bends them, or run.yaml "
             "describes another rig."
         )
     return lines
+
+
+def do_not_copy(moved: Iterable[str]) -> str:
+    """What to do about dimensions that moved far."""
+    names = listing([f"the {name_of(name)}" for name in moved])
+    return f"Do not copy calibrated values into run.yaml: measure {names} again and write what you measured."
 
 
 def suspicious(content: dict[str, Any]) -> list[str]:
@@ -61,7 +68,7 @@ def suspicious(content: dict[str, Any]) -> list[str]:
     return [
         f"Suspicious: calibration moved {'a dimension' if one else f'{len(found)} dimensions'} as far as it may, three "
         f"times the tolerance: {'; '.join(said)}. The best value may lie beyond. Measure {'it' if one else 'them'} "
-        "again and write the new value into run.yaml. If it is the same as before, rather physics is missing."
+        "again and write what you measured into run.yaml. If it is the same as before, rather physics is missing."
     ]
 
 

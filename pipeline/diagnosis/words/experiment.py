@@ -13,6 +13,7 @@ CARE = {
     "twice the load": "Only if the rig bears so much.",
     "another load": "Only if the rig bears so much.",
 }  # by what a title says
+CANNOT = "If your rig cannot do this run, the likelier explanations stay tied."
 LITTLE = 2.0  # times further apart, expected: less may not decide
 
 
@@ -58,27 +59,28 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
     said = f"This run is to tell {tried(*run['parts'])}."
-    noise = "times what the noise alone makes"
+    noise = "standard deviations"
     if now <= PLAIN:
         return (
             f"{said} So far the two predictions differ by {number(now)} {noise}; with the run it should be "
-            f"{number(then)} times."
+            f"{number(then)}."
         )
     formula = "That is no noise, but a formula that is wrong by a few per cent can make it too, so it does not decide."
     said = f"{said} So far the two predictions differ by {number(now)} {noise}. {formula}"
     if then >= LITTLE * now:
         more = f"{times(then / now)} times as much"
         return (
-            f"{said} With the run they should differ by {number(then)} times, {more}: a formula would have to be wrong "
+            f"{said} With the run they should differ by {number(then)}, {more}: a formula would have to be wrong "
             f"by {more} to make that. So the run can decide."
         )
-    best = f"with the run it should be {number(then)} times, and no other run that was tried in simulation does better"
+    best = f"with the run it should be {number(then)}, and no other run that was tried in simulation does better"
     return f"{said} The run may not decide either: {best}. Make it only if the answer matters."
 
 
 def care(run: dict[str, Any]) -> str:
     """What to mind before the rig is driven harder than it was."""
-    return next((said for words, said in CARE.items() if words in run["title"]), "")
+    said = next((said for words, said in CARE.items() if words in run["title"]), "")
+    return f"{said} {CANNOT}" if said and "parts" in run else said
 
 
 def numbers(run: dict[str, Any], words: Vocabulary) -> list[str]:

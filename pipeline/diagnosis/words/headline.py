@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import adoption, unseen
-from pipeline.diagnosis.words.quantity import size, times
+from pipeline.diagnosis.words import sight, unseen
+from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
@@ -16,11 +16,12 @@ SAID = {
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 WITH_ADOPTED = {
-    "consistent": "with what run.yaml has adopted, the simulation explains the recording to its noise ({floor}).",
-    "parameters": "with what run.yaml has adopted, the simulation explains the recording once its dimensions move.",
+    "consistent": "{adopted}; with it the simulation explains the recording to its noise ({floor}).",
+    "parameters": "{adopted}; with it the simulation explains the recording once its dimensions move.",
 }
-HARDLY_MOVED = "{adopted}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
-LEFT_OVER = "{adopted}no further effect can be named, and {left} rms stays unexplained, {ratio} times the noise."
+HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
+LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
+NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named beside what was adopted ({})"
 NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
     "would show more.",
@@ -28,7 +29,13 @@ NONE_NEEDED = {
     "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
     "another speed and load.",
 }
-NONE_WITH_ADOPTED = "None is proposed: with what was adopted, nothing is missing that this recording could show."
+NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
+STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict"
+LOST = "it stands there under the same heading."
+WITHOUT = (
+    "Take `simulation` and `adopted` out of their run.yaml before you diagnose the runs together: an effect that is "
+    "adopted is not weighed again."
+)
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
     "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
@@ -38,19 +45,20 @@ NONE_PROPOSED = (
 def headline(content: dict[str, Any], words: Vocabulary) -> str:
     """The verdict in one line."""
     run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
-    verdict, adopted = content["verdict"], bool(adoption.included(content))
+    verdict, adopted = content["verdict"], sight.included(content)
     fitted = unseen.fitted_times(content, words, named=False) if verdict in UNNAMED else None
     said = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
     if fitted is not None and fitted > unseen.STILL_MISSING:
         said = LEFT_OVER
     elif verdict == "parameters" and moved_in_vain(content, words):
         said = HARDLY_MOVED
-    evidence = content["evidence"]
+    evidence, named = content["evidence"], NOTHING_FURTHER.format(listing(adopted)) if adopted else NOTHING_NAMED
     fields = {
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
-        "adopted": "with what run.yaml has adopted, " if adopted else "",
+        "adopted": named,
+        "beside": f"{named}; with it " if adopted else "",
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
@@ -65,10 +73,13 @@ def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:
 
 def no_run(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why no run is proposed."""
-    verdict = content["verdict"]
+    verdict, tied = content["verdict"], [one for one in content.get("adopted", []) if one["tied"]]
+    if tied and verdict in ("explained", *UNNAMED):
+        runs = list(dict.fromkeys(one.get("next_experiment") or LOST for one in tied))
+        return [*(f"{STILL}: {run}" for run in runs), WITHOUT]
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
-    if verdict in UNNAMED and adoption.included(content):
+    if verdict in UNNAMED and sight.included(content):
         return [NONE_WITH_ADOPTED]
     if verdict == "parameters" and moved_in_vain(content, words):
         verdict = "consistent"

@@ -5,8 +5,8 @@ from typing import Any
 from pipeline.diagnosis.words.quantity import span
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
-EVERYWHERE = "everywhere"
-NEARLY_ALL = 0.95  # of the range of motion
+EVERYWHERE = "over the whole range"
+NEARLY_ALL = 0.85  # of the range of motion
 
 
 def place(location: dict[str, Any], evidence: dict[str, Any], words: Vocabulary) -> str:

@@ -1,4 +1,4 @@
-"""How probable each explanation is, and by which rule the improbable ones are ruled out, in words."""
+"""How probable each explanation is, and by which rule the likely ones are kept, in words."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from pipeline.diagnosis.words.quantity import percent
 HELD_STANDINGS = ("named", "tied")
 SEEN = 0.005  # a probability that is worth a word
 WITHOUT = (
-    "No probabilities are known on this rig: they were learnt on strings. An explanation is ruled out where it fits "
+    "No probabilities are known on this rig: they were learnt on strings. An explanation is left out where it fits "
     "the recording worse than the best one by about as much as it should if the best one were true."
 )
 
@@ -29,7 +29,7 @@ def said(one: dict[str, Any]) -> str:
 
 
 def rule(content: dict[str, Any]) -> list[str]:
-    """How an explanation is ruled out, with the numbers of this verdict."""
+    """Which explanations are kept, with the numbers of this verdict."""
     if content["verdict"] not in ("explained", "ambiguous"):
         return []
     if not known(content):
@@ -40,8 +40,8 @@ def rule(content: dict[str, Any]) -> list[str]:
     several = content["verdict"] == "ambiguous"
     kept = f"Here the {1 + len(content['alternatives'])} kept have" if several else "Here the best one alone has"
     lines = [
-        f"How an explanation is ruled out: the likeliest ones are kept until together they have {percent(HELD)} of the "
-        f"probability of all explanations, and every other is ruled out. {kept} {percent(together)}."
+        f"Which explanations are kept: the likeliest ones, until together they have {percent(HELD)} of the probability "
+        f"of all explanations. Every other is less likely, not impossible. {kept} {percent(together)}."
     ]
     if none >= SEEN:
         lines.append(f"That no physics of the library explains the recording has a probability of {percent(none)}.")

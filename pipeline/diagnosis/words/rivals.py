@@ -5,6 +5,7 @@ from typing import Any
 
 from pipeline.diagnosis.words import probability
 from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words.reasons import why
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
@@ -64,18 +65,23 @@ def shared(content: dict[str, Any]) -> str:
 
 
 def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """What cannot be ruled out, a line each with what it leaves; then what they would if their formulas were wrong."""
+    """What is likely as well, a line each with why it is less so than the best one; then what bent formulas do."""
     shown = {tuple(one["ids"]): one for one in content["evidence"]["explanations"]}
     found = [shown.get(tuple(ids)) for ids in content["alternatives"]]
+    best = next(iter(entries(content, "named")), None)
     lines = [
-        f"{told(one, content, words) if one else called(ids)}."
+        " ".join(
+            part for part in (f"{told(one, content, words) if one else called(ids)}.", why(one or {}, best)) if part
+        )
         for ids, one in zip(content["alternatives"], found, strict=True)
     ]
-    bent = [ratio for one in found if one for ratio in [_bent(one, content, words)] if ratio is not None]
+    all_bent = {called(one["ids"]): _bent(one, content, words) for one in found if one}
+    bent = {name: ratio for name, ratio in all_bent.items() if ratio is not None}
     if bent:
-        who = "these leave" if len(bent) > 1 else "this leaves" if len(found) == 1 else "one of these leaves"
-        ends = list(dict.fromkeys(times(ratio) for ratio in (min(bent), max(bent))))
-        lines.append(f"{ALLOWED}, {who} {' to '.join(ends)} times the noise.")
+        who = listing([f"({name})" if len(bent) > 1 else name for name in bent])
+        ends = list(dict.fromkeys(times(ratio) for ratio in (min(bent.values()), max(bent.values()))))
+        leave = "leave" if len(bent) > 1 else "leaves"
+        lines.append(f"{ALLOWED}, {who} {leave} {' to '.join(ends)} times the noise.")
     return lines
 
 
@@ -107,6 +113,6 @@ def hidden(content: dict[str, Any], words: Vocabulary) -> list[str]:
         sizes = f"by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is missing"
         others = ", and in the other effects" if len(content["mechanisms"]) > 1 else ""
         said = f"{entry['id']} moves the reading {sizes}. The rest hides in dimensions that calibration moved{others}."
-        unsure = " So this recording tells badly how large it is." if own > LARGER * whole else ""
+        unsure = " Its size is poorly known." if own > LARGER * whole else ""
         lines.append(said + unsure)
     return lines

@@ -4,8 +4,29 @@ from typing import Any
 
 from pipeline.diagnosis.words import unseen
 from pipeline.diagnosis.words.headline import UNNAMED
-from pipeline.diagnosis.words.quantity import listing, size
+from pipeline.diagnosis.words.places import place
+from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+
+def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """How large a pattern is left without a name, where, and what it follows; nothing where none is left."""
+    rms, evidence = content["mismatch"][f"rms_{words.ending}"], content["evidence"]
+    if not rms:
+        return []
+    ratio = times(rms / evidence[f"floor_{words.ending}"])
+    least = min(content["fit"][f"detectable_{words.ending}"].values(), default=0.0)
+    left = f"{size(rms, words.unit)} rms is left after calibration, {ratio} times the noise"
+    said = f"{left}, and no effect is named for it."
+    if rms > least > 0.0:
+        said += " That is more than the smallest size from which some effects would have been seen (below)."
+    found = evidence.get("pattern")
+    if not found:
+        return [said]
+    where = place(found["location"], evidence, words)
+    follows = listing([words.follows(driver, evidence["loaded"]) for driver in found["driver"]])
+    share = f"{100.0 * found['location']['share']:.0f} % of the energy of what is systematic in it"
+    return [said, f"{share} lies {where}. It follows {follows}."]
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:

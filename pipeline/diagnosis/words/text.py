@@ -5,16 +5,17 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.words import (
     adoption,
     beaten,
+    certainty,
     effects,
     experiment,
     explained_words,
     probability,
     rivals,
     seen,
+    sight,
     unseen,
 )
 from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
@@ -41,15 +42,21 @@ def verdict_text(
     """
     words = Vocabulary.of(system)
     sections = [
-        (headline(content, words), []),
+        (headline(content, words), certainty.summary(content)),
         (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
-            [*named(content), *likely(content), *rivals.what_is_left(content, words), *rivals.hidden(content, words)],
+            [
+                *named(content),
+                *likely(content),
+                *certainty.needed(content),
+                *rivals.what_is_left(content, words),
+                *rivals.hidden(content, words),
+            ],
         ),
-        ("What cannot be ruled out beside it", tied(content, words)),
-        ("Error on strokes that no fit has seen", unseen.lines(content, words)),
+        ("What is likely beside it", tied(content, words)),
+        (sight.heading(content), unseen.lines(content, words)),
         ("Dimensions", moved(content, words)),
         ("The run to make next", following(content, words, folders)),
         ("To adopt it", adoption.how(content, words, folders, out)),
@@ -79,8 +86,10 @@ def wrapped(line: str, indent: str) -> list[str]:
 def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """How large the mismatch is, where, and what it follows."""
     mismatch = content["mismatch"]
-    if not mismatch or content["verdict"] == "parameters":
+    if not mismatch:
         return []
+    if content["verdict"] == "parameters":
+        return seen.pattern(content, words)
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
@@ -88,7 +97,7 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     step = f"averages of {duration(over)}" if over else "averages"
     noise = (
         f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
-        "It is what `the noise` means here, except for unseen strokes, which are compared sample by sample."
+        f"It is what `the noise` means here, except for the {sight.strokes(content)}, compared sample by sample."
     )
     said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
     return [
@@ -96,20 +105,14 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
         *([noise] if unseen.averaged(content, words) else []),
         *([small] if rms < SMALL * floor else []),
         f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
-        *follows(content, words),
+        follows(content),
     ]
 
 
-def follows(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """What the mismatch follows; a line for each mechanism where there are several."""
-    if len(content["mechanisms"]) < 2:
-        return [f"It follows {content['mismatch']['driver']}."]
-    lines = []
-    for entry in content["mechanisms"]:
-        mechanism = mechanisms()[entry["id"]]
-        said = words.follows(mechanism.driver, content["evidence"]["loaded"])
-        lines.append(f"{entry['id']} follows {effects.CALCULATED if effects.calculated(mechanism, entry) else said}.")
-    return lines
+def follows(content: dict[str, Any]) -> str:
+    """What the mismatch follows; which effect follows what is said where each is told."""
+    driver = content["mismatch"]["driver"]
+    return f"It follows {driver}." if len(content["mechanisms"]) < 2 else f"Its parts follow {driver}."
 
 
 def named(content: dict[str, Any]) -> list[str]:
@@ -151,7 +154,7 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
-    again = remeasured(content, adoption.included(content), unseen.inexact(content, words), in_vain)
+    again = remeasured(content, sight.included(content), unseen.inexact(content, words), in_vain)
     return [*corrected(content, words), *again]
 
 

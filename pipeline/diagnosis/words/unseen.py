@@ -3,12 +3,17 @@
 import math
 from typing import Any
 
+from pipeline.diagnosis.words import sight
 from pipeline.diagnosis.words.quantity import duration, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no more is missing on others
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
 AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
+ZERO = (
+    "In a verdict the zero of the reading is fitted. pipeline.adopt and pipeline.simulate set it in the first second, "
+    "so the errors that they print are others."
+)
 WORSE, NO_BETTER = 1.02, 0.95  # times the other error
 
 
@@ -28,18 +33,18 @@ def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return []
     nominal, calibrated, explained = found
     noise, said = content["fit"][f"noise_floor_{words.ending}"], []
-    named = content["verdict"] in ("explained", "ambiguous")
+    named, strokes = content["verdict"] in ("explained", "ambiguous"), sight.strokes(content)
     if calibrated > WORSE * nominal:
         sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
         without = " without what is named" if named and explained < nominal else ""
         said.append(
-            f"On unseen strokes the calibrated simulator is worse than the nominal one: {sizes}."
+            f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
             f" What calibration alone learnt does not hold later: do not adopt its dimensions{without}."
         )
     if harmful(content, words):
-        said.append("On unseen strokes the explanation makes the calibrated simulator worse: do not adopt it.")
+        said.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
     elif named and explained > NO_BETTER * calibrated:
-        said.append("On unseen strokes the explanation improves nothing: it may be no more than a good fit.")
+        said.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
     if explained > STILL_MISSING * noise and content["verdict"] != "unknown":
         said.append(still_missing(content, words, explained / noise, named))
     return said
@@ -60,12 +65,12 @@ def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, nam
     `unseen` is the error on unseen strokes in noise floors.
     """
     fitted = fitted_times(content, words, named)
-    missed = f"the unseen strokes are missed by {times(unseen)} times the noise"
-    if fitted is None:
+    missed = f"the {sight.strokes(content)} are missed by {times(unseen)} times the noise"
+    if fitted is None or sight.sight(content) == sight.SEEN:
         return f"Something systematic is still missing: {missed}."
     both = f"{missed}, those that the fit has seen by {times(fitted)} times"
     if unseen <= NOTHING_NEW * fitted:
-        return f"Something systematic is still missing: {both}. So nothing is new in the unseen ones."
+        return f"Something systematic is still missing: {both}. So nothing is new in the {sight.strokes(content)}."
     if named:
         changes = "So something changes from stroke to stroke that the explanation does not foresee"
         return f"Something systematic is still missing: {both}. {changes}, or too few strokes were seen."
@@ -112,10 +117,12 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         for name, error in zip(names, found, strict=True)
     ]
     split = content["fit"]["heldout"]["split"]
-    if not averaged(content, words):
-        return [f"{'; '.join(said)}.", f"Held out: the {split}. The noise here is {size(noise, words.unit)} rms."]
-    known = f"Held out: the {split}. Here single samples are compared, so the noise is that of single samples"
-    return [f"{'; '.join(said)}.", f"{known}: {size(noise, words.unit)} rms."]
+    known = f"Held out: the {split}. The noise here is {size(noise, words.unit)} rms."
+    if averaged(content, words):
+        known = f"Held out: the {split}. Here single samples are compared, so the noise is that of single samples"
+        known = f"{known}: {size(noise, words.unit)} rms."
+    zero = any(name.startswith("zero") for name in content["parameters"])
+    return [f"{'; '.join(said)}.", known, *([ZERO] if zero else [])]
 
 
 def noises(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:

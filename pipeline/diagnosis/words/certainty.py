@@ -1,0 +1,45 @@
+"""Which effects are sure, which probable and which open, from how likely each is in whichever explanation; in words."""
+
+from typing import Any
+
+from pipeline.diagnosis.words import probability
+from pipeline.diagnosis.words.quantity import listing, percent
+
+SURE, PROBABLE = 0.8, 0.5
+
+
+def known(content: dict[str, Any]) -> dict[str, float]:
+    """How likely each named effect is at work; nothing where no probability is known."""
+    if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
+        return {}
+    return {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
+
+
+def summary(content: dict[str, Any]) -> list[str]:
+    """The effects by how sure each is; those that only an explanation beside the best one has are open."""
+    shares = known(content)
+    sure = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share >= SURE]
+    probable = [f"{id_} ({percent(share)})" for id_, share in shares.items() if PROBABLE <= share < SURE]
+    doubtful = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share < PROBABLE]
+    others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in shares)
+    groups = {"Sure": sure, "Probable": probable, "Open": [*doubtful, *others]}
+    said = [f"{word}: {listing(found)}." for word, found in groups.items() if found]
+    return [" ".join(said)] if shares else []
+
+
+def needed(content: dict[str, Any]) -> list[str]:
+    """What to think of an effect of the best explanation that is less likely than not."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    others = [set(ids) for ids in content["alternatives"]]
+    lines = []
+    for id_, share in known(content).items():
+        rest = best - {id_}
+        swapped = [ids - rest for ids in others if ids >= rest]
+        if share >= PROBABLE:
+            continue
+        if others and len(swapped) == len(others) and all(len(one) == 1 for one in swapped):
+            instead = dict.fromkeys(other for one in swapped for other in sorted(one))
+            lines.append(f"One of {listing([id_, *instead])} is needed; which one is open.")
+        else:
+            lines.append(f"{id_} is more likely absent than at work ({percent(share)}).")
+    return lines

@@ -1,0 +1,48 @@
+"""Why an explanation is less likely than the best one: what counts most against it, in words."""
+
+from typing import Any
+
+from pipeline.diagnosis.words.quantity import number, times
+
+# of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger
+SAID = {
+    "fit": ("it fits the recording worse", "it fits the recording better"),
+    "numbers": ("it has fewer free numbers", "it has more free numbers"),
+    "weakest": ("its weakest part is worth less", "its weakest part is worth more"),
+    "instead": (
+        "another effect in place of its weakest part does less well",
+        "another effect in place of its weakest part does better",
+    ),
+    "more": ("a further effect would add less to it", "a further effect would add more to it"),
+    "cancels": ("its parts cancel each other less", "its parts cancel each other more"),
+    "size": ("it has fewer effects", "it has more effects"),
+}
+MARK = ("it leaves out {}", "it has {}")
+NAMES = "its effects were true less often where the judge learnt"
+OF_ITS_SIZE = "explanations of its kind are weighed otherwise"
+LEAST = 1.05  # times less likely: less is alike
+
+
+def why(one: dict[str, Any], best: dict[str, Any] | None) -> str:
+    """How many times less likely an explanation is than the best one, and chiefly since what; nothing where unknown."""
+    mine, first = one.get("probability"), (best or {}).get("probability")
+    if not mine or not first or first < LEAST * mine:
+        return ""
+    reasons = [f"since {reason(found)}" for found in one.get("because") or []]
+    chiefly = f", chiefly {' and '.join(reasons)}" if reasons else ""
+    ratio = first / mine
+    return f"It is {times(ratio) if ratio < 1000.0 else number(ratio, 1)} times less likely than the best one{chiefly}."
+
+
+def reason(found: dict[str, Any]) -> str:
+    """One aspect in words."""
+    aspect, larger = found["aspect"], found["more"] > 0.0
+    if aspect.startswith("mark_"):
+        id_ = aspect.removeprefix("mark_")
+        shown = "hardly shows" if larger else "shows"
+        return f"{MARK[larger].format(id_)}, whose mark this recording {shown}"
+    if aspect == "names":
+        return NAMES
+    if aspect == "size" and not found["more"]:
+        return OF_ITS_SIZE
+    return SAID[aspect][larger]
