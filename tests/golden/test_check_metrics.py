@@ -50,17 +50,22 @@ def test_a_missing_row_is_named(reports):
 
 
 @pytest.mark.parametrize(
-    ("named", "explained_mm", "says"),
+    ("sets", "explained_mm", "says"),
     [
-        (["creep", "radius_compaction"], 0.031, ""),
-        (["creep", "jam"], 0.031, "the rig has no jam"),
+        (["creep radius_compaction"], 0.031, ""),
+        (["creep jam"], 0.031, "the rig has no jam"),
         (["creep"], 0.07, "it leaves 0.07 mm"),
-        ([], 0.03, "although the rig has effects"),
+        ([""], 0.03, "although the rig has effects"),
+        (["creep jam", "creep"], 0.031, ""),
+        (["creep jam", "creep slack"], 0.031, "the rig has no jam"),
+        (["creep jam", "creep", "wear", "slack"], 0.031, "4 explanations are held"),
     ],
 )
-def test_a_wrong_diagnosis_is_named(tmp_path, named, explained_mm, says):
+def test_a_wrong_diagnosis_is_named(tmp_path, sets, explained_mm, says):
     fit = {"noise_floor_mm": 0.03, "heldout": {"explained_mm": explained_mm}}
-    content = {"verdict": "unknown", "mechanisms": [{"id": name} for name in named], "fit": fit}
+    first, *others = [one.split() for one in sets]
+    verdict = "ambiguous" if others else "explained"
+    content = {"verdict": verdict, "mechanisms": [{"id": name} for name in first], "alternatives": others, "fit": fit}
     path = tmp_path / "diagnosis" / "synthetic-01" / "diagnosis.json"
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps(content), encoding="utf-8")
