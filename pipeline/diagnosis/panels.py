@@ -22,7 +22,7 @@ BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
 BAND = "0.92"  # the noise
 BINS = 24
-TITLE_WIDE = 42  # characters
+TITLE_WIDE = 34  # characters
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
     "tied": (TIED, "likely as well"),

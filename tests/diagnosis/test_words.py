@@ -513,6 +513,11 @@ def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
         made["evidence"]["explanations"][2]["left_mm"] = left
         assert f"friction_hysteresis + sensor_drift: leaves {left:.3f} mm rms" in told(made)
         assert said in told(made) and "no more than the best" not in told(made)
+    made["evidence"]["explanations"][2]["worse"] = 0.0
+    assert "It is no candidate of the search" in " ".join(told(made).split())
+    made["evidence"]["explanations"][2]["ids"] = ["friction_hysteresis", "stick_slip"]
+    why = "It was not weighed: stick_slip makes jerks, and the recording shows none clearly."
+    assert why in " ".join(told(made).split())
 
 
 def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means():
@@ -701,13 +706,13 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     beaten = text[text.index("Why no other") :]
     assert beaten.index("sensor_drift: probability") < beaten.index("creep: probability less than 1 %; leaves")
     rule = "the likeliest ones, until together they have 80 % of the probability of all explanations. Every other is"
-    kept = "less likely, not impossible. Here the 2 kept have 83 % of 96 %."
+    kept = "less likely, not impossible. Here the 2 kept have 83 %, all together 96 %."
     assert f"Which explanations are kept: {rule} {kept}" in text
     assert "ruled out" not in text and "What is likely beside it Both explanations" in text
     assert "That no physics of the library explains the recording has a probability of 4 %." in text
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
-    assert "Here the best one alone has 99 % of" in text and "That none" not in text
+    assert "Here the best one alone has 99 %," in text and "That none" not in text
     assert "creep: probability 0 (it lacks a third effect, which takes away much more); leaves" in text
 
 
@@ -774,7 +779,9 @@ def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place()
     box = {"motor_turns": [0.0, 6.0], "strokes": [1, 12], "phase": "hold", "share": 0.81}
     pattern = {"location": box, "driver": ["time under load"]}
     text = " ".join(told(content(**made, evidence__pattern=pattern)).split())
-    left = "0.012 mm rms is left after calibration, 0.4 times the noise, and no effect is named for it."
+    left = (
+        "Noise taken off, 0.012 mm rms is left after calibration, 0.4 times the noise, and no effect is named for it."
+    )
     assert f"What is missing {left} That is more than the smallest size from which some effects would" in text
     share = "81 % of the energy of what is systematic in it lies at 0 to 6 turns, in holds. It follows time under load."
     assert share in text
@@ -830,12 +837,23 @@ def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
 
 
 def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():
-    for start, said in ((2.8, "over the whole range."), (8.0, "at 8 to 30.7 turns.")):
-        box = {"motor_turns": [start, 30.7], "strokes": [1, 12], "phase": "all", "share": 0.8}
-        assert f"80 % of its energy lies {said}" in told(content(mismatch__location=box))
+    somewhere = "80 % of its energy lies"
+    for start, last, said in (
+        (2.8, 12, "It is spread over the whole range."),
+        (2.8, 11, "It is spread over the whole range."),
+        (8.0, 12, f"{somewhere} at 8 to 30.7 turns."),
+        (2.8, 6, f"{somewhere} in strokes 1 to 6."),
+    ):
+        box = {"motor_turns": [start, 30.7], "strokes": [1, last], "phase": "all", "share": 0.8}
+        assert said in told(content(mismatch__location=box))
 
 
 def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
     text = told(content(next_run__title="one stroke under twice the load"))
     said = "Only if the rig bears so much. If your rig cannot do this run, the likelier explanations stay tied."
     assert said in text and "If your rig cannot" not in told()
+    no_use = {
+        "next_run__title": "one stroke under twice the load",
+        "next_run__gap_then": content()["next_run"]["gap_now"],
+    }
+    assert "If your rig cannot" not in told(content(**no_use))  # the run would decide nothing

@@ -70,8 +70,15 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
         return f"{said}, {_beside(one, first, words)}. {less}. {differs}"
     if one.get("balanced"):
         return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
-    preferred = "The search prefers the best one all the same. " if one.get("probability") is None else ""
+    preferred = f"{_unweighed(one)} " if one.get("probability") is None else ""
     return f"{said}, {_beside(one, first, words)}. {preferred}{differs}"
+
+
+def _unweighed(one: dict[str, Any]) -> str:
+    """Why an explanation that leaves no more than the best one has no probability."""
+    if "stick_slip" in one["ids"]:
+        return "It was not weighed: stick_slip makes jerks, and the recording shows none clearly."
+    return "It is no candidate of the search, which weighs the cheapest of every size."
 
 
 def _beside(one: dict[str, Any], first: dict[str, Any], words: Vocabulary) -> str:

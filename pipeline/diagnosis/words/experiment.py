@@ -67,7 +67,7 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
         )
     formula = "That is no noise, but a formula that is wrong by a few per cent can make it too, so it does not decide."
     said = f"{said} So far the two predictions differ by {number(now)} {noise}. {formula}"
-    if then >= LITTLE * now:
+    if decides(run):
         more = f"{times(then / now)} times as much"
         return (
             f"{said} With the run they should differ by {number(then)}, {more}: a formula would have to be wrong "
@@ -80,7 +80,12 @@ def purpose(run: dict[str, Any], words: Vocabulary) -> str:
 def care(run: dict[str, Any]) -> str:
     """What to mind before the rig is driven harder than it was."""
     said = next((said for words, said in CARE.items() if words in run["title"]), "")
-    return f"{said} {CANNOT}" if said and "parts" in run else said
+    return f"{said} {CANNOT}" if said and "parts" in run and decides(run) else said
+
+
+def decides(run: dict[str, Any]) -> bool:
+    """Whether a run parts two explanations by so much more that it can be expected to decide."""
+    return math.sqrt(max(run["gap_then"], 0.0)) >= LITTLE * math.sqrt(max(run["gap_now"], 0.0))
 
 
 def numbers(run: dict[str, Any], words: Vocabulary) -> list[str]:

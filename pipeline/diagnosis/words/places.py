@@ -6,7 +6,7 @@ from pipeline.diagnosis.words.quantity import span
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 EVERYWHERE = "over the whole range"
-NEARLY_ALL = 0.85  # of the range of motion
+NEARLY_ALL = 0.85  # of the range of motion, and of the strokes
 
 
 def place(location: dict[str, Any], evidence: dict[str, Any], words: Vocabulary) -> str:
@@ -17,7 +17,8 @@ def place(location: dict[str, Any], evidence: dict[str, Any], words: Vocabulary)
     if end - start < NEARLY_ALL * (high - low):
         said.append(f"at {span(start, end, words.motion_unit, high - low)}")
     first, last = location["strokes"]
-    if [first, last] != evidence["strokes"]:
+    earliest, latest = evidence["strokes"]
+    if last - first + 1 < NEARLY_ALL * (latest - earliest + 1):
         said.append(f"in stroke {first}" if first == last else f"in strokes {first} to {last}")
     if location["phase"] != "all":
         said.append(words.phase(location["phase"]))

@@ -41,8 +41,8 @@ def rule(content: dict[str, Any]) -> list[str]:
     kept = f"Here the {1 + len(content['alternatives'])} kept have" if several else "Here the best one alone has"
     lines = [
         f"Which explanations are kept: the likeliest ones, until together they have {percent(HELD)} of the probability "
-        f"of all explanations. Every other is less likely, not impossible. {kept} {percent(together)} "
-        f"of {percent(1.0 - none)}."
+        f"of all explanations. Every other is less likely, not impossible. {kept} {percent(together)}, "
+        f"all together {percent(1.0 - none)}."
     ]
     if none >= SEEN:
         lines.append(f"That no physics of the library explains the recording has a probability of {percent(none)}.")

@@ -16,7 +16,7 @@ def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return []
     ratio = times(rms / evidence[f"floor_{words.ending}"])
     least = min(content["fit"][f"detectable_{words.ending}"].values(), default=0.0)
-    left = f"{size(rms, words.unit)} rms is left after calibration, {ratio} times the noise"
+    left = f"Noise taken off, {size(rms, words.unit)} rms is left after calibration, {ratio} times the noise"
     said = f"{left}, and no effect is named for it."
     if rms > least > 0.0:
         said += " That is more than the smallest size from which some effects would have been seen (below)."

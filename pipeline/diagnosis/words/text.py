@@ -20,7 +20,7 @@ from pipeline.diagnosis.words import (
 )
 from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
-from pipeline.diagnosis.words.places import place
+from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
 from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -104,7 +104,9 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
         f"Over the whole recording {said}.",
         *([noise] if unseen.averaged(content, words) else []),
         *([small] if rms < SMALL * floor else []),
-        f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
+        "It is spread over the whole range."
+        if where == EVERYWHERE
+        else f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
         follows(content),
     ]
 

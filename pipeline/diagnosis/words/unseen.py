@@ -117,9 +117,10 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         for name, error in zip(names, found, strict=True)
     ]
     split = content["fit"]["heldout"]["split"]
-    known = f"Held out: the {split}. The noise here is {size(noise, words.unit)} rms."
+    which = "Held out" if sight.sight(content) == sight.UNSEEN else "Compared on"
+    known = f"{which}: the {split}. The noise here is {size(noise, words.unit)} rms."
     if averaged(content, words):
-        known = f"Held out: the {split}. Here single samples are compared, so the noise is that of single samples"
+        known = f"{which}: the {split}. Here single samples are compared, so the noise is that of single samples"
         known = f"{known}: {size(noise, words.unit)} rms."
     zero = any(name.startswith("zero") for name in content["parameters"])
     return [f"{'; '.join(said)}.", known, *([ZERO] if zero else [])]
