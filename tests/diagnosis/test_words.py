@@ -514,10 +514,7 @@ def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
         assert f"friction_hysteresis + sensor_drift: leaves {left:.3f} mm rms" in told(made)
         assert said in told(made) and "no more than the best" not in told(made)
     made["evidence"]["explanations"][2]["worse"] = 0.0
-    assert "It is no candidate of the search" in " ".join(told(made).split())
-    made["evidence"]["explanations"][2]["ids"] = ["friction_hysteresis", "stick_slip"]
-    why = "It was not weighed: stick_slip makes jerks, and the recording shows none clearly."
-    assert why in " ".join(told(made).split())
+    assert "It was not weighed: the recording lacks a mark of its effects, or" in " ".join(told(made).split())
 
 
 def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means():

@@ -14,6 +14,7 @@ from pipeline.diagnosis.words.vocabulary import Vocabulary
 CLOSEST = 4  # explanations that are shown where none does
 SHOWN = 8  # of those that were beaten
 VISIBLE = 0.4  # noise floors: smaller gains need no further word
+UNWEIGHED = "It was not weighed: the recording lacks a mark of its effects, or cheaper ones of its size are many. "
 
 
 def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -70,15 +71,8 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
         return f"{said}, {_beside(one, first, words)}. {less}. {differs}"
     if one.get("balanced"):
         return f"{said}. Its effects are large and cancel each other almost fully: that is no explanation."
-    preferred = f"{_unweighed(one)} " if one.get("probability") is None else ""
+    preferred = UNWEIGHED if one.get("probability") is None else ""
     return f"{said}, {_beside(one, first, words)}. {preferred}{differs}"
-
-
-def _unweighed(one: dict[str, Any]) -> str:
-    """Why an explanation that leaves no more than the best one has no probability."""
-    if "stick_slip" in one["ids"]:
-        return "It was not weighed: stick_slip makes jerks, and the recording shows none clearly."
-    return "It is no candidate of the search, which weighs the cheapest of every size."
 
 
 def _beside(one: dict[str, Any], first: dict[str, Any], words: Vocabulary) -> str:
