@@ -62,12 +62,11 @@ def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(ki
     assert found == "unknown" and helper in ids
 
 
-def test_what_sticks_and_slips_needs_no_friction_beside_it(conceal) -> None:
+def test_nothing_acts_twice_in_an_explanation_whose_jerks_are_seen_as_well(conceal) -> None:
     run, samples = read_samples(conceal("stick_slip", kappa=3.0, seed=5)[0])
     found = study(make_problem([run], [samples]))
-    assert found.verdict in ("explained", "ambiguous") and found.best_ids == ("stick_slip",)
-    assert [act.id for act in found.best.acts] == ["stick_slip"]  # once, though its jerks are seen as well
-    assert "stick_slip" in found.random
+    assert "stick_slip" in found.best_ids
+    assert len(found.best.acts) == len({act.id for act in found.best.acts})
 
 
 def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):

@@ -100,7 +100,7 @@ def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
     names = {"z-01": "z_motion_slow_motors_5kg.csv.gz", "x-01": "x_motion_slow_motors_5kg.csv.gz"}
     content = diagnosed(*(imported(tmp_path, "tsa_haptic", name, "tsa_haptic_1", run) for run, name in names.items()))
     assert content["verdict"] in ("explained", "ambiguous")
-    assert all(one & {"friction_hysteresis", "stick_slip"} for one in sets(content))  # what sticks rubs
+    assert all("friction_hysteresis" in one for one in sets(content))
     assert "angle_turns_2" in content["parameters"]
 
 

@@ -4,13 +4,17 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.loops import dry, loops, stops
 from pipeline.diagnosis.recursions import play
 from pipeline.diagnosis.shapes import grid
+from pipeline.kinematics import Array
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
+STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
 ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive's loop has two stops, out of these
 WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
+SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
+SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
+TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n"}
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -55,9 +59,37 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     elif "half_turns" in shape:
         sides = {name: drivers.directed(shape[key]) for name, key in WIDTHS.items()}
     else:
-        sides = stops(drivers, shape["span_turns"])
-    found = loops(drivers, sides, bool(shape["loaded"]))
-    return found + dry(drivers, shape["fastest_turns_per_s"]) if "fastest_turns_per_s" in shape else found
+        sides = {f"stop_{share:g}": drivers.directed(share * shape["span_turns"]) for share in STOPS}
+    found = []
+    for name, side in sides.items():
+        found += [
+            Term(f"{name}_{key}", "resistance", side * size, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
+            for key, size in envelopes(drivers, bool(shape["loaded"])).items()
+        ]
+    if "fastest_turns_per_s" in shape:
+        for share in SLOW:
+            side = np.tanh(drivers.rate / (share * shape["fastest_turns_per_s"]))
+            found.append(Term(f"dry_{share:g}_mm", "resistance", side))
+            found.append(
+                Term(f"dry_{share:g}_twist_mm_per_10_n", "resistance", side * drivers.load * drivers.tangent, "mm/10N")
+            )
+    return found
+
+
+def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
+    """How high a loop may be, by name: the same everywhere, or growing with load, and with load and twist."""
+    load, slope = drivers.load, drivers.tangent
+    found = {"mm": np.ones_like(load)}
+    if drivers.levered:
+        found["load_twist_mm_per_10_n"] = load * slope
+        found["load_steep_mm_per_10_n"] = load * slope**3
+    if loaded and drivers.levered:
+        found["root_load_twist_mm"] = np.sqrt(np.abs(load)) * slope
+    if loaded:
+        found["load_mm_per_10_n"] = np.abs(load)
+    if loaded and not drivers.levered:
+        found["slack_mm"] = np.exp(-np.abs(load) / SLACK_LOAD)
+    return found
 
 
 MECHANISM = Mechanism(

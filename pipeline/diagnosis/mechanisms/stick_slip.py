@@ -5,12 +5,10 @@ from scipy.ndimage import median_filter
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.loops import dry, loops, stops
 from pipeline.diagnosis.noise import resolution
 from pipeline.diagnosis.recursions import sticking
 from pipeline.kinematics import Array
 
-DRAGGED = 8  # one jump of so many is tried with the loop of friction as well
 AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate
 LOUDER = 1.15  # times the steps at rest
@@ -19,38 +17,24 @@ COARSE = 0.75  # of the sensor's resolution: rounding alone makes steps of half 
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
-    """How far the contraction is ahead, in mm, before it slips; `usual_rate` (turns/s) says what is slow.
-
-    On a string some have the loop of friction as well, which is what sticks.
-    """
+    """How far the contraction is ahead, in mm, before it slips; `usual_rate` (turns/s) says what is slow."""
     reach_mm = float(np.ptp(drivers.contraction))
     rate = np.abs(drivers.rate)
     usual = float(f"{np.median(rate[rate > 0.1 * rate.max()]) if rate.max() > 0 else 1.0:.6g}")
-    slow = {"usual_rate": float(f"{usual:.6g}")}
-    jumps = [
-        {"reach_mm": float(f"{value:.6g}"), "back_share": back, **slow}
+    return [
+        {"reach_mm": float(f"{value:.6g}"), "back_share": back, "usual_rate": usual}
         for value in np.geomspace(1e-3, 0.1, 20) * reach_mm
         for back in (0.0, 0.25)
     ]
-    if not drivers.levered:
-        return jumps
-    fastest = float(np.percentile(rate, 99))
-    drag = {"span_turns": drivers.span, "fastest_turns_per_s": fastest, "loaded": float(drivers.loaded)}
-    drag = {name: float(f"{value:.6g}") for name, value in drag.items()}
-    return jumps + [{**jump, **drag} for jump in jumps[::DRAGGED]]
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
-    """The gap to what sticks, at every speed and at low speed only; and the loop of the friction that it sticks by."""
+    """The gap to what sticks: at every speed, and at low speed only."""
     gap = drivers.contraction - sticking(
         drivers.contraction, shape["reach_mm"], shape["back_share"] * shape["reach_mm"]
     )
     slow = np.exp(-np.square(drivers.rate / shape["usual_rate"]))
-    found = [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
-    if "span_turns" in shape:
-        found += loops(drivers, stops(drivers, shape["span_turns"]), bool(shape["loaded"]))
-        found += dry(drivers, shape["fastest_turns_per_s"])
-    return found
+    return [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
 
 
 def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, float]:
@@ -100,7 +84,7 @@ def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 MECHANISM = Mechanism(
     id="stick_slip",
     driver="slow motion",
-    equation="dx = -(x - s) - (F/K) g(a) d, s sticks until |x - s| > reach, then slips; d: stop operators of the twist",
+    equation="dx = -(x - s), s sticks until |x - s| > reach, then slips",
     source="physics.md C7",
     confused_with="eccentricity, backlash",
     told_apart_by="one slow stroke: the jerks come at equal steps of contraction and vanish at speed",
