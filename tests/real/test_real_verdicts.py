@@ -89,6 +89,9 @@ def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_
     content = diagnosed(
         imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", f"tsa_haptic_{module}", "z-01")
     )
+    if content["verdict"] == "unknown":  # modules that jerk: nothing that follows it is likely enough
+        assert "direction" in content["mismatch"]["driver"]
+        return
     assert content["verdict"] == "ambiguous"  # at one speed a loop, a lag and a loss are nearly one
     assert all(one & DIRECTION for one in sets(content))
     assert not any("axial_elasticity" in one for one in sets(content))
