@@ -110,9 +110,8 @@ def main() -> None:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
     errors = check(content, source, folder)
-    of = content.get("run", run.run)
-    if run.run not in (of if isinstance(of, list) else [of]):
-        said = f"{source} is of {short(of)}: what it names holds for the same string on the same rig only"
+    if not adopted_error.is_of(content, run.run):
+        said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
         print(f"beware: {said}", file=sys.stderr)
     origin = adoptions(content, str(source))
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")

@@ -15,6 +15,12 @@ WHY = (
 NEXT = "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator."
 
 
+def is_of(content: dict[str, Any], run: str) -> bool:
+    """Whether a diagnosis is of a run; one that names none is taken to be."""
+    of = content.get("run", run)
+    return run in (of if isinstance(of, list) else [of])
+
+
 def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any], path: Path) -> list[str]:
     """What `pipeline.simulate` errs by on a run's own recording: before, from now on, and with the diagnosis itself.
 
@@ -34,8 +40,7 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
         lines.append(
             f"a verdict fits the zero instead: with its zero fitted to the whole recording it errs by {fitted}"
         )
-    of = content.get("run", run)
-    if content["parameters"] and run in (of if isinstance(of, list) else [of]):
+    if content["parameters"] and is_of(content, run):
         whole, _ = off(problem, tared(problem, content, path, run))
         lines.append(
             f"with --simulation {path} it errs by {size(whole, unit)}: that takes the calibrated dimensions too"

@@ -34,7 +34,9 @@ def test_the_pages_example_is_imported_and_says_what_comes_next(tmp_path):
     words = [sys.executable, *command.split()[1:]]
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, env={"PYTHONPATH": str(ROOT)})
     assert done.returncode == 0, done.stderr
-    assert done.stdout.splitlines()[-1].startswith(f"make its reports with: {following}, or ask only")
+    diagnose = "python -m pipeline.diagnose raw/nylon-20261121-01 --out reports/mine"
+    alone = f"or ask only what the simulator leaves out: {diagnose}"
+    assert done.stdout.splitlines()[-1] == f"make its reports with: {following}, {alone}"
     folder = tmp_path / "raw" / "nylon-20261121-01"
     _, samples = read_samples(folder)
     for name in ("time_s", "motor_turns", "displacement_mm"):

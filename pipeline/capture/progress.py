@@ -60,9 +60,8 @@ class Progress:
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
         other_pace = passed_s > PACE_AFTER_S and abs(recorded_s - passed_s) > PACE_DIFFERS * passed_s
         of = f" of {self.hello.strokes}" if self.hello.strokes else ""
-        rate_hz = self.samples / max(
-            passed_s, 1e-3
-        )  # as they come, which for a rig at another pace is not its own rate
+        # as they come, which for a rig at another pace is not its own rate
+        rate_hz = self.samples / max(passed_s, 1e-3)
         own = f" ({rate_hz / self.hello.rate_hz:.2g} times the {self.hello.rate_hz:g} of the rig's own clock)"
         left_s = self.left.at(passed_s)
         return [

@@ -3,7 +3,8 @@
 Nothing here decides: the verdict is already made.
 """
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.kinematics import Array
 
+T = TypeVar("T")
 LISTED = 11  # explanations
 RULED_OUT = 3  # of the likeliest that are not held
 SINGLES, OTHERS = 8, 4  # of one mechanism, and of each larger number
@@ -76,21 +78,20 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
 
 
 def probability(found: Study, ids: tuple[str, ...]) -> float | None:
-    """The judge's probability of an explanation; None where the judge did not weigh it, as on rigs without a string.
-
-    What is random stands in every explanation, and is seen, not weighed.
-    """
-    weighed = {} if not found.problem.drivers.levered else found.judged.likely
-    return weighed.get(ids, weighed.get(tuple(id_ for id_ in ids if id_ not in found.random)))
+    """The judge's probability of an explanation; None where the judge did not weigh it, as on rigs without a string."""
+    return _of(found, found.judged.likely, ids) if found.problem.drivers.levered else None
 
 
 def because(found: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[dict[str, Any]] | None:
     """What counts most against an explanation beside the best one; None where the judge did not weigh both."""
     known = {one.ids: one for one in found.judged.weighed}
-    one, first = (
-        known.get(each, known.get(tuple(id_ for id_ in each if id_ not in found.random))) for each in (ids, best)
-    )
+    one, first = (_of(found, known, each) for each in (ids, best))
     return aspects.chief(found.problem.judge, one, first) if one and first and one is not first else None
+
+
+def _of(found: Study, weighed: Mapping[tuple[str, ...], T], ids: tuple[str, ...]) -> T | None:
+    """What is known of an explanation that was weighed; what is random stands in each of them, seen and not weighed."""
+    return weighed.get(ids, weighed.get(tuple(id_ for id_ in ids if id_ not in found.random)))
 
 
 def fitted(search: Search, one: Explanation) -> Array:

@@ -41,6 +41,11 @@ def held(named: Array) -> list[int]:
     return [int(place) for place in likeliest[: int(np.argmax(reached >= HELD)) + 1]]
 
 
+def helpers_share(some: list[Weighed], named: Array) -> float:
+    """Probability of the explanations without physics of the library: it counts as that of "none of them"."""
+    return float(sum(share for one, share in zip(some, named, strict=True) if not physics(one.ids)))
+
+
 def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
     """What a search found, judged; `base` is the calibrated simulator, `floor` that of the noise.
 
@@ -57,6 +62,6 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
         # no lesson has three effects: where a third is worth much more than bent formulas are, it is taken
         named = np.where(untaught, named, 0.0)
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
-    none += sum(share for one, share in zip(some, named.tolist(), strict=True) if not physics(one.ids))
+    none += helpers_share(some, named)
     likely = {one.ids: float(share) for one, share in zip(some, named, strict=True)}
     return Judged([search.explain(some[place].ids) for place in held(named)], likely, none, tuple(some))

@@ -17,6 +17,20 @@ def saturations(amount: Array, whole: float) -> dict[str, Array]:
     return {**grown, "steady": amount / whole}
 
 
+def growths(amount: Array, whole: float) -> dict[str, Array]:
+    """The growth laws of `saturations` by name, and one that gets faster."""
+    return {**saturations(amount, whole), "faster": (amount / whole) ** 2}
+
+
+def half_waves(share: Array, shape: Shape, first: int) -> dict[int, Array]:
+    """Cosines of `first` to `half_waves` half waves over a recording, of whose length `share` has passed, by number.
+
+    None where the shape has no `half_waves`.
+    """
+    last = int(shape.get("half_waves", 0.0))
+    return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
+
+
 def hinge(signal: Array, onset: float, softness: float) -> Array:
     """Rises with slope 1 beyond an onset; softplus of the given width."""
     return np.asarray(softness * np.logaddexp(0.0, (signal - onset) / softness))

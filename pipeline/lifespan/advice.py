@@ -6,6 +6,7 @@ import numpy as np
 
 from pipeline.lifespan.ask import Answer
 from pipeline.lifespan.left import LEAST_STROKES, Span
+from pipeline.lifespan.whole import strokes
 
 SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
 LEVEL = 0.9
@@ -40,8 +41,3 @@ def advice(answers: list[Answer]) -> str:
     if drift(answers).state == "censored":
         return f"Advice: the model need not be calibrated again within {strokes(when)}; {again}."
     return f"Advice: calibrate the model again after about {strokes(when)}; {again}."
-
-
-def strokes(count: int) -> str:
-    """A number of strokes: `1 stroke`, `4 strokes`."""
-    return f"{count} stroke{'s' if count != 1 else ''}"

@@ -17,7 +17,7 @@ from pipeline.lifespan.health import Health
 from pipeline.lifespan.indicators import REFERENCE
 from pipeline.lifespan.left import BAND_LEVELS, LEAST_STROKES
 from pipeline.lifespan.percent import percent
-from pipeline.lifespan.whole import at_least, at_most
+from pipeline.lifespan.whole import at_least, at_most, strokes
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 OTHERS = (
@@ -58,8 +58,7 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             axes.set_ylabel(label)
             if name == "loop_mm" and float(np.nanmin(table[name])) < 0.0:
                 axes.text(0.98, 0.97, NEGATIVE_LOOP, ha="right", va="top", transform=axes.transAxes, fontsize=7.5)
-        count = len(health.strokes)
-        figure.suptitle(f"{health.string}: {count} stroke{'s' if count != 1 else ''} seen", fontsize=11)
+        figure.suptitle(f"{health.string}: {strokes(len(health.strokes))} seen", fontsize=11)
         if said := footnote(answers, level):
             figure.supxlabel(said, fontsize=7.5, x=0.02, ha="left")
         with whole(path) as temporary:

@@ -9,7 +9,7 @@ from pipeline.lifespan.indicators import REFERENCE
 from pipeline.lifespan.left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
 from pipeline.lifespan.measured import measured
 from pipeline.lifespan.percent import of_100, percent, tail
-from pipeline.lifespan.whole import at_least, at_most
+from pipeline.lifespan.whole import at_least, at_most, strokes
 from pipeline.zero import Jump
 
 UNFORESEEN = (
@@ -25,9 +25,9 @@ SYNTHETIC = (
 LAST = 3  # strokes that tell how far a limit is
 
 
-def few(strokes: int) -> bool:
+def few(count: int) -> bool:
     """Whether so many strokes are too few for a forecast."""
-    return strokes < LEAST_STROKES
+    return count < LEAST_STROKES
 
 
 def so_far(one: Answer) -> str:
@@ -49,13 +49,13 @@ def so_far(one: Answer) -> str:
 def seen(health: Health) -> list[str]:
     """How many strokes were seen; where they are too few, how many are needed and how to get them."""
     table = health.strokes
-    strokes = f"{len(table)} stroke{'s' if len(table) != 1 else ''} seen"
+    there = f"{strokes(len(table))} seen"
     if not few(len(table)):
-        return [f"{health.string}: {strokes}, the last one stroke {int(table['stroke'].iloc[-1])}."]
+        return [f"{health.string}: {there}, the last one stroke {int(table['stroke'].iloc[-1])}."]
     more = LEAST_STROKES - len(table)
     needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
     return [
-        f"{health.string}: no forecast yet: {strokes}; {needed}.",
+        f"{health.string}: no forecast yet: {there}; {needed}.",
         f"  Record {more} or more further strokes of this very string as a new run with the same --string-id "
         f"({health.string}), then name all runs of it in this command.",
         f"  {SYNTHETIC}",

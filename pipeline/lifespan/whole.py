@@ -1,4 +1,4 @@
-"""Bounds in whole strokes: a lower one is cut down and an upper one is cut up, so that neither promises too much."""
+"""Whole strokes in words; a lower bound is cut down and an upper one is cut up, so that neither promises too much."""
 
 import math
 
@@ -13,3 +13,8 @@ def at_least(strokes: float) -> str:
 def at_most(strokes: float) -> str:
     """An upper bound: `10` of 9.52."""
     return f"{math.ceil(strokes - HAIR)}"
+
+
+def strokes(count: int) -> str:
+    """A number of strokes: `1 stroke`, `4 strokes`."""
+    return f"{count} stroke{'s' if count != 1 else ''}"

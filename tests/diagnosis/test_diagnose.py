@@ -154,7 +154,7 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     block = (here / "simulation.yaml").read_text()  # what may be pasted instead
     assert block in (adopted / "run.yaml").read_text()
     told = yaml.safe_load(block)
-    assert told["simulation"] == content["simulation"]
+    assert set(told) == {"simulation", "adopted"} and told["simulation"] == content["simulation"]
     assert [(one["effects"], one["verdict"], one["tied"]) for one in told["adopted"]] == [(["creep"], "explained", [])]
     assert f"python -m pipeline.adopt {here / 'diagnosis.json'} {folder}\n" in (here / "verdict.txt").read_text()
     (tmp_path / "out" / folder.name).mkdir(parents=True)

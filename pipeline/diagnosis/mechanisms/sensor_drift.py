@@ -4,6 +4,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording
@@ -21,9 +22,9 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     share = drivers.elapsed_s / shape["whole_s"]
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
-    for k in range(2, int(shape.get("half_waves", 0.0)) + 1):
-        name = f"wandering_{k}_mm"
-        signals[name], means[name] = np.cos(np.pi * k * np.clip(share, 0.0, 1.0)), 0.0
+    for count, wave in half_waves(share, shape, 2).items():
+        name = f"wandering_{count}_mm"
+        signals[name], means[name] = wave, 0.0
     return [Term(name, "sensor", signal - means[name], "mm", -np.inf) for name, signal in signals.items()]
 
 

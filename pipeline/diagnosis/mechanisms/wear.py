@@ -4,7 +4,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import saturations
+from pipeline.diagnosis.shapes import growths
 from pipeline.kinematics import Array
 
 
@@ -27,9 +27,7 @@ def travelled(drivers: Drivers, load_power: float) -> Array:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Relative change of radius with travel, saturating and straight."""
-    travel = travelled(drivers, shape["load_power"])
-    grown = saturations(travel, shape["travel_turns"])
-    grown["faster"] = (travel / shape["travel_turns"]) ** 2
+    grown = growths(travelled(drivers, shape["load_power"]), shape["travel_turns"])
     return [Term(name, "radius", shape["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from pipeline.diagnosis.shapes import half_waves
 from pipeline.kinematics import Array
 
 WAVES = 8.0  # half waves over the recording, at most
@@ -26,9 +27,8 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         return lambda reading: np.asarray(-delay * drivers.slope(reading))
 
     found = [Term("parting_s", "sensor", late(share), "s", -MOST_S, MOST_S)]
-    for k in range(1, int(shape.get("half_waves", 0.0)) + 1):
-        wave = np.cos(np.pi * k * np.clip(share, 0.0, 1.0))
-        found.append(Term(f"wandering_{k}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
+    for count, wave in half_waves(share, shape, 1).items():
+        found.append(Term(f"wandering_{count}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
     return found
 
 

@@ -1,10 +1,8 @@
 """The radius changes with time, at work and at rest alike: the string takes up moisture, or dries."""
 
-import numpy as np
-
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import saturations
+from pipeline.diagnosis.shapes import growths
 
 
 def shapes(drivers: Drivers) -> list[Shape]:
@@ -16,8 +14,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Relative change of radius with time, saturating, straight and bent."""
-    grown = saturations(drivers.elapsed_s, shape["whole_s"])
-    grown["faster"] = np.square(drivers.elapsed_s / shape["whole_s"])
+    grown = growths(drivers.elapsed_s, shape["whole_s"])
     return [Term(name, "radius", shape["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
 
 

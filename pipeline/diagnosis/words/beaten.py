@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.search import EXPLAINED
 from pipeline.diagnosis.words import probability
 from pipeline.diagnosis.words.places import EVERYWHERE, place
@@ -50,7 +51,7 @@ def insufficient(content: dict[str, Any], words: Vocabulary) -> list[str]:
         likely = probability.said(one)
         share = f"{100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
         said = f"{called(one['ids'])}: {likely}{'; ' if likely else ''}takes {share}"
-        helper = all(id_.startswith("x_") for id_ in one["ids"])
+        helper = not physics(tuple(one["ids"]))
         lines.append(f"{said}{', and is no physics of the library' if helper else ''}.")
     return [*lines, f"{100.0 * EXPLAINED:.0f} % make an explanation."]
 

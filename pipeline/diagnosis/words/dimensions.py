@@ -55,13 +55,13 @@ def do_not_copy(moved: Iterable[str]) -> str:
 
 def suspicious(content: dict[str, Any]) -> list[str]:
     """What a reader must know first of dimensions that calibration moved to the bound of what it may do."""
-    found = [name for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
+    bounds = at_bound(content["evidence"]["moved_sigma"])
+    found = {name: which for name, which in bounds.items() if name in content["parameters"]}
     if not found:
         return []
     said = []
-    for name in found:
+    for name, which in found.items():
         nominal, value = from_to(content, name)
-        which = at_bound(content["evidence"]["moved_sigma"])[name]
         whence = f"{nominal} was assumed" if assumed(name) else f"run.yaml says {nominal}"
         said.append(f"{name_of(name)}, {which} bound {value} ({whence})")
     one = len(found) == 1

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.judge import Judge
-from pipeline.diagnosis.judged import UNKNOWN, held
+from pipeline.diagnosis.judged import UNKNOWN, held, helpers_share
 from pipeline.proof.teach.fit import explanations, fitted
 from pipeline.proof.teach.lesson import Lesson
 
@@ -41,9 +40,9 @@ class Judged:
 def judged(judge: Judge, lesson: Lesson) -> Judged:
     """What a judge says of a lesson."""
     some = explanations(lesson)
-    *named, none = judge.probabilities(some).tolist()
-    none += sum(share for one, share in zip(some, named, strict=True) if not physics(one.ids))
-    places = held(np.array(named)) if none < UNKNOWN else []
+    *shares, none = judge.probabilities(some).tolist()
+    named = np.array(shares)
+    places = held(named) if none + helpers_share(some, named) < UNKNOWN else []
     return Judged(lesson, tuple(some[place].ids for place in places), tuple(places))
 
 
