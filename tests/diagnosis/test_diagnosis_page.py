@@ -98,7 +98,7 @@ def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_wo
 
 def test_the_title_of_the_error_on_held_out_strokes_says_whether_a_fit_has_seen_them(drawn) -> None:
     figure, content = drawn
-    assert figure.subfigs[-2].axes[1].get_title() == "Error on strokes that no fit has seen"
+    assert " ".join(figure.subfigs[-2].axes[1].get_title().split()) == "Error on strokes that no fit has seen"
     one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": [content["run"]]}
     _, axes = plt.subplots()
     held = {"split": "last 2 strokes", "nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
