@@ -61,12 +61,12 @@ def diagnose(
             raise BadInput(folder, load, f"is in {'it' if load in table else folders[0]} only", mend)
     by = judge(judge_file) if judge_file else None
     problem = engine.make_problem(runs, tables, folders, without=without, by=by)
+    fine = engine.at_own_rate(runs, tables)
+    say("held out")  # first: a study is large, and this one is let go before the other begins
+    held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
     found = engine.study(problem, say)
     outcome.refuse_faint(found, folders[0])
-    say("held out")
-    fine = engine.at_own_rate(runs, tables)
     found = engine.polished(found, fine)
-    held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
     content = verdict.diagnosis(found, fine, held, runs, experiment, without)

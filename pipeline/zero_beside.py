@@ -25,18 +25,21 @@ def jumps_into(folders: list[Path], runs: list[Run], tables: list[pd.DataFrame])
         for folder, run, table in zip(folders, runs, tables, strict=True)
     }
     every = list(known.values())
-    for place in sorted({folder.resolve().parent for folder in folders}):
-        every += [one for one in _beside(place, {run.string_id for run in runs}) if one.run.run not in known]
+    asked = {folder.resolve() for folder in folders}
+    for place in sorted({folder.parent for folder in asked}):
+        every += [one for one in _beside(place, {run.string_id for run in runs}, asked) if one.run.run not in known]
     found = []
     for string in sorted({run.string_id for run in runs}):
         found += jumps([one for one in every if one.run.string_id == string])
     return [jump for jump in found if jump.run in known]
 
 
-def _beside(place: Path, strings: set[str]) -> list[Recorded]:
-    """Runs in a folder of runs that name one of these strings."""
+def _beside(place: Path, strings: set[str], but: set[Path]) -> list[Recorded]:
+    """Runs in a folder of runs, `but` some, that name one of these strings."""
     found = []
     for folder in find_runs(place):
+        if folder.resolve() in but:
+            continue
         try:
             text = (folder / "run.yaml").read_text(encoding="utf-8")
             if any(string in text for string in strings) and read_run(folder).string_id in strings:

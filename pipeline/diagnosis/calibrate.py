@@ -24,7 +24,7 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
     for _ in range(ITERATIONS):
         linear = Linear(problem, state, noise, catalogue)
-        found = linear.state_of(linear.fit_quickly(linear.columns_of(keys)), keys)
+        found = linear.state_of(linear.fit(linear.columns_of(keys)), keys)
         moved = max(
             abs(found.values[i] - state.values[i]) / problem.parameters[i].sigma for i in problem.movable
         ) if problem.movable else 0.0  # fmt: skip
@@ -82,7 +82,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
                 tries = []
                 for option in [number, *range(count, count + len(near) - 1)]:
                     keys = tuple(sorted([*fixed, (act.id, option)], key=lambda key: list(catalogue).index(key[0])))
-                    tries.append((linear.fit_quickly(linear.columns_of(keys)), keys))
+                    tries.append((linear.fit(linear.columns_of(keys)), keys))
                 best, keys = min(tries, key=lambda item: item[0].misfit)
                 state = linear.state_of(best, keys)
         if level >= REFINEMENTS and all(mechanisms()[act.id].steps == 1 for act in state.acts):

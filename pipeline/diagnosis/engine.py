@@ -140,8 +140,9 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             place = min(range(len(own)), key=lambda i: unlikely(problem, own[i], refined[i]))
             best, noise = refined[place], own[place]
             shapes = candidates.with_refined(problem, shapes, refined)
-            ordered = [best, *(state for state in refined if state is not best)]
-            search = Search(Linear(problem, best, noise, shapes, form=form.columns(problem, ordered)), least)
+            bends = form.columns(problem, [best, *(state for state in refined if state is not best)])
+            del search  # it is large, and the next one is as large
+            search = Search(Linear(problem, best, noise, shapes, form=bends), least)
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) in (0, len(before.ids)):
                 break

@@ -8,6 +8,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.patches import Patch
 
 from pipeline.diagnosis import panels
@@ -54,7 +56,7 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     }
     residuals = {"calibrated": problem.measured - simulated["calibrated"]}
     residuals["as diagnosed"] = problem.measured - simulated["as diagnosed"]
-    figure = plt.figure(figsize=SIZE_INCHES, layout="constrained")
+    figure = plt.figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
@@ -86,7 +88,9 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
-    for ending_, metadata in ((".png", {"Software": None}), (".pdf", {"CreationDate": None})):
-        with whole(path.with_name(path.name + ending_)) as temporary:
-            figure.savefig(temporary, dpi=DOTS, metadata=metadata)
+    with whole(path.with_name(f"{path.name}.png")) as temporary:  # each canvas draws once, savefig twice
+        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
+    figure.set_layout_engine("none")  # what is laid out stays as it is
+    with whole(path.with_name(f"{path.name}.pdf")) as temporary:
+        FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})
     plt.close(figure)

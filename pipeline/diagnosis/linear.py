@@ -4,12 +4,13 @@ All comparisons of sets of mechanisms happen here, on products alone, so that a 
 about a tenth of a millisecond.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.diagnosis.interface import Shape, Term
+from pipeline.diagnosis.columns import Columns
+from pipeline.diagnosis.interface import Shape
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Act, Problem, State
@@ -45,63 +46,41 @@ class Linear(Products):
         form: dict[str, Array] | None = None,
     ) -> None:
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, catalogue
-        rows = problem.rows
+        rows = self.rows = problem.rows
         slopes = problem.sensitivity(state)
         clean = problem.clean_reading(state)
+        columns = Columns(rows)
         run_index = problem.record.run_index[:rows]
-        columns: list[Array] = [(run_index == run).astype(float) for run in range(problem.runs)]
         reach, spread = (np.inf, ZERO_SIGMA) if problem.system.free_zero else (0.0, FIXED_SIGMA)
-        low, high, sigma = [-reach] * problem.runs, [reach] * problem.runs, [spread] * problem.runs
-        self.at = [float(zero) for zero in state.zeros]
+        for run in range(problem.runs):
+            columns.add((run_index == run).astype(float), -reach, reach, spread, float(state.zeros[run]))
         for index in problem.movable:
-            parameter = problem.parameters[index]
-            columns.append(slopes[parameter.name][:rows])
-            sigma.append(parameter.sigma)
-            low.append(max(-parameter.reach * parameter.sigma, parameter.lowest - parameter.nominal))
-            high.append(parameter.reach * parameter.sigma)
-            self.at.append(float(state.values[index] - parameter.nominal))
-        self.calibration = np.arange(len(columns))
+            one = problem.parameters[index]
+            least, most = max(-one.reach * one.sigma, one.lowest - one.nominal), one.reach * one.sigma
+            moved = float(state.values[index] - one.nominal)
+            columns.add(slopes[one.name][:rows], least, most, one.sigma, moved)
+        self.calibration = known = np.arange(len(columns))
         self.index: dict[Key, np.ndarray] = {}
-        self.terms: list[Term] = []
         for id_, shapes in catalogue.items():
             for number, shape in enumerate(shapes):
-                terms = problem.terms(mechanisms()[id_], shape)
-                self.index[id_, number] = np.arange(len(columns), len(columns) + len(terms))
-                for term in terms:
-                    columns.append(problem.column(term, slopes, state, clean)[:rows])
-                    low.append(term.low)
-                    high.append(term.high)
-                    sigma.append(np.inf)
-                    self.terms.append(term)
-                    self.at.append(0.0)
-
-        def free(more: Array, spread: float) -> np.ndarray:
-            """Columns without bounds, and their places."""
-            columns.extend(more[:, :rows])
-            low.extend([-np.inf] * len(more))
-            high.extend([np.inf] * len(more))
-            sigma.extend([spread] * len(more))
-            self.at += [0.0] * len(more)
-            return np.arange(len(columns) - len(more), len(columns))
-
-        self.extra = free(np.zeros((0, rows)) if extra is None else extra, np.inf)
-        self.form = {id_: free(more, 1.0) for id_, more in (form or {}).items()}
-        self.low, self.high = np.array(low), np.array(high)
-        prior = np.where(np.isfinite(sigma), 1.0 / np.square(sigma), 0.0)
-        target = (problem.measured - problem.simulate(state))[:rows]
-        for column, value in zip(columns[: len(self.calibration)], self.at, strict=False):
-            target = target + value * column
+                before = len(columns)
+                for term in problem.terms(mechanisms()[id_], shape):
+                    columns.add(problem.column(term, slopes, state, clean)[:rows], term.low, term.high, np.inf)
+                self.index[id_, number] = np.arange(before, len(columns))
+        self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
+        self.form = {id_: columns.free(more, 1.0) for id_, more in (form or {}).items()}
+        self.low, self.high, sigma, self.at = columns.numbers()
+        target = (problem.measured - problem.simulate(state))[:rows] + self.at[known] @ columns.table[known]
         for act in state.acts:
             if act in problem.included:
                 continue
             for term, coefficient in problem.act_terms(act):
                 target = target + coefficient * problem.column(term, slopes, state, clean)[:rows]
-        self.begin = np.zeros(len(low))  # calibration starts where it stands, the rest at nothing
-        known = self.calibration
-        self.begin[known] = np.clip(np.array(self.at)[known], self.low[known], self.high[known])
-        self.rows = rows
-        table = np.ascontiguousarray(np.vstack([*columns, target]))
-        self.hold(table, prior, noise, problem.drivers.first[:rows])
+        self.begin = np.zeros(len(columns))  # calibration starts where it stands, the rest at nothing
+        self.begin[known] = np.clip(self.at[known], self.low[known], self.high[known])
+        prior = np.where(np.isfinite(sigma), 1.0 / np.square(sigma), 0.0)
+        columns.add(target, 0.0, 0.0, np.inf)
+        self.hold(columns.table, prior, noise, problem.drivers.first[:rows])
 
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
         """Calibration's columns and those of some shapes."""
@@ -109,11 +88,6 @@ class Linear(Products):
 
     def fit(self, columns: np.ndarray) -> Fit:
         """Whitened joint fit of some columns."""
-        fit = self.fit_quickly(columns)
-        return replace(fit, energy=self.raw_energy(columns, fit.coefficients))
-
-    def fit_quickly(self, columns: np.ndarray) -> Fit:
-        """Whitened joint fit without its plain energy."""
         low, high = self.low[columns], self.high[columns]
         solution, misfit = fitted(self.gram, self.moment, columns, low, high, self.begin[columns])
         active = int(np.sum((np.abs(solution) * self.scale[columns])[len(self.calibration) :] > 1.0))
@@ -124,9 +98,9 @@ class Linear(Products):
         blocks = [self.index[id_, number] for number in range(len(self.catalogue[id_]))]
         starts, counts = np.array([block[0] for block in blocks]), np.array([len(block) for block in blocks])
         columns, known = self.columns_of(keys), len(self.calibration)
-        misfit, active = scan(
-            self.gram, self.moment, columns, starts, counts, self.low, self.high, self.begin, known
-        )  # fmt: skip
+        begin = self.begin.copy()
+        begin[columns] = self.fit(columns).coefficients  # near to where each of them ends
+        misfit, active = scan(self.gram, self.moment, columns, starts, counts, self.low, self.high, begin, known)
         return self.square + misfit, active
 
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:

@@ -12,6 +12,7 @@ from pipeline.diagnosis.record import Record
 from pipeline.kinematics import Array
 from pipeline.systems import Parameter, System
 
+REMEMBERED = 64  # terms of shapes: those of whatever acts are asked for again and again
 STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port
 
 
@@ -85,9 +86,11 @@ class Problem:
         return replace(state, zeros=zeros)
 
     def terms(self, mechanism: Mechanism, shape: Shape) -> list[Term]:
-        """Terms of a mechanism's shape, remembered."""
+        """Terms of a mechanism's shape; the last few that were asked for are remembered."""
         key = (mechanism.id, tuple(shape.items()))
         if key not in self._terms:
+            if len(self._terms) >= REMEMBERED:
+                del self._terms[next(iter(self._terms))]
             self._terms[key] = mechanism.terms(self.drivers, shape)
         return self._terms[key]
 

@@ -10,6 +10,8 @@ from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.recursions import whiten
 from pipeline.kinematics import Array
 
+STRETCH = 2048  # samples: a whitened copy of all of them at once would be as large as the table
+
 
 class Products:
     """Products of a table's rows, the columns of a fit and its target, whitened and as they are."""
@@ -19,29 +21,42 @@ class Products:
         self.table, self.prior, self.noise, self.first = table, prior, noise, first
         self.raw_prior = prior * noise.floor**2
         self._kept: dict[int, int] = {}
+        self._rows = np.empty((0, table.shape[1]))  # the kept columns, side by side; with room for more
         self._raw = np.zeros((0, 0))
 
     @cached_property
-    def products(self) -> Array:
-        """All products of the whitened columns and of the target; the target last."""
-        return _products(whiten(self.table, self.noise.ar, self.first) / self.noise.innovation)
+    def whitened(self) -> tuple[Array, Array, float]:
+        """Products of the whitened columns, priors included, and with the target, and the target's square.
 
-    @cached_property
+        They are made stretch by stretch.
+        """
+        order, samples = len(self.noise.ar), self.table.shape[1]
+        upper = np.zeros((len(self.table), len(self.table)), order="F")
+        for start in range(0, samples, STRETCH):
+            before = max(start - order, 0)
+            rows = slice(before, start + STRETCH)
+            part = whiten(np.ascontiguousarray(self.table[:, rows]), self.noise.ar, self.first[rows])
+            upper = dsyrk(1.0, part[:, start - before :].T, beta=1.0, c=upper, trans=1, overwrite_c=1)
+        upper += np.triu(upper, 1).T
+        upper /= self.noise.innovation**2
+        gram, moment = upper[:-1, :-1].copy(), upper[-1, :-1].copy()
+        gram[np.diag_indices(len(gram))] += self.prior
+        return gram, moment, float(upper[-1, -1])
+
+    @property
     def gram(self) -> Array:
         """Products of the whitened columns, priors included."""
-        gram = self.products[:-1, :-1].copy()
-        gram[np.diag_indices(len(gram))] += self.prior
-        return gram
+        return self.whitened[0]
 
-    @cached_property
+    @property
     def moment(self) -> Array:
         """Products of the whitened columns with the target."""
-        return self.products[-1, :-1].copy()
+        return self.whitened[1]
 
     @property
     def square(self) -> float:
         """The whitened target's square."""
-        return float(self.products[-1, -1])
+        return self.whitened[2]
 
     @cached_property
     def scale(self) -> Array:
@@ -56,18 +71,16 @@ class Products:
         wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
         new = [column for column in wanted if column not in self._kept]
         if new:
-            known, more = len(self._kept), self.table[new]
+            known, count = len(self._kept), len(self._kept) + len(new)
             self._kept |= {column: known + place for place, column in enumerate(new)}
-            across = more @ self.table[list(self._kept)].T
-            grown = np.empty((len(self._kept), len(self._kept)))
+            if count > len(self._rows):
+                rows = np.empty((max(count, known + known // 4), self.table.shape[1]))
+                rows[:known], self._rows = self._rows[:known], rows
+            self._rows[known:count] = self.table[new]
+            across = self._rows[known:count] @ self._rows[:count].T
+            grown = np.empty((count, count))
             grown[:known, :known], grown[known:], grown[:, known:] = self._raw, across, across.T
             self._raw = grown
         place = np.array([self._kept[column] for column in columns.tolist()], np.intp)
         target = self._kept[len(self.table) - 1]
         return self._raw[np.ix_(place, place)], self._raw[place, target], float(self._raw[target, target])
-
-
-def _products(table: Array) -> Array:
-    """All products of the rows of a table, symmetric."""
-    upper = dsyrk(1.0, table.T, trans=1)
-    return np.asarray(np.triu(upper) + np.triu(upper, 1).T)

@@ -89,7 +89,7 @@ class Search:
 
     def _one_sign(self, given: tuple[Key, ...], events: tuple[Key, ...]) -> bool:
         """Whether events of one mechanism all go one way, as what drives them does."""
-        fit = self.linear.fit_quickly(self.linear.columns_of((*given, *events)))
+        fit = self.linear.fit(self.linear.columns_of((*given, *events)))
         signs = np.sign(fit.coefficients[-sum(len(self.linear.index[key]) for key in events) :])
         return bool(np.all(signs >= 0) or np.all(signs <= 0))
 
@@ -142,7 +142,7 @@ class Search:
         """An explanation whose formulas may be wrong by a little, as smooth functions of the drivers."""
         form = [self.linear.form[id_] for id_ in one.ids if id_ in self.linear.form]
         columns = np.concatenate([self.linear.columns_of(one.keys), *form]).astype(int)
-        fit = self.linear.fit_quickly(columns)
+        fit = self.linear.fit(columns)
         active = one.fit.active
         cost = fit.misfit + self.penalty * (active + sum(self.free[id_] for id_, _ in one.keys))
         return Explanation(one.ids, one.keys, fit, cost, self.linear.plain(columns).energy)
