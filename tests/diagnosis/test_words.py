@@ -127,11 +127,26 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
     ):  # fmt: skip
         assert step in text
     assert (
-        "This run is to tell creep from thermal. So far the two predictions differ by 2.2 standard deviations; "
-        "with the run it should be 73."
+        "Worth making if you need to know which is at work: creep or thermal; otherwise adopt the best explanation to "
+        "predict with, and report it as one of 2. It is to tell friction_hysteresis + creep from friction_hysteresis + "
+        "thermal. So far the closest two predictions differ by 2.2 standard deviations; with the run it should be 73."
     ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
-    assert "with the same `string.id`" in text
+
+
+def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_it_is_worth_it():
+    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_then=16.0)
+    made["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
+    text = told(made)
+    pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
+    assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
+    assert "Hardly worth making: make it only if you need to know which is at work: creep or thermal; otherwise" in text
+    assert "with the run it should be 4, and no other run" in text and "Noise alone can make that, so it does" in text
+    made["next_run"]["parts"][0].append("wear")
+    assert "which is at work: creep and wear, or thermal; otherwise adopt the best explanation to predict" in told(made)
+    made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
+    made["fit"]["heldout"]["explained_mm"] = 0.95
+    assert "whether slack is at work; otherwise report all 5 explanations and adopt none." in told(made)
 
 
 def test_the_json_holds_the_same_protocol_in_one_string():
@@ -151,6 +166,10 @@ def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
     assert "Run 2, under 20 N as recorded:" in both
     assert "raw/nylon-3 raw/nylon-3-next-1 raw/nylon-3-next-2 --together" in both
     assert "It shows whether what is missing follows the twist." in both
+    assert "  python -m pipeline.new_run nylon-3-next-1 --like raw/nylon-3 --load-n 30\n" in both
+    assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in both
+    assert "  python -m pipeline.capture PORT raw/nylon-3-next-2\n" in both
+    assert "If your rig cannot change its load, make the run at the other speed alone: it shows less." in both
     one = told(content(next_run=run | {"fixed_load": False}))
     assert "Change the load to 20 N." in one and "raw/nylon-3 raw/nylon-3-next --together" in one
 
@@ -412,7 +431,7 @@ def test_the_sentences_keep_their_subject_and_need_no_second_reading():
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     for gap in (1.0, 900.0):
         made["next_run"]["gap_now"] = gap
-        text = told(made)
+        text = told(copy.deepcopy(made))
         assert ("so it does not decide" in text) == (gap > 25.0)
         assert "standard deviations of the noise" not in text
         assert not re.search("make up for|a little wrong|slightly wrong|two part|whatever the rig", text)
@@ -524,11 +543,11 @@ def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means(
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    assert "So far the two predictions differ by 53 standard deviations." in text
-    assert "The run may not decide either: with the run it should be 69," in text
+    assert "So far the closest two predictions differ by 53 standard deviations; with the run it should be 69," in text
+    assert "wrong by a few per cent can make it too, so it does not decide." in text and "Hardly worth making" in text
     text = told(content(next_run__gap_now=900.0))
     more = "2.4 times as much"
-    assert f"With the run they should differ by 73, {more}: a formula would have to be wrong by {more}" in text
+    assert f"With the run it should be 73, {more}: a formula would have to be wrong by {more}" in text
     assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
 
 
@@ -851,10 +870,37 @@ def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():
 
 def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
     text = told(content(next_run__title="one stroke under twice the load"))
-    said = "Only if the rig bears so much. If your rig cannot do this run, the likelier explanations stay tied."
-    assert said in text and "If your rig cannot" not in told()
-    no_use = {
-        "next_run__title": "one stroke under twice the load",
-        "next_run__gap_then": content()["next_run"]["gap_now"],
-    }
-    assert "If your rig cannot" not in told(content(**no_use))  # the run would decide nothing
+    said = "Only if the rig bears so much. If your rig cannot change its load, leave this run out: the likelier expl"
+    assert f"{said}anations stay tied." in text and "If your rig cannot" not in told()
+    now = content()["next_run"]["gap_now"]
+    changes = {"next_run__title": "one stroke under half the load", "next_run__gap_then": now}
+    assert "If your rig cannot change its load, leave this run out: little is lost." in told(content(**changes))
+    fast = told(content(next_run__title="one stroke at twice the speed"))
+    assert "Only if the motor can go so fast. If your rig cannot go so fast, leave this run out" in fast
+
+
+def next_thing(made):
+    """The one piece of advice."""
+    return " ".join(told(made).partition("What to do next\n")[2].partition("\n\n")[0].split())
+
+
+def test_one_clear_advice_says_what_to_do_next():
+    which, adopt = "which is at work: creep or thermal", "dopt the best explanation to predict with, and report it as"
+    assert (
+        next_thing(content()) == f"Make the run below: it can decide {which}. If you do not make it, a{adopt} one of 2."
+    )
+    weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
+    only = f"Make the run below only if you need to know {which}: it may not decide."
+    assert next_thing(weak) == f"A{adopt} one of 2. {only}"
+    one = {"verdict": "explained", "alternatives": [], "next_run": None}
+    again = "Measure the radius again, and write what you measured into run.yaml."
+    assert next_thing(content(**one)) == f"Adopt the explanation: the command is below. {again}"
+    assert next_thing(content(**one, fit__heldout__explained_mm=0.95)).startswith(
+        "Adopt nothing: on the unseen strokes"
+    )
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+    assert next_thing(content(**bare)) == again
+    still = {"evidence__moved_sigma": {"radius_mm": 0.4}}
+    assert next_thing(content(**bare, **still)) == "Nothing needs to be done: this recording shows nothing further."
+    nothing = content(verdict="unknown", mechanisms=[], alternatives=[], next_run={**content()["next_run"]})
+    assert next_thing(nothing).startswith("Make the run below: it shows more of what is missing. Adopt nothing")

@@ -16,13 +16,18 @@ MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
+def far_moved(content: dict[str, Any]) -> dict[str, float]:
+    """By how many sigma each dimension moved that is to be measured again."""
+    return {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
+
+
 def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = False, in_vain: bool = False) -> list[str]:
     """A line for each dimension to measure again, and what else may have bent it.
 
     `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_vain`: moving
     the dimensions explains next to nothing.
     """
-    moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
+    moved = far_moved(content)
     lines = []
     for name, sigma in ({} if in_vain else moved).items():
         nominal, value = from_to(content, name)

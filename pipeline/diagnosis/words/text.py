@@ -7,8 +7,10 @@ from typing import Any
 
 from pipeline.diagnosis.words import (
     adoption,
+    advice,
     beaten,
     certainty,
+    commands,
     effects,
     experiment,
     explained_words,
@@ -17,6 +19,7 @@ from pipeline.diagnosis.words import (
     seen,
     sight,
     unseen,
+    worth,
 )
 from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
@@ -28,7 +31,7 @@ from pipeline.systems import System
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
-PROGRAM, COMMAND = "  python -m pipeline.", "python -m pipeline.diagnose"
+PROGRAM = "  python -m pipeline."
 WIDE = 112
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
@@ -44,6 +47,7 @@ def verdict_text(
     sections = [
         (headline(content, words), certainty.summary(content)),
         (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
+        (advice.HEADING, advice.lines(content, words)),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
@@ -58,7 +62,7 @@ def verdict_text(
         ("What is likely beside it", tied(content, words)),
         (sight.heading(content), unseen.lines(content, words)),
         ("Dimensions", moved(content, words)),
-        ("The run to make next", following(content, words, folders)),
+        ("The run to make next", following(content, words, folders, out)),
         ("To adopt it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", seen.lines(content, words)),
@@ -160,14 +164,13 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [*corrected(content, words), *again]
 
 
-def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[str]:
-    """The protocol, line by line, and the command that diagnoses its recording together with this one."""
+def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+    """The protocol, line by line, what it is worth, and the commands from its folder to its diagnosis."""
     run = content["next_run"]
     if not run:
         return no_run(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]
-    command = " ".join([COMMAND, *map(str, folders), *new, "--together --out DIR"])
-    why = (experiment.care(run), experiment.purpose(run, words), experiment.together(run, words), f"  {command}")
-    return [*lines, *(line for line in why if line)]
+    lines += [worth.care(content, words), worth.purpose(content, words)]
+    found = commands.lines(folders, out, experiment.loads(run, words))
+    return [line for line in (*lines, *commands.block(found, folders[-1].name, words.twisted)) if line]
