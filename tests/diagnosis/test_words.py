@@ -352,10 +352,18 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     text = told(made)
     said = "creep moves the reading by 3.5 mm rms, but only 0.44 mm rms is missing. The rest hides in dimensions that"
-    assert f"{said} calibration moved, and in the other effects. Its size is poorly known." in text
-    assert "friction_hysteresis moves" not in text
+    assert f"{said} calibration moved (see Dimensions), and in the other effects. Its size is poorly known." in text
+    assert "friction_hysteresis moves" not in text and "(see Dimensions)" not in told()
     made["mechanisms"][1]["rms_mm"]["value"] = 0.6
     assert "creep moves the reading by 0.60 mm rms" in told(made) and "poorly known" not in told(made)
+    made["evidence"] |= {"moved_sigma": {"radius_mm": 0.7}, "tolerance": {"radius_mm": 0.016}}
+    moved = told(made).partition("\nDimensions\n")[2].partition("\n\n")[0]
+    assert moved.splitlines() == [
+        "  radius: from 0.55 mm to 0.5612 mm (0.7 times its tolerance of 0.016 mm).",
+        "  Every dimension stays within its tolerance.",
+    ]
+    made["mechanisms"][1]["rms_mm"]["value"] = 0.4
+    assert "\nDimensions\n" not in told(made)
 
 
 def test_events_are_told_one_by_one():

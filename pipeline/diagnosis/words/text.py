@@ -21,7 +21,7 @@ from pipeline.diagnosis.words import (
     unseen,
     worth,
 )
-from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
+from pipeline.diagnosis.words.dimensions import corrected, each_moved, remeasured, suspicious
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
@@ -61,7 +61,7 @@ def verdict_text(
         ),
         ("What is likely beside it", tied(content, words)),
         (sight.heading(content), unseen.lines(content, words)),
-        ("Dimensions", moved(content, words)),
+        (rivals.DIMENSIONS, moved(content, words)),
         ("The run to make next", following(content, words, folders, out)),
         ("To adopt it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
@@ -161,7 +161,8 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
     again = remeasured(content, sight.included(content), unseen.inexact(content, words), in_vain)
-    return [*corrected(content, words), *again]
+    hiding = each_moved(content) if rivals.hidden(content, words) else []
+    return [*corrected(content, words), *hiding, *again]
 
 
 def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
