@@ -118,6 +118,20 @@ def test_sentences_say_size_reach_and_what_was_found():
     assert "by up to 0.90 mm (0.41 mm rms), with time constants of 15 s to 60 s" in creep
 
 
+def test_each_size_comes_with_its_interval_or_with_why_it_has_none():
+    found = content()
+    text = told(copy.deepcopy(found))
+    assert (
+        "half the loop is 0.101 mm. 90 % interval of its rms, if this explanation is right: 0.074 to 0.090 mm." in text
+    )
+    assert "they were chosen from a few values" not in text
+    found["mechanisms"][0]["rms_mm"] |= {"low": 0.0822, "high": 0.0822}
+    found["mechanisms"][0]["parameters"]["power"] = {"value": 1.0, "low": 1.0, "high": 1.0, "unit": "1"}
+    text = told(found)
+    assert "Its rms has no interval: the fit gives it one value alone." in text
+    assert "Those with `low` equal to `high` have none: they were chosen from a few values that were tried." in text
+
+
 def test_the_run_to_make_is_a_protocol_with_its_command():
     text = told()
     assert "A hold at full twist, then a rest; 3.5 min in all." in text

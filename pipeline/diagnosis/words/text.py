@@ -33,6 +33,10 @@ DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
 PROGRAM = "  python -m pipeline."
 WIDE = 112
+CHOSEN = (
+    "diagnosis.json has the intervals of the other numbers. Those with `low` equal to `high` have none: they were "
+    "chosen from a few values that were tried."
+)
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
@@ -52,7 +56,7 @@ def verdict_text(
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
             [
-                *named(content),
+                *named(content, words),
                 *likely(content),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
@@ -121,10 +125,12 @@ def follows(content: dict[str, Any]) -> str:
     return f"It follows {driver}." if len(content["mechanisms"]) < 2 else f"Its parts follow {driver}."
 
 
-def named(content: dict[str, Any]) -> list[str]:
-    """Each mechanism's sentence; also of those that only a user's own library knows."""
+def named(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Each mechanism's sentence and how sure its size is; also of those that only a user's own library knows."""
     own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
-    lines = [f"{entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
+    lines = [f"{entry['id']}: {entry['sentence']} {effects.interval(entry, words)}" for entry in content["mechanisms"]]
+    if any(each["low"] == each["high"] for entry in content["mechanisms"] for each in entry["parameters"].values()):
+        lines.append(CHOSEN)
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
