@@ -203,7 +203,7 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
     own |= {"tied": content["alternatives"], "runs": [folder.name]}
     own |= {"next_experiment": content["next_experiment"]} if content["next_experiment"] else {}
-    assert "Error on the last 30 % of strokes, which the adopted effects have seen" in said and "unseen" not in said
+    assert "last 30 % of strokes (seen by the adopted effects)" in said and "unseen" not in said
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
     assert run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]

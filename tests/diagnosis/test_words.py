@@ -103,7 +103,10 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
     text = told()
     assert not re.search(r"\de[+-]?\d", text)
     assert "-0.000" not in text and "-0 " not in text
-    assert "Over the whole recording 0.44 mm rms after calibration, 15 times the noise." in text
+    assert (
+        "Over the whole recording 0.44 mm rms is missing after calibration (noise taken off), 15 times the noise."
+        in text
+    )
     assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
     assert "Its parts follow the direction of motion and the load; time under load." in text
 
@@ -254,10 +257,35 @@ def test_what_must_be_known_first_stands_first():
     assert "makes the calibrated simulator worse" in " ".join(first_lines(explained=0.95))
 
 
+def table(text):
+    """The rows of the table of errors, and what is said below it."""
+    return [line[2:] for line in text.partition("\nError, rms\n")[2].partition("\n\n")[0].splitlines()]
+
+
 def test_the_error_on_unseen_strokes_stands_beside_the_noise():
     text = told()
-    assert "nominal 1.9 mm (62 times the noise); calibrated 0.81 mm (26 times the noise); as diagnosed 0.033 mm" in text
-    assert "Held out: the last 30 % of strokes. The noise here is 0.031 mm rms." in text
+    assert table(text) == [
+        "simulator      whole recording (seen by the fit)   last 30 % of strokes (seen by no fit)",
+        "nominal        –                                   1.9 mm (62 times the noise)",
+        "calibrated     –                                   0.81 mm (26 times the noise)",
+        "as diagnosed   0.030 mm (1.0 times the noise)      0.033 mm (1.1 times the noise)",
+        "noise          0.030 mm                            0.031 mm",
+        "For the right column all was fitted anew without those strokes.",
+    ]
+    both = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.441, "evidence__floor_mm": 0.018}
+    rows = table(told(content(**both, evidence__step_s=0.05)))
+    assert rows[1].split("  ")[-1].strip() == "1.9 mm (62 times the noise)" and "1.1 mm (61 times the noise)" in rows[1]
+    assert "0.44 mm (25 times the noise)" in rows[2]
+    assert "0.018 mm, of averages of 0.05 s" in rows[4] and rows[4].endswith("0.031 mm, of single samples")
+    alone = table(told(content(fit__heldout=None)))
+    assert alone[0].split("   ")[-1].strip() == "whole recording (seen by the fit)" and alone[-1].startswith(
+        "Too few strokes to hold"
+    )
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "fit__heldout": None}
+    bare = table(told(content(**bare, evidence__explanations=[])))
+    assert [row.split()[0] for row in bare] == ["simulator", "nominal", "calibrated", "noise", "Too"]
+    none = table(adopted(fit__heldout__explained_mm=0.81, evidence__calibrated_mm=0.03))
+    assert [row.split()[0] for row in none] == ["simulator", "nominal", "calibrated", "noise"], "nothing is diagnosed"
     again = "Measure the radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance away."
     assert again in text
 
@@ -538,12 +566,15 @@ def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones
 
 def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
     text = told(content(evidence__calibrated_mm=0.4410, evidence__floor_mm=0.018))
-    assert "Over the whole recording 0.44 mm rms after calibration, 24 times the noise." in text
+    assert (
+        "Over the whole recording 0.44 mm rms is missing after calibration (noise taken off), 24 times the noise."
+        in text
+    )
     assert "Compared were averages, not single samples: the noise of these averages is 0.018 mm rms." in text
     averaged = told(content(evidence__floor_mm=0.018, evidence__step_s=0.05))
     assert "Compared were averages of 0.05 s, not single samples: the noise of these" in averaged
     assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
-    assert "Here single samples are compared, so the noise is that of single samples: 0.031 mm rms." in text
+    assert "0.031 mm, of single samples" in text
     assert "except for the unseen strokes, compared sample by sample." in " ".join(text.split())
     assert "single samples" not in told().split("What the words mean")[0]
 
@@ -787,16 +818,16 @@ def second(**changes):
 
 
 def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
-    for runs, said in ((["nylon-3"], "have seen"), (None, "may have seen")):
+    for runs, said in ((["nylon-3"], "seen by"), (None, "perhaps seen by")):
         text = second(runs=runs)
-        assert f" Error on the last 30 % of strokes, which the adopted effects {said} nominal 1.9 mm" in text
+        assert f" last 30 % of strokes ({said} the adopted effects) nominal – 1.9 mm" in text
         assert "unseen" not in text and "no fit has seen" not in text
     assert "It was fitted to this very recording, all its strokes included" in second()
     again = content(adopted=[{"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}])
     again["simulation"] = [{"id": "creep", "parameters": {}}]
-    assert "which the adopted effects have seen" in told(again), "creep, which is adopted, is named once more"
+    assert "(seen by the adopted effects)" in told(again), "creep, which is adopted, is named once more"
     elsewhere = second(runs=["nylon-2"])
-    assert "Error on strokes that no fit has seen" in elsewhere and "very recording" not in elsewhere
+    assert "last 30 % of strokes (seen by no fit)" in elsewhere and "very recording" not in elsewhere
     held = {"fit__heldout__calibrated_mm": 3.0, "fit__heldout__explained_mm": 3.0, "evidence__calibrated_mm": 0.031}
     one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
     doubts = " ".join(adopted(adopted=[one], **held).split())

@@ -12,6 +12,7 @@ from pipeline.diagnosis.words import (
     certainty,
     commands,
     effects,
+    error_table,
     experiment,
     explained_words,
     probability,
@@ -64,7 +65,7 @@ def verdict_text(
             ],
         ),
         ("What is likely beside it", tied(content, words)),
-        (sight.heading(content), unseen.lines(content, words)),
+        (error_table.HEADING, error_table.lines(content, words)),
         (rivals.DIMENSIONS, moved(content, words)),
         ("The run to make next", following(content, words, folders, out)),
         ("To adopt it", adoption.how(content, words, folders, out)),
@@ -107,9 +108,9 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
         f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
         f"It is what `the noise` means here, except for the {sight.strokes(content)}, compared sample by sample."
     )
-    said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
+    said = f"{size(rms, words.unit)} rms is missing after calibration (noise taken off)"
     return [
-        f"Over the whole recording {said}.",
+        f"Over the whole recording {said}, {times(rms / floor)} times the noise.",
         *([noise] if unseen.averaged(content, words) else []),
         *([small] if rms < SMALL * floor else []),
         "It is spread over the whole range."

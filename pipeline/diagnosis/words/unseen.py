@@ -105,27 +105,6 @@ def left_over(content: dict[str, Any], words: Vocabulary) -> float:
     return max(beyond)
 
 
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """The three errors beside the noise floor."""
-    found = errors(content, words)
-    if found is None:
-        return ["Too few strokes to hold any out: nothing says how well the simulator foretells."]
-    noise = content["fit"][f"noise_floor_{words.ending}"]
-    names = ("nominal", "calibrated", "as diagnosed")
-    said = [
-        f"{name} {size(error, words.unit)} ({times(error / noise)} times the noise)"
-        for name, error in zip(names, found, strict=True)
-    ]
-    split = content["fit"]["heldout"]["split"]
-    which = "Held out" if sight.sight(content) == sight.UNSEEN else "Compared on"
-    known = f"{which}: the {split}. The noise here is {size(noise, words.unit)} rms."
-    if averaged(content, words):
-        known = f"{which}: the {split}. Here single samples are compared, so the noise is that of single samples"
-        known = f"{known}: {size(noise, words.unit)} rms."
-    zero = any(name.startswith("zero") for name in content["parameters"])
-    return [f"{'; '.join(said)}.", known, *([ZERO] if zero else [])]
-
-
 def noises(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:
     """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
     noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
