@@ -145,8 +145,9 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
         assert step in text
     assert (
         "Worth making if you need to know which is at work: creep or thermal; otherwise adopt the best explanation to "
-        "predict with, and report it as one of 2. It is to tell friction_hysteresis + creep from friction_hysteresis + "
-        "thermal. So far the closest two predictions differ by 2.2 standard deviations; with the run it should be 73."
+        "predict with, and report it as one of 2 explanations. It is to tell friction_hysteresis + creep from "
+        "friction_hysteresis + thermal. So far the closest two predictions differ by 2.2 standard deviations; "
+        "with the run it should be 73."
     ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
 
@@ -660,12 +661,13 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
 
 def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
     text = adopted("parameters", **LEFT)
-    assert "0.054 mm rms is left beyond the noise: effects of that size and less may hide in it." in text
+    more = "Of the errors in the table above, 0.054 mm rms is more than noise: effects of that size and less may hide"
+    assert f"{more} in it." in text
     assert "but these only from their own size on (rms):\n  slack 0.11 mm." in text and "clamp_slip" not in text
     changes = LEFT | {"fit__detectable_mm": {"clamp_slip": 0.0057}}
     assert "A larger one would have been seen." in adopted("parameters", **changes)
     only_unseen = {"fit__heldout__explained_mm": 0.06, "evidence__calibrated_mm": 0.031}
-    assert "0.051 mm rms is left beyond the noise" in adopted("consistent", **only_unseen)
+    assert "0.051 mm rms is more than noise" in adopted("consistent", **only_unseen)
 
 
 def test_dimensions_that_move_in_vain_explain_nothing():
@@ -835,16 +837,36 @@ def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
     assert "Something systematic is still missing: the last strokes are missed by 96 times the noise. " in doubts
 
 
-def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed():
-    text = second(next_experiment="One stroke under half the load: 28 s in all.")
-    still = "What was adopted tied with others. The run that decides is still that of the adopted verdict: "
-    assert (
-        f"The run to make next {still}One stroke under half the load: 28 s in all. Take `simulation` and `adopted` out"
-        in text
-    )
+def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed_with_its_steps_and_commands():
+    made = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    text = adopted(adopted=[one | {"next_experiment": made}])
+    run = text.partition("\nThe run to make next\n")[2].partition("\n\n")[0].splitlines()
+    still = "What was adopted tied with others. The run that decides is still that of the adopted verdict:"
+    assert run[:2] == [f"  {still}", "  One stroke under half the load: 3.5 min in all."]
+    assert [line.strip()[:2] for line in run[2:7]] == ["1.", "2.", "3.", "4.", "5."]
+    assert run[3] == "    2. Wind to 30.7 turns in 16 s (1.9 turns/s)." and run[6] == "    5. Hold 2 min at 0 turns."
+    assert run[7].startswith("  If your rig cannot change its load, leave this run out") and "`--together`" not in text
+    told_ = [line.strip() for line in run if "python -m" in line]
+    assert [line.split()[2].removeprefix("pipeline.") for line in told_] == ["adopt", "new_run", "capture", "diagnose"]
+    assert told_[0] == "python -m pipeline.adopt --remove raw/nylon-3"
+    assert told_[3] == "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR"
     assert "nothing is missing" not in text and "None is proposed" not in text
-    assert f"{still}it stands there under the same heading." in second()
+    lost = second()
+    assert "The run that decides stands in the adopted verdict, under the same heading." in lost
     assert "None is proposed" in second(tied=[], verdict="explained")
+
+
+def test_a_run_of_the_adopted_verdict_keeps_its_loads():
+    legs = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0),
+            leg(0.5, 0.0, 20.0), leg(20.0, 12.0, 20.0), leg(20.0, 0.0, 20.0)]  # fmt: skip
+    run = {"title": "another load", "legs": legs, "load": 20.0, "follows": "twist", "fixed_load": True}
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    one["next_experiment"] = spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"]
+    text = adopted(adopted=[one])
+    assert " Run 2, under 20 N as recorded:\n    1. Begin at rest, at 0 turns under 20 N.\n" in text
+    assert "  python -m pipeline.new_run nylon-3-next-1 --like raw/nylon-3 --load-n 30\n" in text
+    assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in text
 
 
 def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place():
@@ -852,14 +874,16 @@ def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place()
     box = {"motor_turns": [0.0, 6.0], "strokes": [1, 12], "phase": "hold", "share": 0.81}
     pattern = {"location": box, "driver": ["time under load"]}
     text = " ".join(told(content(**made, evidence__pattern=pattern)).split())
-    left = (
-        "Noise taken off, 0.012 mm rms is left after calibration, 0.4 times the noise, and no effect is named for it."
-    )
-    assert f"What is missing {left} That is more than the smallest size from which some effects would" in text
+    left = "Of the calibrated error in the table below, 0.012 mm rms is more than noise (0.4 times the noise), and no"
+    smaller = "Some effects would have been seen at a smaller size (below): what is left looks like none of them."
+    assert f"What is missing {left} effect is named for it. {smaller}" in text
     share = "81 % of the energy of what is systematic in it lies at 0 to 6 turns, in holds. It follows time under load."
     assert share in text
     assert "What is missing" not in told(content(**made | {"mismatch__rms_mm": 0.0}, evidence__pattern=pattern))
-    assert "That is more than" not in told(content(**made | {"mismatch__rms_mm": 0.003}, evidence__pattern=pattern))
+    assert "smaller size" not in told(content(**made | {"mismatch__rms_mm": 0.003}, evidence__pattern=pattern))
+    much = {"evidence__calibrated_mm": 0.06, "evidence__explanations": []}
+    text = told(content(**made, **much, evidence__pattern=pattern))
+    assert "A pattern is left that no effect is named for." in text and text.count("is more than noise") == 1
 
 
 def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
@@ -940,11 +964,12 @@ def next_thing(made):
 def test_one_clear_advice_says_what_to_do_next():
     which, adopt = "which is at work: creep or thermal", "dopt the best explanation to predict with, and report it as"
     assert (
-        next_thing(content()) == f"Make the run below: it can decide {which}. If you do not make it, a{adopt} one of 2."
+        next_thing(content())
+        == f"Make the run below: it can decide {which}. If you do not make it, a{adopt} one of 2 explanations."
     )
     weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
     only = f"Make the run below only if you need to know {which}: it may not decide."
-    assert next_thing(weak) == f"A{adopt} one of 2. {only}"
+    assert next_thing(weak) == f"A{adopt} one of 2 explanations. {only}"
     one = {"verdict": "explained", "alternatives": [], "next_run": None}
     again = "Measure the radius again, and write what you measured into run.yaml."
     assert next_thing(content(**one)) == f"Adopt the explanation: the command is below. {again}"

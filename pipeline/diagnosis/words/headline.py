@@ -30,12 +30,6 @@ NONE_NEEDED = {
     "another speed and load.",
 }
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
-STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict"
-LOST = "it stands there under the same heading."
-WITHOUT = (
-    "Take `simulation` and `adopted` out of their run.yaml before you diagnose the runs together: an effect that is "
-    "adopted is not weighed again."
-)
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
     "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
@@ -80,10 +74,7 @@ def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:
 
 def no_run(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why no run is proposed."""
-    verdict, tied = content["verdict"], [one for one in content.get("adopted", []) if one["tied"]]
-    if tied and verdict in ("explained", *UNNAMED):
-        runs = list(dict.fromkeys(one.get("next_experiment") or LOST for one in tied))
-        return [*(f"{STILL}: {run}" for run in runs), WITHOUT]
+    verdict = content["verdict"]
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
     if verdict in UNNAMED and sight.included(content):

@@ -19,6 +19,7 @@ from pipeline.diagnosis.words import (
     rivals,
     seen,
     sight,
+    still,
     unseen,
     worth,
 )
@@ -176,7 +177,7 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], o
     """The protocol, line by line, what it is worth, and the commands from its folder to its diagnosis."""
     run = content["next_run"]
     if not run:
-        return no_run(content, words)
+        return still.lines(content, words, folders, out) or no_run(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     lines += [worth.care(content, words), worth.purpose(content, words)]

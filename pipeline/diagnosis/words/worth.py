@@ -67,7 +67,7 @@ def otherwise(content: dict[str, Any], words: Vocabulary) -> str:
     count = 1 + len(content["alternatives"])
     if unseen.harmful(content, words):
         return f"report all {count} explanations and adopt none"
-    return f"adopt the best explanation to predict with, and report it as one of {count}"
+    return f"adopt the best explanation to predict with, and report it as one of {count} explanations"
 
 
 def decides(run: dict[str, Any]) -> bool:
