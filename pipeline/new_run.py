@@ -67,12 +67,17 @@ def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
     return BadInput(error.file, error.field, error.problem, f"{mend}: here by --{section} {option}")
 
 
-def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False) -> Path:
-    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput."""
+def make_run(
+    content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False, known: bool = False
+) -> Path:
+    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput.
+
+    `known`: the material is that of a run that is there already: a reserved name is right until something is recorded.
+    """
     name = checked(run_name, str(content["run"]), out / "run.yaml", "run")
     folder, path = out / name, out / name / "run.yaml"
     run = parse_run(content, path)
-    if run.string:
+    if run.string and not (known and recording is None):
         checked(own_material, run.string.material, path, "string.material")
     taken = "choose another name; runs are never overwritten"
     if path.exists() or (folder.exists() and recording is not None):
@@ -158,7 +163,7 @@ def main() -> None:
         parser.error(f"the following arguments are required without --like: {', '.join(lacking)}")
     out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
     content = with_string_id(arguments_to_content(arguments), out)
-    folder = make_run(content, arguments.recording, out, arguments.sure)
+    folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
     recorded = any((folder / name).exists() for name in RECORDINGS)
     print(f"{folder} is there; {following(folder, recorded)}")
 

@@ -2,6 +2,7 @@
 
 import os
 import pty
+import shutil
 import subprocess
 import sys
 
@@ -184,6 +185,12 @@ def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_i
     assert next(iter(made)) == "run"
     assert read_run(tmp_path / "raw" / "a-02").string_id == read_run(tmp_path / "raw" / "a-01").string_id
     assert "is there already" in made_like(tmp_path, monkeypatch, capsys)[1] and read_yaml(path) == before
+    shutil.rmtree(tmp_path / "raw" / "a-02")
+    path.write_text(path.read_text().replace("UHMWPE", "synthetic"))  # a run of the paper's rig
+    assert "kept for the synthetic rig's own runs" in made_like(tmp_path, monkeypatch, capsys)[1]  # which made no CSV
+    path.with_name("recording.csv").unlink()
+    status, said, made = made_like(tmp_path, monkeypatch, capsys)
+    assert status == 0 and made["string"]["material"] == "synthetic", said
 
 
 def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp_path, monkeypatch, capsys):

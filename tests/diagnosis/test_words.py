@@ -888,7 +888,7 @@ def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place()
 
 def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
     zero = {"zero_mm": {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}}
-    said = "In a verdict the zero of the reading is fitted. pipeline.adopt and pipeline.simulate set it in the first"
+    said = "In a verdict the zero of the reading is fitted. pipeline.simulate sets it in the first second, so that"
     assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
 
 
@@ -968,7 +968,7 @@ def test_one_clear_advice_says_what_to_do_next():
         == f"Make the run below: it can decide {which}. If you do not make it, a{adopt} one of 2 explanations."
     )
     weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
-    only = f"Make the run below only if you need to know {which}: it may not decide."
+    only = f"Make the run below, which may not decide, only if you need to know {which}."
     assert next_thing(weak) == f"A{adopt} one of 2 explanations. {only}"
     one = {"verdict": "explained", "alternatives": [], "next_run": None}
     again = "Measure the radius again, and write what you measured into run.yaml."

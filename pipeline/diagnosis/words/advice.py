@@ -40,7 +40,7 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
         return f"{without[0].upper()}{without[1:]}."
     if worth.decides(run):
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
-    only = f"Make the run below only if you need to know {worth.question(content)}: it may not decide"
+    only = f"Make the run below, which may not decide, only if you need to know {worth.question(content)}"
     return f"{without[0].upper()}{without[1:]}. {only}."
 
 

@@ -11,8 +11,8 @@ NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no 
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
 AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
 ZERO = (
-    "In a verdict the zero of the reading is fitted. pipeline.adopt and pipeline.simulate set it in the first second, "
-    "so the errors that they print are others."
+    "In a verdict the zero of the reading is fitted. pipeline.simulate sets it in the first second, so that its error "
+    "is another one; pipeline.adopt prints both."
 )
 WORSE, NO_BETTER = 1.02, 0.95  # times the other error
 
