@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import stat
 import subprocess
 import sys
@@ -13,7 +14,10 @@ import pytest
 import yaml
 
 from pipeline.adopted_block import adopted, bare, with_block, without_block
+from pipeline.diagnose import described
+from pipeline.diagnosis.words import commands
 from pipeline.errors import BadInput
+from pipeline.runs import read_run
 from pipeline.strict_yaml import parse_yaml
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -286,3 +290,17 @@ def test_another_runs_diagnosis_is_adopted_with_a_warning(folder: Path, diagnosi
     diagnosis.write_text(json.dumps({**content, "run": ["other-01", "other-02"]}))
     done = run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "beware: " in done.stderr and "the same string on the same rig" in done.stderr
+
+
+def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_old_one(folder: Path) -> None:
+    made, record, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
+    new = folder.with_name(f"{folder.name}-next")
+    done = run(*shlex.split(made)[2:])
+    assert done.returncode == 0, done.stderr
+    old, fresh = read_run(folder), read_run(new)
+    assert fresh.rig == old.rig | {"load_n": 35.0} and fresh.string_id == old.string_id and not fresh.simulation
+    shared = ("rig", "string", "tolerance", "simulation")
+    assert all(described(old, field) == described(fresh, field) for field in shared)
+    assert shlex.split(record)[2:] == ["pipeline.capture", "PORT", str(new)]
+    both = [str(folder), str(new), "--together", "--out", str(folder.parent / "out-next")]
+    assert shlex.split(diagnose)[2:] == ["pipeline.diagnose", *both]
