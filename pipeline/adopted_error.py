@@ -3,16 +3,33 @@
 from pathlib import Path
 from typing import Any
 
+from pipeline.diagnosis.adopt import is_number
 from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.words.quantity import size
+from pipeline.diagnosis.words.dimensions import name_of
+from pipeline.diagnosis.words.error_table import aligned
+from pipeline.diagnosis.words.quantity import listing, size, times
 from pipeline.simulate import off, tared
 
 WHY = (
-    "The effects were fitted together with the calibrated dimensions, but run.yaml keeps the dimensions as measured. "
-    "So it may err by more than the verdict says. Do not copy calibrated values into run.yaml: measure again the "
-    "dimensions that the verdict names, and write what you measured."
+    "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured. The effects were fitted "
+    "together with the calibrated dimensions, so the simulator may err by more than the verdict says."
 )
 NEXT = "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator."
+CALIBRATED = "now, calibrated"
+FAR, MOST = 1.0, 3  # sigma from which a dimension is measured again; dimensions that are named
+
+
+def why(content: dict[str, Any]) -> str:
+    """Why the simulator may err by more than the verdict says, and which dimensions to measure again, by name."""
+    evidence = content.get("evidence")
+    sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
+    found = sigmas.items() if isinstance(sigmas, dict) else []
+    far = {name: abs(sigma) for name, sigma in found if is_number(sigma) and abs(sigma) >= FAR}
+    named = sorted(far, key=lambda name: -far[name])[:MOST]
+    if not named:
+        return WHY
+    moved = listing([f"the {name_of(name)} ({times(far[name])} times its tolerance)" for name in named])
+    return f"{WHY} Calibration moved {moved}: measure again, and write what you measured, not the calibrated values."
 
 
 def is_of(content: dict[str, Any], run: str) -> bool:
@@ -28,21 +45,21 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     """
     unit = problem.drivers.units.reading
     plain: dict[str, Any] = {"run": run, "parameters": {}}
-    (old, old_fitted), (new, new_fitted) = (
-        off(problem, tared(problem, {**plain, "simulation": acts}, path, run))
-        for acts in (before, content["simulation"])
-    )
-    zero = ", its zero set in the first second," if problem.system.free_zero else ""
-    now = f"{size(new, unit)} rms now; before, {size(old, unit)}"
-    lines = [f"on this recording{zero} pipeline.simulate RUN_DIR errs by {now}"]
-    if problem.system.free_zero:
-        fitted = f"{size(new_fitted, unit)} rms now; before, {size(old_fitted, unit)}"
-        lines.append(
-            f"a verdict fits the zero instead: with its zero fitted to the whole recording it errs by {fitted}"
-        )
+    columns = {"before": {**plain, "simulation": before}, "now": {**plain, "simulation": content["simulation"]}}
     if content["parameters"] and is_of(content, run):
-        whole, _ = off(problem, tared(problem, content, path, run))
-        lines.append(
-            f"with --simulation {path} it errs by {size(whole, unit)}: that takes the calibrated dimensions too"
+        columns[CALIBRATED] = content
+    errors = [off(problem, tared(problem, one, path, run)) for one in columns.values()]
+    rows = [["error on this recording, rms", *columns]]
+    if problem.system.free_zero:
+        rows.append(["zero set in the first second, as pipeline.simulate does"])
+        rows.append(["zero fitted to the whole recording, as a verdict does"])
+    else:
+        rows.append(["as pipeline.simulate RUN_DIR errs"])
+    for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
+        row += [size(error, unit) for error in found]
+    said = aligned(rows)
+    if CALIBRATED in columns:
+        said.append(
+            f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}"
         )
-    return lines
+    return said

@@ -1,6 +1,7 @@
 """The first of what pydantic has against a file, as file, field and mend."""
 
 import difflib
+import re
 import reprlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -12,6 +13,7 @@ from pipeline.errors import BadInput
 from pipeline.units import ending_of
 
 LONGEST = 60
+JSON_KEY = re.compile(r'^[ \t\[{]*"[^"\n]*"[ \t]*:', re.MULTILINE)
 _SHORT = reprlib.Repr()
 _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = LONGEST
 _SHORT.maxlevel = 2
@@ -75,3 +77,13 @@ def bad_section(
     if kind == "string_type" and isinstance(given, int | float):
         return BadInput(path, field, f"is the number {short(given)}, not text", f"put it in quotes{hint}")
     return BadInput(path, field, f"is {short(given)}: {said}", f"correct it{hint}")
+
+
+def syntax_mend(text: str) -> str:
+    """How to mend text that is no YAML: what a piece of JSON pasted into it needs, if there seems to be one."""
+    if text.lstrip().startswith("{") or not JSON_KEY.search(text):
+        return "check its indentation, colons and quotes"
+    return (
+        'JSON within YAML is the value of a key: write `"key": [...]` from the left margin, indent the lines after it, '
+        "and put no comma after its last bracket; for a diagnosis.json let python -m pipeline.adopt do it"
+    )

@@ -15,6 +15,7 @@ from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.folders import whole_folder
 from pipeline.ingest import check, questions
+from pipeline.like_run import as_in, with_given
 from pipeline.names import checked, own_material, run_name
 from pipeline.next_command import following
 from pipeline.recording import read_recording, to_samples
@@ -24,6 +25,7 @@ from pipeline.same_string import string_id
 from pipeline.strict_yaml import parse_yaml, write_yaml
 from pipeline.table_file import read_table
 
+NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 KEY = re.compile(r"\b(channels|file)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
 
 
@@ -65,12 +67,17 @@ def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
     return BadInput(error.file, error.field, error.problem, f"{mend}: here by --{section} {option}")
 
 
-def make_run(content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False) -> Path:
-    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput."""
+def make_run(
+    content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False, known: bool = False
+) -> Path:
+    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput.
+
+    `known`: the material is that of a run that is there already: a reserved name is right until something is recorded.
+    """
     name = checked(run_name, str(content["run"]), out / "run.yaml", "run")
     folder, path = out / name, out / name / "run.yaml"
     run = parse_run(content, path)
-    if run.string:
+    if run.string and not (known and recording is None):
         checked(own_material, run.string.material, path, "string.material")
     taken = "choose another name; runs are never overwritten"
     if path.exists() or (folder.exists() and recording is not None):
@@ -99,13 +106,15 @@ def arguments_to_content(arguments: argparse.Namespace) -> dict[str, Any]:
     string = {key: getattr(arguments, key) for key in ("material", "radius_mm", "length_mm", "stiffness_n_per_mm")}
     string |= {"id": arguments.string_id, "strokes_before": arguments.strokes_before}
     rig = {key: getattr(arguments, key) for key in ("torsion_zone_mm", "separator_mm", "load_n")}
-    content: dict[str, Any] = {"run": arguments.run, "actuator": arguments.actuator}
+    content: dict[str, Any] = {"run": arguments.run}
+    if arguments.actuator or not arguments.like:
+        content["actuator"] = arguments.actuator or STRING_ACTUATORS[0]
     content["string"] = {key: value for key, value in string.items() if value is not None}
     content["rig"] = {key: value for key, value in rig.items() if value is not None}
     for key in ("file", "channels"):
         if getattr(arguments, key) is not None:
             content[key] = parse_yaml(getattr(arguments, key), Path(f"--{key}"))
-    return content
+    return with_given(as_in(arguments.like), content, arguments.like) if arguments.like else content
 
 
 def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
@@ -124,10 +133,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     kinds = "separator (default), or twisted_pair: two strings without a separator, x = L - sqrt(L^2 - (theta r)^2)"
-    parser.add_argument("--actuator", choices=STRING_ACTUATORS, default="separator", help=kinds)
-    parser.add_argument("--material", required=True)
+    like = "a run of the same string on the same rig: all is taken from its run.yaml but what is given here"
+    parser.add_argument("--like", type=Path, metavar="RUN_DIR", help=like)
+    parser.add_argument("--actuator", choices=STRING_ACTUATORS, help=kinds)
+    parser.add_argument("--material", help="needed without --like")
     for name in ("radius-mm", "length-mm"):
-        parser.add_argument(f"--{name}", type=float, required=True)
+        parser.add_argument(f"--{name}", type=float, help="needed without --like")
     parser.add_argument("--stiffness-n-per-mm", type=float, help="leave it out where nobody measured it")
     for name, meaning in (
         ("torsion-zone-mm", "length of the zone that twists; needed with a separator"),
@@ -144,12 +155,15 @@ def main() -> None:
     parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
-    parser.add_argument(
-        "--out", type=Path, default=Path("raw"), help="the folder in which the run's folder is made; default: raw"
-    )
+    where = "the folder in which the run's folder is made; default: raw, or beside the run that it is like"
+    parser.add_argument("--out", type=Path, help=where)
     arguments = parser.parse_args()
-    content = with_string_id(arguments_to_content(arguments), arguments.out)
-    folder = make_run(content, arguments.recording, arguments.out, arguments.sure)
+    lacking = [f"--{name}" for name in NEEDED if getattr(arguments, name.replace("-", "_")) is None]
+    if lacking and not arguments.like:
+        parser.error(f"the following arguments are required without --like: {', '.join(lacking)}")
+    out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
+    content = with_string_id(arguments_to_content(arguments), out)
+    folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
     recorded = any((folder / name).exists() for name in RECORDINGS)
     print(f"{folder} is there; {following(folder, recorded)}")
 

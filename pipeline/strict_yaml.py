@@ -12,6 +12,7 @@ from typing import Any
 
 import yaml
 
+from pipeline.complaint import syntax_mend
 from pipeline.errors import BadInput
 from pipeline.regular_file import read_regular
 
@@ -174,7 +175,7 @@ def parse_yaml(text: str, where: Path) -> Any:
     except (yaml.YAMLError, UnicodeEncodeError) as error:
         mark = getattr(error, "problem_mark", None)
         place = f"line {mark.line + 1}" if mark else where.name
-        raise BadInput(where, place, "is not YAML", "check its indentation, colons and quotes") from None
+        raise BadInput(where, place, "is not YAML", syntax_mend(text)) from None
     return reader.result
 
 

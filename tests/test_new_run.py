@@ -2,6 +2,7 @@
 
 import os
 import pty
+import shutil
 import subprocess
 import sys
 
@@ -157,6 +158,53 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
         and "; then make its reports with: " in said
     )
     assert f"python -m pipeline.diagnose {folder} --out reports/mine" in said
+
+
+def made_like(tmp_path, monkeypatch, capsys, *more):
+    """`new_run a-02 --like raw/a-01 …`: its status, what it says, and the run.yaml that it wrote."""
+    monkeypatch.setattr(sys, "argv", ["new_run", "a-02", "--like", str(tmp_path / "raw" / "a-01"), *more])
+    with pytest.raises(SystemExit) as end:
+        main()
+    said = capsys.readouterr()
+    path = tmp_path / "raw" / "a-02" / "run.yaml"
+    return end.value.code, said.out + said.err, read_yaml(path) if path.is_file() else None
+
+
+def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_is_given(
+    new, tmp_path, monkeypatch, capsys
+):
+    assert new("a-01", "--strokes-before", "40", "--load-n", "20", samples=GOOD)[0] == 0
+    path = tmp_path / "raw" / "a-01" / "run.yaml"
+    path.write_text(path.read_text() + "tolerance: {radius: 0.05}\ntare: run\nmended: {time_s: 3}\n")
+    before = read_yaml(path)
+    status, said, made = made_like(tmp_path, monkeypatch, capsys, "--load-n", "40")
+    assert status == 0 and "note:" not in said, said
+    string = {key: value for key, value in before["string"].items() if key != "strokes_before"} | {"id": "a-01"}
+    rig, tolerance = before["rig"] | {"load_n": 40.0}, before["tolerance"]
+    assert made == {"run": "a-02", "actuator": "separator", "string": string, "rig": rig, "tolerance": tolerance}
+    assert next(iter(made)) == "run"
+    assert read_run(tmp_path / "raw" / "a-02").string_id == read_run(tmp_path / "raw" / "a-01").string_id
+    assert "is there already" in made_like(tmp_path, monkeypatch, capsys)[1] and read_yaml(path) == before
+    shutil.rmtree(tmp_path / "raw" / "a-02")
+    path.write_text(path.read_text().replace("UHMWPE", "synthetic"))  # a run of the paper's rig
+    assert "kept for the synthetic rig's own runs" in made_like(tmp_path, monkeypatch, capsys)[1]  # which made no CSV
+    path.with_name("recording.csv").unlink()
+    status, said, made = made_like(tmp_path, monkeypatch, capsys)
+    assert status == 0 and made["string"]["material"] == "synthetic", said
+
+
+def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp_path, monkeypatch, capsys):
+    assert new("a-01", samples=GOOD)[0] == 0
+    for option in (["--string-id", "spool 9"], ["--material", "nylon"]):
+        status, said, made = made_like(tmp_path, monkeypatch, capsys, *option)
+        assert status == 2 and made is None and "is of the string 'a-01', UHMWPE. Mend: leave out --like" in said
+    (tmp_path / "raw" / "a-01" / "run.yaml").unlink()
+    assert made_like(tmp_path, monkeypatch, capsys)[0] == 2
+    monkeypatch.setattr(sys, "argv", ["new_run", "a-03", "--material", "nylon"])
+    with pytest.raises(SystemExit) as end:
+        main()
+    lacking = "are required without --like: --radius-mm, --length-mm"
+    assert end.value.code == 2 and lacking in capsys.readouterr().err
 
 
 def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys):

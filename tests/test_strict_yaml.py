@@ -54,6 +54,20 @@ def test_plain_words_are_read_as_yaml_1_2_does(tmp_path, text, value):
     assert found == value and type(found) is type(value)
 
 
+def test_a_piece_of_json_is_read_as_a_value_and_else_the_mend_says_what_it_needs(tmp_path):
+    entry = '{"id": "creep",\n  "parameters": {"tau_s": 31.0}}'
+    assert read(tmp_path, f'run: a\n"simulation": [\n {entry}\n]\nb: 1')["simulation"][0]["id"] == "creep"
+    for text in (f'run: a\n "simulation": [\n  {entry}\n ],\n', f"run: a\n{entry}\n", f"run: a\n[{entry}]\nb: 1"):
+        with pytest.raises(BadInput) as refused:
+            read(tmp_path, text)
+        assert refused.value.problem == "is not YAML" and "no comma after its last bracket" in refused.value.mend
+        assert "pipeline.adopt" in refused.value.mend
+    for text in ("a: 1\nb: }", '{"run": "a",\n "b" 3}'):
+        with pytest.raises(BadInput) as refused:
+            read(tmp_path, text)
+        assert refused.value.mend == "check its indentation, colons and quotes"
+
+
 EXPLODING = "a0: &a0 [x, x]\n" + "".join(f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]\n" for n in range(1, 12))
 
 

@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 
 from pipeline.diagnosis import panels
 from pipeline.diagnosis.outcome import Study
-from pipeline.diagnosis.panels import AFTER, BEFORE
+from pipeline.diagnosis.panels import AFTER, SHADES
 from pipeline.diagnosis.words.sight import heading
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -50,12 +50,11 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
     problem, drivers, floor = found.problem, found.problem.drivers, found.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
-    simulated = {
-        name: problem.simulate(state)
-        for name, state in (("nominal", found.nominal), ("calibrated", found.base), ("as diagnosed", found.state))
-    }
-    residuals = {"calibrated": problem.measured - simulated["calibrated"]}
-    residuals["as diagnosed"] = problem.measured - simulated["as diagnosed"]
+    states = {"nominal": found.nominal, "calibrated": found.base, "as diagnosed": found.state}
+    simulated = {name: problem.simulate(state) for name, state in states.items()}
+    if np.array_equal(simulated["as diagnosed"], simulated["calibrated"]):  # nothing is named: draw nothing twice
+        del simulated["as diagnosed"]
+    residuals = {name: problem.measured - values for name, values in list(simulated.items())[-2:]}
     figure = plt.figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
@@ -63,12 +62,9 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
     styles = ({"color": "0.7", "lw": 0.8}, {"color": "#2166ac", "lw": 0.8, "ls": ":"}, {"color": AFTER, "lw": 0.8})
     lines = {"recording": (problem.measured, {"color": "k", "lw": 1.6})}
-    lines |= {name: (values, style) for (name, values), style in zip(simulated.items(), styles, strict=True)}
+    lines |= {name: (values, style) for (name, values), style in zip(simulated.items(), styles, strict=False)}
     panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
-    colours = (BEFORE, AFTER)
-    left = {
-        name: (values, {"color": c, "lw": 0.6}) for (name, values), c in zip(residuals.items(), colours, strict=True)
-    }
+    left = {name: (values, {"color": SHADES[name], "lw": 0.6}) for name, values in residuals.items()}
     panels.over_time(under, drivers, left, f"residual ({unit})")
     under.set_xlabel("time (s)")
     for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):

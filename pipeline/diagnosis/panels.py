@@ -20,6 +20,7 @@ from pipeline.kinematics import Array
 
 BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
+SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
 TITLE_WIDE = 34  # characters
@@ -130,13 +131,15 @@ def held_out(
         axes.set(xticks=[], yticks=[])
         return
     values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
-    colours = [OTHER, BEFORE, AFTER]
-    axes.vlines(range(3), floor, values, colors=colours, lw=2.5)
-    axes.scatter(range(3), values, c=colours, s=55, zorder=2.5)
+    names = list(SHADES)[: 2 if values[2] == values[1] else 3]  # what is the same is drawn once
+    values, places = values[: len(names)], range(len(names))
+    colours = [SHADES[name] for name in names]
+    axes.vlines(places, floor, values, colors=colours, lw=2.5)
+    axes.scatter(places, values, c=colours, s=55, zorder=2.5)
     for place, value in enumerate(values):
         said = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(said, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    axes.set(xticks=range(3), xticklabels=("nominal", "calibrated", "as diagnosed"), xlim=(-0.6, 2.6))
+    axes.set(xticks=places, xticklabels=names, xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
     axes.tick_params(axis="x", labelsize=8)
@@ -189,8 +192,8 @@ def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: flo
     usual = count > RARE * len(signal)
     middle = 0.5 * (edges[1:] + edges[:-1])[usual]
     axes.axhspan(-floor, floor, color=BAND)
-    for (name, residual), colour in zip(residuals.items(), (BEFORE, AFTER), strict=True):
+    for name, residual in residuals.items():
         mean = np.bincount(bins, weights=residual, minlength=BINS)[usual] / count[usual]
-        axes.plot(middle, mean, ".-", ms=3, lw=1, color=colour, label=name)
+        axes.plot(middle, mean, ".-", ms=3, lw=1, color=SHADES[name], label=name)
     axes.set_xlabel(label, fontsize=8)
     axes.tick_params(labelsize=7)

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import stat
 import subprocess
 import sys
@@ -12,8 +13,11 @@ import pandas as pd
 import pytest
 import yaml
 
-from pipeline.adopt import adopted, with_block
+from pipeline.adopted_block import adopted, bare, with_block, without_block
+from pipeline.diagnose import described
+from pipeline.diagnosis.words import commands
 from pipeline.errors import BadInput
+from pipeline.runs import read_run
 from pipeline.strict_yaml import parse_yaml
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -45,6 +49,23 @@ def test_the_block_comes_in_and_all_else_stays(name: str) -> None:
         assert (kept in after) == (kept in before), kept
     assert ("\r" in before) == ("\r" in after) and after.count("\r") in (0, after.count("\n"))
     assert with_block(after, LAG) == after
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_what_is_put_in_and_taken_out_again_leaves_the_text_byte_for_byte(name: str) -> None:
+    before = without_block(TEXTS[name], "simulation")
+    assert "simulation" not in parse_yaml(before, Path("run.yaml")) and without_block(before, "simulation") == before
+    both = with_block(with_block(before, LAG), [{"effects": ["sensor_lag"], "tied": []}], "adopted")
+    assert without_block(without_block(both, "adopted"), "simulation") == before
+    for kept in ("# kept", "# the end", "# head", "\n# of the rig\nrig: {load_n: 20}", "# none yet"):
+        assert (kept in before) == (kept in TEXTS[name]), kept
+
+
+def test_what_cannot_be_taken_out_alone_is_told_so() -> None:
+    text = "run: a\nsimulation: &all []\nadopted: []\nchannels: *all\n"
+    with pytest.raises(BadInput) as refused:
+        bare(text, Path("a/run.yaml"))
+    assert refused.value.field == "simulation" and "out by hand" in refused.value.mend
 
 
 def run(*words: object) -> subprocess.CompletedProcess[str]:
@@ -153,10 +174,43 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     named(diagnosis, **DRIFT)
     before, before_fitted, whole = errs(), fitted(), errs("--simulation", diagnosis)
     done = run("pipeline.adopt", diagnosis, folder)
-    said = [float(one) for one in re.findall(r"([0-9.]+) mm", done.stdout)]
-    assert said == pytest.approx([errs(), before, fitted(), before_fitted, whole], rel=0.05), done.stdout
-    assert "run.yaml keeps the dimensions as measured. So it may err by more than the verdict says" in done.stdout
-    assert "Do not copy calibrated values into run.yaml: measure again" in done.stdout
+    head, first, second = done.stdout.splitlines()[1:4]
+    assert head.split("   ")[0] == "error on this recording, rms" and head.endswith("now, calibrated")
+    set_, free = ([float(one) for one in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
+    assert set_ == pytest.approx([before, errs(), whole], rel=0.05) and first.startswith("zero set in the first second")
+    assert free[:2] == pytest.approx([before_fitted, fitted()], rel=0.05) and second.startswith("zero fitted to the wh")
+    assert f"as by pipeline.simulate --simulation {diagnosis}" in done.stdout
+    assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in done.stdout
+    assert "measure again" not in done.stdout  # the diagnosis names no dimension
+
+
+def test_adopting_names_the_dimensions_to_measure_again(folder: Path, diagnosis: Path) -> None:
+    content = json.loads(named(diagnosis, **DRIFT).read_text())
+    moved = {"radius_mm": -1.9, "scale": 0.4, "separator_mm": 2.2, "length_mm": "far"}
+    diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
+    said = run("pipeline.adopt", diagnosis, folder).stdout
+    names = "Calibration moved the separator (2.2 times its tolerance) and the radius (1.9 times its tolerance)"
+    assert f"{names}: measure again, and write what you measured, not the calibrated values." in said
+
+
+def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder: Path, diagnosis: Path) -> None:
+    before = (folder / "run.yaml").read_bytes()
+    os.chmod(folder / "run.yaml", 0o640)
+    judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
+    done = run("pipeline.adopt", diagnosis, folder)
+    last = done.stdout.splitlines()[-1]
+    assert last == f"To take the effects out of run.yaml again: python -m pipeline.adopt --remove {folder}"
+    assert (folder / "run.yaml").read_bytes() != before
+    done = run(*last.split()[-3:])
+    assert done.returncode == 0 and "are taken out (they held sensor_drift)" in done.stdout, done.stderr
+    assert (folder / "run.yaml").read_bytes() == before
+    assert stat.S_IMODE((folder / "run.yaml").stat().st_mode) == 0o640
+    assert sorted(path.name for path in folder.iterdir()) == ["recording.parquet", "run.yaml"]
+    again = run("pipeline.adopt", "--remove", folder)
+    assert again.returncode == 0 and "holds nothing that was adopted" in again.stdout
+    assert run("pipeline.adopt", "--remove", folder, diagnosis).returncode == 2
+    assert run("pipeline.adopt", diagnosis).returncode == 2
+    assert "--remove RUN_DIR" in run("pipeline.adopt", "--help").stdout
 
 
 def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None:
@@ -203,7 +257,7 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
     own |= {"tied": content["alternatives"], "runs": [folder.name]}
     own |= {"next_experiment": content["next_experiment"]} if content["next_experiment"] else {}
-    assert "Error on the last 30 % of strokes, which the adopted effects have seen" in said and "unseen" not in said
+    assert "last 30 % of strokes (seen by the adopted effects)" in said and "unseen" not in said
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
     assert run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]
@@ -236,3 +290,17 @@ def test_another_runs_diagnosis_is_adopted_with_a_warning(folder: Path, diagnosi
     diagnosis.write_text(json.dumps({**content, "run": ["other-01", "other-02"]}))
     done = run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "beware: " in done.stderr and "the same string on the same rig" in done.stderr
+
+
+def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_old_one(folder: Path) -> None:
+    made, record, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
+    new = folder.with_name(f"{folder.name}-next")
+    done = run(*shlex.split(made)[2:])
+    assert done.returncode == 0, done.stderr
+    old, fresh = read_run(folder), read_run(new)
+    assert fresh.rig == old.rig | {"load_n": 35.0} and fresh.string_id == old.string_id and not fresh.simulation
+    shared = ("rig", "string", "tolerance", "simulation")
+    assert all(described(old, field) == described(fresh, field) for field in shared)
+    assert shlex.split(record)[2:] == ["pipeline.capture", "PORT", str(new)]
+    both = [str(folder), str(new), "--together", "--out", str(folder.parent / "out-next")]
+    assert shlex.split(diagnose)[2:] == ["pipeline.diagnose", *both]

@@ -115,7 +115,8 @@ def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(di
         assert all(set(leg) == {"seconds", "motor_turns", "load_n"} and leg["seconds"] > 0 for leg in legs)
         assert " turns in " in content["next_experiment"] and "1. " in content["next_experiment"]
         text = (tmp_path / folder.name / "verdict.txt").read_text()
-        assert f"python -m pipeline.diagnose {folder} {folder}-next --together --out DIR" in text
+        both = f"python -m pipeline.diagnose {folder} {folder}-next --together --out {tmp_path / folder.name}-next\n"
+        assert both in text
     unknown = command("pipeline.diagnose", folder, "--out", tmp_path / "none", "--without", "crep")
     assert unknown.returncode == 2 and "crep is no mechanism" in unknown.stderr and not (tmp_path / "none").exists()
 

@@ -21,9 +21,9 @@ from pipeline.systems import systems
 
 
 @pytest.fixture
-def drawn(conceal, tmp_path, monkeypatch):
-    """The page of a run with creep, not yet closed, and the content of its diagnosis."""
-    run, samples = read_samples(conceal("creep")[0])
+def drawn(conceal, tmp_path, monkeypatch, request):
+    """The page of a run with creep, or with what the test's parameter says, not yet closed, and its diagnosis."""
+    run, samples = read_samples(conceal(*getattr(request, "param", ("creep",)))[0])
     found = study(make_problem([run], [samples]))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())
     with monkeypatch.context() as held:
@@ -51,6 +51,27 @@ def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what
     assert ends[alone] == pytest.approx(evidence["calibrated_mm"] / evidence["floor_mm"])
     diamonds = next(line for line in ranking.get_lines() if line.get_marker() == "D").get_xdata()
     assert all(x <= end + 1e-9 for x, end in zip(diamonds, ends, strict=True))
+
+
+@pytest.mark.parametrize(("drawn", "names"), [((), ["nominal", "calibrated"])], indirect=["drawn"])
+def test_where_nothing_is_named_nothing_is_drawn_twice_and_no_legend_names_what_is_not_drawn(drawn, names) -> None:
+    figure, content = drawn
+    assert not content["mechanisms"] and content["verdict"] in ("consistent", "parameters")
+    top, maps, _, bottom = figure.subfigs
+    for axes, shown in zip(top.axes, (["recording", *names], names), strict=True):
+        lines = [line for line in axes.get_lines() if not line.get_label().startswith("_")]
+        assert (
+            [line.get_label() for line in lines] == [text.get_text() for text in axes.get_legend().get_texts()] == shown
+        )
+        assert panels.AFTER not in [line.get_color() for line in lines]
+    assert [axes.get_title() for axes in maps.axes if axes.images] == [
+        f"mismatch, {name} (own scale)" for name in names
+    ]
+    assert [text.get_text() for text in bottom.legends[0].get_texts()][:2] == names
+    _, axes = plt.subplots()
+    panels.held_out(axes, {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.2}, 0.02, "mm", "mm")
+    assert [label.get_text() for label in axes.get_xticklabels()] == names
+    assert len(axes.collections[1].get_offsets()) == len(names)
 
 
 def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_point(drawn) -> None:

@@ -61,6 +61,13 @@ def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_like
         "It is 3.0 times less likely than the best one, chiefly since its weakest part is worth less and since it "
         "leaves out jam, whose mark this recording shows."
     )
+    names = {"aspect": "names", "log_odds": -2.0, "more": 0.0}
+    said = why({"probability": 0.2, "because": [names, because[1]]}, {"probability": 0.6})
+    assert said.endswith("best one, partly since it leaves out jam, whose mark this recording shows.")
+    said = why({"probability": 0.2, "because": [because[1], names]}, {"probability": 0.6})
+    assert said.endswith("best one, chiefly since it leaves out jam, whose mark this recording shows.")
+    said = why({"probability": 0.2, "because": [names]}, {"probability": 0.6})
+    assert said.endswith("were right less often in the simulated recordings that taught the judge.")
     assert why({"probability": 0.2}, {"probability": 0.6}) == "It is 3.0 times less likely than the best one."
     for share in (0.0, None, 0.6):
         assert why({"probability": share, "because": because}, {"probability": 0.6}) == ""

@@ -103,7 +103,10 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
     text = told()
     assert not re.search(r"\de[+-]?\d", text)
     assert "-0.000" not in text and "-0 " not in text
-    assert "Over the whole recording 0.44 mm rms after calibration, 15 times the noise." in text
+    assert (
+        "Over the whole recording 0.44 mm rms is missing after calibration (noise taken off), 15 times the noise."
+        in text
+    )
     assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
     assert "Its parts follow the direction of motion and the load; time under load." in text
 
@@ -118,6 +121,20 @@ def test_sentences_say_size_reach_and_what_was_found():
     assert "by up to 0.90 mm (0.41 mm rms), with time constants of 15 s to 60 s" in creep
 
 
+def test_each_size_comes_with_its_interval_or_with_why_it_has_none():
+    found = content()
+    text = told(copy.deepcopy(found))
+    assert (
+        "half the loop is 0.101 mm. 90 % interval of its rms, if this explanation is right: 0.074 to 0.090 mm." in text
+    )
+    assert "they were chosen from a few values" not in text
+    found["mechanisms"][0]["rms_mm"] |= {"low": 0.0822, "high": 0.0822}
+    found["mechanisms"][0]["parameters"]["power"] = {"value": 1.0, "low": 1.0, "high": 1.0, "unit": "1"}
+    text = told(found)
+    assert "Its rms has no interval: the fit gives it one value alone." in text
+    assert "Those with `low` equal to `high` have none: they were chosen from a few values that were tried." in text
+
+
 def test_the_run_to_make_is_a_protocol_with_its_command():
     text = told()
     assert "A hold at full twist, then a rest; 3.5 min in all." in text
@@ -127,11 +144,27 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
     ):  # fmt: skip
         assert step in text
     assert (
-        "This run is to tell creep from thermal. So far the two predictions differ by 2.2 standard deviations; "
+        "Worth making if you need to know which is at work: creep or thermal; otherwise adopt the best explanation to "
+        "predict with, and report it as one of 2 explanations. It is to tell friction_hysteresis + creep from "
+        "friction_hysteresis + thermal. So far the closest two predictions differ by 2.2 standard deviations; "
         "with the run it should be 73."
     ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
-    assert "with the same `string.id`" in text
+
+
+def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_it_is_worth_it():
+    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_then=16.0)
+    made["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
+    text = told(made)
+    pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
+    assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
+    assert "Hardly worth making: make it only if you need to know which is at work: creep or thermal; otherwise" in text
+    assert "with the run it should be 4, and no other run" in text and "Noise alone can make that, so it does" in text
+    made["next_run"]["parts"][0].append("wear")
+    assert "which is at work: creep and wear, or thermal; otherwise adopt the best explanation to predict" in told(made)
+    made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
+    made["fit"]["heldout"]["explained_mm"] = 0.95
+    assert "whether slack is at work; otherwise report all 5 explanations and adopt none." in told(made)
 
 
 def test_the_json_holds_the_same_protocol_in_one_string():
@@ -151,6 +184,10 @@ def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
     assert "Run 2, under 20 N as recorded:" in both
     assert "raw/nylon-3 raw/nylon-3-next-1 raw/nylon-3-next-2 --together" in both
     assert "It shows whether what is missing follows the twist." in both
+    assert "  python -m pipeline.new_run nylon-3-next-1 --like raw/nylon-3 --load-n 30\n" in both
+    assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in both
+    assert "  python -m pipeline.capture PORT raw/nylon-3-next-2\n" in both
+    assert "If your rig cannot change its load, make the run at the other speed alone: it shows less." in both
     one = told(content(next_run=run | {"fixed_load": False}))
     assert "Change the load to 20 N." in one and "raw/nylon-3 raw/nylon-3-next --together" in one
 
@@ -221,10 +258,35 @@ def test_what_must_be_known_first_stands_first():
     assert "makes the calibrated simulator worse" in " ".join(first_lines(explained=0.95))
 
 
+def table(text):
+    """The rows of the table of errors, and what is said below it."""
+    return [line[2:] for line in text.partition("\nError, rms\n")[2].partition("\n\n")[0].splitlines()]
+
+
 def test_the_error_on_unseen_strokes_stands_beside_the_noise():
     text = told()
-    assert "nominal 1.9 mm (62 times the noise); calibrated 0.81 mm (26 times the noise); as diagnosed 0.033 mm" in text
-    assert "Held out: the last 30 % of strokes. The noise here is 0.031 mm rms." in text
+    assert table(text) == [
+        "simulator      whole recording (seen by the fit)   last 30 % of strokes (seen by no fit)",
+        "nominal        –                                   1.9 mm (62 times the noise)",
+        "calibrated     –                                   0.81 mm (26 times the noise)",
+        "as diagnosed   0.030 mm (1.0 times the noise)      0.033 mm (1.1 times the noise)",
+        "noise          0.030 mm                            0.031 mm",
+        "For the right column all was fitted anew without those strokes.",
+    ]
+    both = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.441, "evidence__floor_mm": 0.018}
+    rows = table(told(content(**both, evidence__step_s=0.05)))
+    assert rows[1].split("  ")[-1].strip() == "1.9 mm (62 times the noise)" and "1.1 mm (61 times the noise)" in rows[1]
+    assert "0.44 mm (25 times the noise)" in rows[2]
+    assert "0.018 mm, of averages of 0.05 s" in rows[4] and rows[4].endswith("0.031 mm, of single samples")
+    alone = table(told(content(fit__heldout=None)))
+    assert alone[0].split("   ")[-1].strip() == "whole recording (seen by the fit)" and alone[-1].startswith(
+        "Too few strokes to hold"
+    )
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "fit__heldout": None}
+    bare = table(told(content(**bare, evidence__explanations=[])))
+    assert [row.split()[0] for row in bare] == ["simulator", "nominal", "calibrated", "noise", "Too"]
+    none = table(adopted(fit__heldout__explained_mm=0.81, evidence__calibrated_mm=0.03))
+    assert [row.split()[0] for row in none] == ["simulator", "nominal", "calibrated", "noise"], "nothing is diagnosed"
     again = "Measure the radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance away."
     assert again in text
 
@@ -333,10 +395,18 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     text = told(made)
     said = "creep moves the reading by 3.5 mm rms, but only 0.44 mm rms is missing. The rest hides in dimensions that"
-    assert f"{said} calibration moved, and in the other effects. Its size is poorly known." in text
-    assert "friction_hysteresis moves" not in text
+    assert f"{said} calibration moved (see Dimensions), and in the other effects. Its size is poorly known." in text
+    assert "friction_hysteresis moves" not in text and "(see Dimensions)" not in told()
     made["mechanisms"][1]["rms_mm"]["value"] = 0.6
     assert "creep moves the reading by 0.60 mm rms" in told(made) and "poorly known" not in told(made)
+    made["evidence"] |= {"moved_sigma": {"radius_mm": 0.7}, "tolerance": {"radius_mm": 0.016}}
+    moved = told(made).partition("\nDimensions\n")[2].partition("\n\n")[0]
+    assert moved.splitlines() == [
+        "  radius: from 0.55 mm to 0.5612 mm (0.7 times its tolerance of 0.016 mm).",
+        "  Every dimension stays within its tolerance.",
+    ]
+    made["mechanisms"][1]["rms_mm"]["value"] = 0.4
+    assert "\nDimensions\n" not in told(made)
 
 
 def test_events_are_told_one_by_one():
@@ -412,7 +482,7 @@ def test_the_sentences_keep_their_subject_and_need_no_second_reading():
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     for gap in (1.0, 900.0):
         made["next_run"]["gap_now"] = gap
-        text = told(made)
+        text = told(copy.deepcopy(made))
         assert ("so it does not decide" in text) == (gap > 25.0)
         assert "standard deviations of the noise" not in text
         assert not re.search("make up for|a little wrong|slightly wrong|two part|whatever the rig", text)
@@ -497,12 +567,15 @@ def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones
 
 def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
     text = told(content(evidence__calibrated_mm=0.4410, evidence__floor_mm=0.018))
-    assert "Over the whole recording 0.44 mm rms after calibration, 24 times the noise." in text
+    assert (
+        "Over the whole recording 0.44 mm rms is missing after calibration (noise taken off), 24 times the noise."
+        in text
+    )
     assert "Compared were averages, not single samples: the noise of these averages is 0.018 mm rms." in text
     averaged = told(content(evidence__floor_mm=0.018, evidence__step_s=0.05))
     assert "Compared were averages of 0.05 s, not single samples: the noise of these" in averaged
     assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
-    assert "Here single samples are compared, so the noise is that of single samples: 0.031 mm rms." in text
+    assert "0.031 mm, of single samples" in text
     assert "except for the unseen strokes, compared sample by sample." in " ".join(text.split())
     assert "single samples" not in told().split("What the words mean")[0]
 
@@ -524,11 +597,11 @@ def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means(
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    assert "So far the two predictions differ by 53 standard deviations." in text
-    assert "The run may not decide either: with the run it should be 69," in text
+    assert "So far the closest two predictions differ by 53 standard deviations; with the run it should be 69," in text
+    assert "wrong by a few per cent can make it too, so it does not decide." in text and "Hardly worth making" in text
     text = told(content(next_run__gap_now=900.0))
     more = "2.4 times as much"
-    assert f"With the run they should differ by 73, {more}: a formula would have to be wrong by {more}" in text
+    assert f"With the run it should be 73, {more}: a formula would have to be wrong by {more}" in text
     assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
 
 
@@ -588,12 +661,13 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
 
 def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
     text = adopted("parameters", **LEFT)
-    assert "0.054 mm rms is left beyond the noise: effects of that size and less may hide in it." in text
+    more = "Of the errors in the table above, 0.054 mm rms is more than noise: effects of that size and less may hide"
+    assert f"{more} in it." in text
     assert "but these only from their own size on (rms):\n  slack 0.11 mm." in text and "clamp_slip" not in text
     changes = LEFT | {"fit__detectable_mm": {"clamp_slip": 0.0057}}
     assert "A larger one would have been seen." in adopted("parameters", **changes)
     only_unseen = {"fit__heldout__explained_mm": 0.06, "evidence__calibrated_mm": 0.031}
-    assert "0.051 mm rms is left beyond the noise" in adopted("consistent", **only_unseen)
+    assert "0.051 mm rms is more than noise" in adopted("consistent", **only_unseen)
 
 
 def test_dimensions_that_move_in_vain_explain_nothing():
@@ -697,6 +771,10 @@ def weighed(*shares, none=0.041, **changes):
 def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out():
     text = " ".join(told(weighed(0.004, 0.06, 0.31, 0.02, 0.52)).split())
     assert "Probability of this explanation as a whole: 52 %." in text
+    assert text.startswith(
+        "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations; the best one has "
+        "a probability of 52 %. "
+    )
     assert "friction_hysteresis + thermal: probability 31 %; leaves 0.070 mm rms (2.3 times the noise)." in text
     assert "friction_hysteresis + sensor_drift: probability 6 %; leaves" in text
     assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
@@ -742,16 +820,16 @@ def second(**changes):
 
 
 def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
-    for runs, said in ((["nylon-3"], "have seen"), (None, "may have seen")):
+    for runs, said in ((["nylon-3"], "seen by"), (None, "perhaps seen by")):
         text = second(runs=runs)
-        assert f" Error on the last 30 % of strokes, which the adopted effects {said} nominal 1.9 mm" in text
+        assert f" last 30 % of strokes ({said} the adopted effects) nominal – 1.9 mm" in text
         assert "unseen" not in text and "no fit has seen" not in text
     assert "It was fitted to this very recording, all its strokes included" in second()
     again = content(adopted=[{"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}])
     again["simulation"] = [{"id": "creep", "parameters": {}}]
-    assert "which the adopted effects have seen" in told(again), "creep, which is adopted, is named once more"
+    assert "(seen by the adopted effects)" in told(again), "creep, which is adopted, is named once more"
     elsewhere = second(runs=["nylon-2"])
-    assert "Error on strokes that no fit has seen" in elsewhere and "very recording" not in elsewhere
+    assert "last 30 % of strokes (seen by no fit)" in elsewhere and "very recording" not in elsewhere
     held = {"fit__heldout__calibrated_mm": 3.0, "fit__heldout__explained_mm": 3.0, "evidence__calibrated_mm": 0.031}
     one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
     doubts = " ".join(adopted(adopted=[one], **held).split())
@@ -759,16 +837,36 @@ def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
     assert "Something systematic is still missing: the last strokes are missed by 96 times the noise. " in doubts
 
 
-def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed():
-    text = second(next_experiment="One stroke under half the load: 28 s in all.")
-    still = "What was adopted tied with others. The run that decides is still that of the adopted verdict: "
-    assert (
-        f"The run to make next {still}One stroke under half the load: 28 s in all. Take `simulation` and `adopted` out"
-        in text
-    )
+def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed_with_its_steps_and_commands():
+    made = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    text = adopted(adopted=[one | {"next_experiment": made}])
+    run = text.partition("\nThe run to make next\n")[2].partition("\n\n")[0].splitlines()
+    still = "What was adopted tied with others. The run that decides is still that of the adopted verdict:"
+    assert run[:2] == [f"  {still}", "  One stroke under half the load: 3.5 min in all."]
+    assert [line.strip()[:2] for line in run[2:7]] == ["1.", "2.", "3.", "4.", "5."]
+    assert run[3] == "    2. Wind to 30.7 turns in 16 s (1.9 turns/s)." and run[6] == "    5. Hold 2 min at 0 turns."
+    assert run[7].startswith("  If your rig cannot change its load, leave this run out") and "`--together`" not in text
+    told_ = [line.strip() for line in run if "python -m" in line]
+    assert [line.split()[2].removeprefix("pipeline.") for line in told_] == ["adopt", "new_run", "capture", "diagnose"]
+    assert told_[0] == "python -m pipeline.adopt --remove raw/nylon-3"
+    assert told_[3] == "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR"
     assert "nothing is missing" not in text and "None is proposed" not in text
-    assert f"{still}it stands there under the same heading." in second()
+    lost = second()
+    assert "The run that decides stands in the adopted verdict, under the same heading." in lost
     assert "None is proposed" in second(tied=[], verdict="explained")
+
+
+def test_a_run_of_the_adopted_verdict_keeps_its_loads():
+    legs = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0),
+            leg(0.5, 0.0, 20.0), leg(20.0, 12.0, 20.0), leg(20.0, 0.0, 20.0)]  # fmt: skip
+    run = {"title": "another load", "legs": legs, "load": 20.0, "follows": "twist", "fixed_load": True}
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    one["next_experiment"] = spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"]
+    text = adopted(adopted=[one])
+    assert " Run 2, under 20 N as recorded:\n    1. Begin at rest, at 0 turns under 20 N.\n" in text
+    assert "  python -m pipeline.new_run nylon-3-next-1 --like raw/nylon-3 --load-n 30\n" in text
+    assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in text
 
 
 def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place():
@@ -776,19 +874,21 @@ def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place()
     box = {"motor_turns": [0.0, 6.0], "strokes": [1, 12], "phase": "hold", "share": 0.81}
     pattern = {"location": box, "driver": ["time under load"]}
     text = " ".join(told(content(**made, evidence__pattern=pattern)).split())
-    left = (
-        "Noise taken off, 0.012 mm rms is left after calibration, 0.4 times the noise, and no effect is named for it."
-    )
-    assert f"What is missing {left} That is more than the smallest size from which some effects would" in text
+    left = "Of the calibrated error in the table below, 0.012 mm rms is more than noise (0.4 times the noise), and no"
+    smaller = "Some effects would have been seen at a smaller size (below): what is left looks like none of them."
+    assert f"What is missing {left} effect is named for it. {smaller}" in text
     share = "81 % of the energy of what is systematic in it lies at 0 to 6 turns, in holds. It follows time under load."
     assert share in text
     assert "What is missing" not in told(content(**made | {"mismatch__rms_mm": 0.0}, evidence__pattern=pattern))
-    assert "That is more than" not in told(content(**made | {"mismatch__rms_mm": 0.003}, evidence__pattern=pattern))
+    assert "smaller size" not in told(content(**made | {"mismatch__rms_mm": 0.003}, evidence__pattern=pattern))
+    much = {"evidence__calibrated_mm": 0.06, "evidence__explanations": []}
+    text = told(content(**made, **much, evidence__pattern=pattern))
+    assert "A pattern is left that no effect is named for." in text and text.count("is more than noise") == 1
 
 
 def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
     zero = {"zero_mm": {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}}
-    said = "In a verdict the zero of the reading is fitted. pipeline.adopt and pipeline.simulate set it in the first"
+    said = "In a verdict the zero of the reading is fitted. pipeline.simulate sets it in the first second, so that"
     assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
 
 
@@ -801,10 +901,10 @@ def confident(friction, creep, **changes):
 
 
 def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
-    lines = told(confident(0.93, 0.46)).splitlines()
-    assert lines[1] == "  Sure: friction_hysteresis (93 %). Open: creep (46 %) and thermal."
-    lines = told(confident(0.8, 0.62, alternatives=[["friction_hysteresis"]])).splitlines()
-    assert lines[1] == "  Sure: friction_hysteresis (80 %). Probable: creep (62 %)."
+    first = told(confident(0.93, 0.46)).partition("\n\n")[0]
+    assert first.endswith("\n  Sure: friction_hysteresis (93 %). Open: creep (46 %) and thermal.")
+    first = told(confident(0.8, 0.62, alternatives=[["friction_hysteresis"]])).partition("\n\n")[0]
+    assert first.endswith("\n  Sure: friction_hysteresis (80 %). Probable: creep (62 %).")
     assert not told(content()).splitlines()[1]
 
 
@@ -847,10 +947,38 @@ def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():
 
 def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
     text = told(content(next_run__title="one stroke under twice the load"))
-    said = "Only if the rig bears so much. If your rig cannot do this run, the likelier explanations stay tied."
-    assert said in text and "If your rig cannot" not in told()
-    no_use = {
-        "next_run__title": "one stroke under twice the load",
-        "next_run__gap_then": content()["next_run"]["gap_now"],
-    }
-    assert "If your rig cannot" not in told(content(**no_use))  # the run would decide nothing
+    said = "Only if the rig bears so much. If your rig cannot change its load, leave this run out: the likelier expl"
+    assert f"{said}anations stay tied." in text and "If your rig cannot" not in told()
+    now = content()["next_run"]["gap_now"]
+    changes = {"next_run__title": "one stroke under half the load", "next_run__gap_then": now}
+    assert "If your rig cannot change its load, leave this run out: little is lost." in told(content(**changes))
+    fast = told(content(next_run__title="one stroke at twice the speed"))
+    assert "Only if the motor can go so fast. If your rig cannot go so fast, leave this run out" in fast
+
+
+def next_thing(made):
+    """The one piece of advice."""
+    return " ".join(told(made).partition("What to do next\n")[2].partition("\n\n")[0].split())
+
+
+def test_one_clear_advice_says_what_to_do_next():
+    which, adopt = "which is at work: creep or thermal", "dopt the best explanation to predict with, and report it as"
+    assert (
+        next_thing(content())
+        == f"Make the run below: it can decide {which}. If you do not make it, a{adopt} one of 2 explanations."
+    )
+    weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
+    only = f"Make the run below, which may not decide, only if you need to know {which}."
+    assert next_thing(weak) == f"A{adopt} one of 2 explanations. {only}"
+    one = {"verdict": "explained", "alternatives": [], "next_run": None}
+    again = "Measure the radius again, and write what you measured into run.yaml."
+    assert next_thing(content(**one)) == f"Adopt the explanation: the command is below. {again}"
+    assert next_thing(content(**one, fit__heldout__explained_mm=0.95)).startswith(
+        "Adopt nothing: on the unseen strokes"
+    )
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+    assert next_thing(content(**bare)) == again
+    still = {"evidence__moved_sigma": {"radius_mm": 0.4}}
+    assert next_thing(content(**bare, **still)) == "Nothing needs to be done: this recording shows nothing further."
+    nothing = content(verdict="unknown", mechanisms=[], alternatives=[], next_run={**content()["next_run"]})
+    assert next_thing(nothing).startswith("Make the run below: it shows more of what is missing. Adopt nothing")

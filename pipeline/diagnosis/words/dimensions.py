@@ -16,13 +16,18 @@ MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
+def far_moved(content: dict[str, Any]) -> dict[str, float]:
+    """By how many sigma each dimension moved that is to be measured again."""
+    return {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
+
+
 def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = False, in_vain: bool = False) -> list[str]:
     """A line for each dimension to measure again, and what else may have bent it.
 
     `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_vain`: moving
     the dimensions explains next to nothing.
     """
-    moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
+    moved = far_moved(content)
     lines = []
     for name, sigma in ({} if in_vain else moved).items():
         nominal, value = from_to(content, name)
@@ -102,13 +107,20 @@ def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
         if before <= LITTLE * after:
             lines.append("So moving them explains next to nothing: these values are no better than the measured ones.")
-    moved = {name: sigma for name, sigma in shown["moved_sigma"].items() if abs(sigma) >= HARDLY}
+    return [*lines, *each_moved(content)]
+
+
+def each_moved(content: dict[str, Any]) -> list[str]:
+    """Each dimension that moved, the farthest first: from what to what, by how much of which tolerance."""
+    moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= HARDLY}
+    lines = []
     for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
         nominal, value = from_to(content, name)
         far = f"{number(abs(sigma))} times its tolerance{tolerance(content, name, ' of {}')}"
         lines.append(f"{name_of(name)}: from {nominal}{' (assumed)' if assumed(name) else ''} to {value} ({far}).")
     if moved and all(abs(sigma) < 1.0 for sigma in moved.values()):
-        lines.append("Every dimension stays within its tolerance: none of them was measured wrong.")
+        right = content["verdict"] == "parameters"
+        lines.append(f"Every dimension stays within its tolerance{': none of them was measured wrong' * right}.")
     if not moved:
         lines.append("No dimension moved by a hundredth of its tolerance: only the zero of the reading did.")
     return lines

@@ -35,6 +35,18 @@ def sentence(mechanism: Mechanism, entry: dict[str, Any], span: float | None, wo
     return f"{said}{': ' if detail else ''}{detail}."
 
 
+def interval(entry: dict[str, Any], words: Vocabulary) -> str:
+    """The 90 % interval of an effect's size, or why it has none; nothing where the size is 0."""
+    known = entry[f"rms_{words.ending}"]
+    if not known["value"]:
+        return ""
+    if known["high"] <= known["low"]:
+        return "Its rms has no interval: the fit gives it one value alone."
+    low, high = (size(known[end], words.unit) for end in ("low", "high"))
+    unit = high.partition(" ")[2]
+    return f"90 % interval of its rms, if this explanation is right: {low.removesuffix(f' {unit}')} to {high}."
+
+
 def calculated(mechanism: Mechanism, entry: dict[str, Any]) -> bool:
     """Whether a mechanism follows a temperature, and this one is that of self-heating, from the motion."""
     return "{temperature}" in mechanism.sentence and not entry["parameters"].get("measured", {"value": 0.0})["value"]

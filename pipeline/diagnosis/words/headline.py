@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import sight, unseen
-from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words import rivals, sight, unseen
+from pipeline.diagnosis.words.quantity import listing, percent, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
@@ -12,7 +12,7 @@ SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
     "explained": "physics is missing, and named.",
-    "ambiguous": "physics is missing; this recording cannot decide between {count} explanations.",
+    "ambiguous": "physics is missing; this recording cannot decide between {count} explanations{sure}.",
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 WITH_ADOPTED = {
@@ -30,12 +30,6 @@ NONE_NEEDED = {
     "another speed and load.",
 }
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
-STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict"
-LOST = "it stands there under the same heading."
-WITHOUT = (
-    "Take `simulation` and `adopted` out of their run.yaml before you diagnose the runs together: an effect that is "
-    "adopted is not weighed again."
-)
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
     "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
@@ -57,12 +51,19 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
+        "sure": how_sure(content),
         "adopted": named,
         "beside": f"{named}; with it " if adopted else "",
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
     return f"{run}: {verdict}: {said.format(**fields)}"
+
+
+def how_sure(content: dict[str, Any]) -> str:
+    """How probable the best explanation is; nothing where no probability is known."""
+    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    return "" if share is None else f"; the best one has a probability of {percent(share)}"
 
 
 def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:
@@ -73,10 +74,7 @@ def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:
 
 def no_run(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why no run is proposed."""
-    verdict, tied = content["verdict"], [one for one in content.get("adopted", []) if one["tied"]]
-    if tied and verdict in ("explained", *UNNAMED):
-        runs = list(dict.fromkeys(one.get("next_experiment") or LOST for one in tied))
-        return [*(f"{STILL}: {run}" for run in runs), WITHOUT]
+    verdict = content["verdict"]
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
     if verdict in UNNAMED and sight.included(content):

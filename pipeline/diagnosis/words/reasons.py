@@ -18,8 +18,11 @@ SAID = {
     "size": ("it has fewer effects", "it has more effects"),
 }
 MARK = ("it leaves out {}", "it has {}")
-NAMES = "its effects were true less often where the judge learnt"
-OF_ITS_SIZE = "explanations of its kind are weighed otherwise"
+NAMES = "explanations with these effects were right less often in the simulated recordings that taught the judge"
+OF_ITS_SIZE = (
+    "explanations with so many effects were right less often in the simulated recordings that taught the judge"
+)
+NOT_OF_THIS = ("names",)  # aspects that say nothing of this recording: told where nothing else is
 LEAST = 1.05  # times less likely: less is alike
 
 
@@ -28,8 +31,11 @@ def why(one: dict[str, Any], best: dict[str, Any] | None) -> str:
     mine, first = one.get("probability"), (best or {}).get("probability")
     if not mine or not first or first < LEAST * mine:
         return ""
-    reasons = [f"since {reason(found)}" for found in one.get("because") or []]
-    chiefly = f", chiefly {' and '.join(reasons)}" if reasons else ""
+    because = one.get("because") or []
+    seen = [found for found in because if found["aspect"] not in NOT_OF_THIS]
+    reasons = [f"since {reason(found)}" for found in seen or because]
+    how = "partly" if seen and because[0] not in seen else "chiefly"
+    chiefly = f", {how} {' and '.join(reasons)}" if reasons else ""
     ratio = first / mine
     return f"It is {times(ratio) if ratio < 1000.0 else number(ratio, 1)} times less likely than the best one{chiefly}."
 

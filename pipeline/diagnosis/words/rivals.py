@@ -12,6 +12,7 @@ ALIKE = 1.05  # times what the best leaves: less is the same to the eye
 MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides in part, and for the most part
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
 BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
+DIMENSIONS = "Dimensions"  # the heading under which they stand
 ALLOWED = "If a true effect may differ from its formula by 10 % of its size"
 
 
@@ -112,7 +113,8 @@ def hidden(content: dict[str, Any], words: Vocabulary) -> list[str]:
             continue
         sizes = f"by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is missing"
         others = ", and in the other effects" if len(content["mechanisms"]) > 1 else ""
-        said = f"{entry['id']} moves the reading {sizes}. The rest hides in dimensions that calibration moved{others}."
+        hides = f"The rest hides in dimensions that calibration moved (see {DIMENSIONS}){others}"
+        said = f"{entry['id']} moves the reading {sizes}. {hides}."
         unsure = " Its size is poorly known." if own > LARGER * whole else ""
         lines.append(said + unsure)
     return lines

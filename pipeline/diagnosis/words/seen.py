@@ -16,10 +16,15 @@ def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return []
     ratio = times(rms / evidence[f"floor_{words.ending}"])
     least = min(content["fit"][f"detectable_{words.ending}"].values(), default=0.0)
-    left = f"Noise taken off, {size(rms, words.unit)} rms is left after calibration, {ratio} times the noise"
-    said = f"{left}, and no effect is named for it."
-    if rms > least > 0.0:
-        said += " That is more than the smallest size from which some effects would have been seen (below)."
+    if unseen.left_over(content, words):  # how much is said once, below
+        said = "A pattern is left that no effect is named for."
+    else:
+        beyond = f"{size(rms, words.unit)} rms is more than noise ({ratio} times the noise)"
+        said = f"Of the calibrated error in the table below, {beyond}, and no effect is named for it."
+        if rms > least > 0.0:
+            said += (
+                " Some effects would have been seen at a smaller size (below): what is left looks like none of them."
+            )
     found = evidence.get("pattern")
     if not found:
         return [said]
@@ -38,7 +43,8 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     larger = [f"{id_} {size(least, words.unit)}" for id_, least in sizes if least > left]
     if not left:
         return ["An effect would have been seen from this size on (rms):", f"{listing(larger)}."]
-    said = f"{size(left, words.unit)} rms is left beyond the noise: effects of that size and less may hide in it."
+    more = f"Of the errors in the table above, {size(left, words.unit)} rms is more than noise"
+    said = f"{more}: effects of that size and less may hide in it."
     if not larger:
         return [said, "A larger one would have been seen."]
     if len(larger) == len(sizes):

@@ -23,7 +23,7 @@ def spoken(content: dict[str, Any], system: System) -> dict[str, Any]:
             said = said.replace("the temperature", effects.CALCULATED)
         content["mismatch"]["driver"] = said
     if content["next_run"]:
-        content["next_experiment"] = experiment.in_one_line(content["next_run"], words, whole(evidence, words))
+        content["next_experiment"] = experiment.in_one_line(content, words, whole(evidence, words))
     return content
 
 

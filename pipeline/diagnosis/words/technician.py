@@ -31,6 +31,11 @@ class Part:
     load: str
     steps: list[str]
 
+    @property
+    def value(self) -> float:
+        """The load as a number, in its unit as it is said."""
+        return float(self.load.split()[0].replace(",", ""))
+
 
 def parts(run: dict[str, Any], words: Vocabulary, whole: float) -> list[Part]:
     """The runs that a proposal asks for: one, or one for each load where the load stands still in a recording.

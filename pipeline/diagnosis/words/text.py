@@ -7,18 +7,23 @@ from typing import Any
 
 from pipeline.diagnosis.words import (
     adoption,
+    advice,
     beaten,
     certainty,
+    commands,
     effects,
+    error_table,
     experiment,
     explained_words,
     probability,
     rivals,
     seen,
     sight,
+    still,
     unseen,
+    worth,
 )
-from pipeline.diagnosis.words.dimensions import corrected, remeasured, suspicious
+from pipeline.diagnosis.words.dimensions import corrected, each_moved, remeasured, suspicious
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
@@ -28,8 +33,12 @@ from pipeline.systems import System
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
-PROGRAM, COMMAND = "  python -m pipeline.", "python -m pipeline.diagnose"
+PROGRAM = "  python -m pipeline."
 WIDE = 112
+CHOSEN = (
+    "diagnosis.json has the intervals of the other numbers. Those with `low` equal to `high` have none: they were "
+    "chosen from a few values that were tried."
+)
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
@@ -44,11 +53,12 @@ def verdict_text(
     sections = [
         (headline(content, words), certainty.summary(content)),
         (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
+        (advice.HEADING, advice.lines(content, words)),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
             [
-                *named(content),
+                *named(content, words),
                 *likely(content),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
@@ -56,9 +66,9 @@ def verdict_text(
             ],
         ),
         ("What is likely beside it", tied(content, words)),
-        (sight.heading(content), unseen.lines(content, words)),
-        ("Dimensions", moved(content, words)),
-        ("The run to make next", following(content, words, folders)),
+        (error_table.HEADING, error_table.lines(content, words)),
+        (rivals.DIMENSIONS, moved(content, words)),
+        ("The run to make next", following(content, words, folders, out)),
         ("To adopt it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", seen.lines(content, words)),
@@ -99,9 +109,9 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
         f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
         f"It is what `the noise` means here, except for the {sight.strokes(content)}, compared sample by sample."
     )
-    said = f"{size(rms, words.unit)} rms after calibration, {times(rms / floor)} times the noise"
+    said = f"{size(rms, words.unit)} rms is missing after calibration (noise taken off)"
     return [
-        f"Over the whole recording {said}.",
+        f"Over the whole recording {said}, {times(rms / floor)} times the noise.",
         *([noise] if unseen.averaged(content, words) else []),
         *([small] if rms < SMALL * floor else []),
         "It is spread over the whole range."
@@ -117,10 +127,12 @@ def follows(content: dict[str, Any]) -> str:
     return f"It follows {driver}." if len(content["mechanisms"]) < 2 else f"Its parts follow {driver}."
 
 
-def named(content: dict[str, Any]) -> list[str]:
-    """Each mechanism's sentence; also of those that only a user's own library knows."""
+def named(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Each mechanism's sentence and how sure its size is; also of those that only a user's own library knows."""
     own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
-    lines = [f"{entry['id']}: {entry['sentence']}" for entry in content["mechanisms"]]
+    lines = [f"{entry['id']}: {entry['sentence']} {effects.interval(entry, words)}" for entry in content["mechanisms"]]
+    if any(each["low"] == each["high"] for entry in content["mechanisms"] for each in entry["parameters"].values()):
+        lines.append(CHOSEN)
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
@@ -157,17 +169,17 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
     again = remeasured(content, sight.included(content), unseen.inexact(content, words), in_vain)
-    return [*corrected(content, words), *again]
+    hiding = each_moved(content) if rivals.hidden(content, words) else []
+    return [*corrected(content, words), *hiding, *again]
 
 
-def following(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[str]:
-    """The protocol, line by line, and the command that diagnoses its recording together with this one."""
+def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+    """The protocol, line by line, what it is worth, and the commands from its folder to its diagnosis."""
     run = content["next_run"]
     if not run:
-        return no_run(content, words)
+        return still.lines(content, words, folders, out) or no_run(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    new = [f"{folders[-1]}-next{number}" for number in experiment.numbers(run, words)]
-    command = " ".join([COMMAND, *map(str, folders), *new, "--together --out DIR"])
-    why = (experiment.care(run), experiment.purpose(run, words), experiment.together(run, words), f"  {command}")
-    return [*lines, *(line for line in why if line)]
+    lines += [worth.care(content, words), worth.purpose(content, words)]
+    found = commands.lines(folders, out, experiment.loads(run, words))
+    return [line for line in (*lines, *commands.block(found, folders[-1].name, words.twisted)) if line]

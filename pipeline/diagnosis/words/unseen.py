@@ -11,8 +11,8 @@ NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no 
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
 AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
 ZERO = (
-    "In a verdict the zero of the reading is fitted. pipeline.adopt and pipeline.simulate set it in the first second, "
-    "so the errors that they print are others."
+    "In a verdict the zero of the reading is fitted. pipeline.simulate sets it in the first second, so that its error "
+    "is another one; pipeline.adopt prints both."
 )
 WORSE, NO_BETTER = 1.02, 0.95  # times the other error
 
@@ -103,27 +103,6 @@ def left_over(content: dict[str, Any], words: Vocabulary) -> float:
     if found is not None and found[2] > STILL_MISSING * noise:
         beyond.append(math.sqrt(found[2] ** 2 - noise**2))
     return max(beyond)
-
-
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """The three errors beside the noise floor."""
-    found = errors(content, words)
-    if found is None:
-        return ["Too few strokes to hold any out: nothing says how well the simulator foretells."]
-    noise = content["fit"][f"noise_floor_{words.ending}"]
-    names = ("nominal", "calibrated", "as diagnosed")
-    said = [
-        f"{name} {size(error, words.unit)} ({times(error / noise)} times the noise)"
-        for name, error in zip(names, found, strict=True)
-    ]
-    split = content["fit"]["heldout"]["split"]
-    which = "Held out" if sight.sight(content) == sight.UNSEEN else "Compared on"
-    known = f"{which}: the {split}. The noise here is {size(noise, words.unit)} rms."
-    if averaged(content, words):
-        known = f"{which}: the {split}. Here single samples are compared, so the noise is that of single samples"
-        known = f"{known}: {size(noise, words.unit)} rms."
-    zero = any(name.startswith("zero") for name in content["parameters"])
-    return [f"{'; '.join(said)}.", known, *([ZERO] if zero else [])]
 
 
 def noises(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:

@@ -1,0 +1,52 @@
+"""What to do next, in one piece of advice; it follows from the verdict and decides nothing."""
+
+from typing import Any
+
+from pipeline.diagnosis.words import sight, unseen, worth
+from pipeline.diagnosis.words.dimensions import far_moved, name_of
+from pipeline.diagnosis.words.headline import moved_in_vain
+from pipeline.diagnosis.words.quantity import listing
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+HEADING = "What to do next"
+
+
+def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """One piece of advice."""
+    verdict, run = content["verdict"], content["next_run"]
+    if verdict == "ambiguous":
+        return [_ambiguous(content, words)]
+    if verdict == "unknown":
+        shows = "Make the run below: it shows more of what is missing. " if run else ""
+        return [f"{shows}Adopt nothing: no effect of the library is named."]
+    if verdict == "explained":
+        if unseen.harmful(content, words):
+            return [
+                f"Adopt nothing: on the {sight.strokes(content)} the explanation makes the simulator worse. Record "
+                "the rig once more, with more strokes, and diagnose both runs together."
+            ]
+        return [f"Adopt the explanation: the command is below.{_again(content, words)}"]
+    if any(one["tied"] for one in content.get("adopted", [])):
+        return ["Decide between what was adopted and what tied with it, if you need to know: the run is below."]
+    if unseen.left_over(content, words):
+        return ["Record the rig in other ways, as said below, and diagnose the runs together."]
+    return [_again(content, words).strip() or "Nothing needs to be done: this recording shows nothing further."]
+
+
+def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
+    """The run to make where it can decide, else what to do without it."""
+    run, without = content["next_run"], worth.otherwise(content, words)
+    if not run or "parts" not in run:
+        return f"{without[0].upper()}{without[1:]}."
+    if worth.decides(run):
+        return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
+    only = f"Make the run below, which may not decide, only if you need to know {worth.question(content)}"
+    return f"{without[0].upper()}{without[1:]}. {only}."
+
+
+def _again(content: dict[str, Any], words: Vocabulary) -> str:
+    """Which dimensions to measure again, if any."""
+    if content["verdict"] == "parameters" and moved_in_vain(content, words):
+        return ""
+    names = [f"the {name_of(name)}" for name in far_moved(content)]
+    return f" Measure {listing(names)} again, and write what you measured into run.yaml." if names else ""

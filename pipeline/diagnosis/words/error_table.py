@@ -1,0 +1,73 @@
+"""The one table of errors that every sentence of a verdict refers to: of which simulator, on which strokes."""
+
+from typing import Any
+
+from pipeline.diagnosis.words import rivals, sight, unseen
+from pipeline.diagnosis.words.quantity import duration, size, times
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+HEADING = "Error, rms"
+UNKNOWN, GAP = "–", 3  # what an older file does not hold; spaces between columns
+WHOLE = "whole recording (seen by the fit)"
+TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
+ANEW = "For the right column all was fitted anew without those strokes."
+
+
+def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The table, a line each row, and what must be known to read it."""
+    seen, held = _seen(content, words), unseen.errors(content, words)
+    columns = [(WHOLE, seen, content["evidence"][f"floor_{words.ending}"])]
+    if held:
+        columns.append((held_out(content), list(held), content["fit"][f"noise_floor_{words.ending}"]))
+    rows = [["simulator", *(head for head, _, _ in columns)]]
+    for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
+        rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
+    if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
+        rows.pop()
+    rows.append(
+        [
+            "noise",
+            *(
+                size(noise, words.unit) + kind
+                for (_, _, noise), kind in zip(columns, _kinds(content, words), strict=False)
+            ),
+        ]
+    )
+    zero = any(name.startswith("zero") for name in content["parameters"])
+    told = [ANEW if sight.sight(content) == sight.UNSEEN else ""] if held else [TOO_FEW]
+    return [*aligned(rows), *(line for line in (*told, unseen.ZERO if zero else "") if line)]
+
+
+def held_out(content: dict[str, Any]) -> str:
+    """What the strokes are that were held out, and who has seen them."""
+    split = content["fit"]["heldout"]["split"]
+    return {
+        sight.UNSEEN: f"{split} (seen by no fit)",
+        sight.SEEN: f"{split} (seen by the adopted effects)",
+        sight.PERHAPS: f"{split} (perhaps seen by the adopted effects)",
+    }[sight.sight(content)]
+
+
+def aligned(rows: list[list[str]]) -> list[str]:
+    """Rows with their cells under each other."""
+    wide = [max(map(len, column)) + GAP for column in zip(*rows, strict=True)]
+    return ["".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)).rstrip() for row in rows]
+
+
+def _seen(content: dict[str, Any], words: Vocabulary) -> list[float | None]:
+    """Errors over the whole recording: nominal, calibrated, as diagnosed; None where an older file has none."""
+    evidence, named = content["evidence"], rivals.entries(content, "named")
+    nominal, calibrated = (evidence.get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return [nominal, calibrated, named[0][f"left_{words.ending}"] if named else calibrated]
+
+
+def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
+    return UNKNOWN if error is None else f"{size(error, words.unit)} ({times(error / noise)} times the noise)"
+
+
+def _kinds(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:
+    """Of what each noise is, where the two differ."""
+    if not unseen.averaged(content, words):
+        return "", ""
+    over = content["evidence"].get("step_s")
+    return f", of averages{f' of {duration(over)}' if over else ''}", ", of single samples"

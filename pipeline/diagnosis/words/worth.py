@@ -1,0 +1,96 @@
+"""What a proposed run is expected to tell, and whether it is worth making, in words."""
+
+import math
+from typing import Any
+
+from pipeline.diagnosis.words import probability, rivals, unseen
+from pipeline.diagnosis.words.quantity import listing, number, times
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
+LITTLE = 2.0  # times further apart, expected: less may not decide
+COMPARED = 4  # explanations that a proposed run is to part
+CARE = {
+    "twice the speed": "Only if the motor can go so fast.",
+    "twice the load": "Only if the rig bears so much.",
+    "another load": "Only if the rig bears so much.",
+}  # by what a title says
+WRONG = "That is no noise, but a formula that is wrong by a few per cent can make it too"
+CHANCE = "Noise alone can make that"
+
+
+def purpose(content: dict[str, Any], words: Vocabulary) -> str:
+    """Whether the run is worth making, which two explanations it parts, how probable each is, and how far it parts."""
+    run = content["next_run"]
+    if "parts" not in run:
+        return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
+    worth = "Worth making" if decides(run) else "Hardly worth making: make it only"
+    value = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
+    one, other = (probable(ids, content) for ids in run["parts"])
+    count = min(COMPARED, 1 + len(content["alternatives"]))
+    closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
+    return f"{value} It is to tell {one} from {other}{closest}. {gaps(run)}"
+
+
+def gaps(run: dict[str, Any]) -> str:
+    """How far the closest two predictions are apart without the run and with it, and what that is worth."""
+    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
+    so_far = f"So far the closest two predictions differ by {number(now)} standard deviations"
+    if not decides(run):
+        best = f"with the run it should be {number(then)}, and no other run that was tried in simulation does better"
+        return f"{so_far}; {best}. {WRONG if then > PLAIN else CHANCE}, so it does not decide."
+    if now <= PLAIN:
+        return f"{so_far}; with the run it should be {number(then)}."
+    more = f"{times(then / now)} times as much"
+    with_it = f"With the run it should be {number(then)}, {more}: a formula would have to be wrong by {more}"
+    return f"{so_far}. {WRONG}, so it does not decide. {with_it} to make that. So the run can decide."
+
+
+def probable(ids: list[str], content: dict[str, Any]) -> str:
+    """An explanation by its name with its probability, if it has one."""
+    found = [one for one in content["evidence"]["explanations"] if set(one["ids"]) == set(ids)]
+    likely = probability.said(found[0]) if found else ""
+    return f"{rivals.called(ids)}{f' ({likely})' if likely else ''}"
+
+
+def question(content: dict[str, Any]) -> str:
+    """What the run is to answer: what the two explanations that it parts differ in."""
+    one, other = content["next_run"]["parts"]
+    rests = [listing([id_ for id_ in ids if id_ not in both]) for ids, both in ((one, other), (other, one))]
+    if not all(rests):
+        return f"whether {''.join(rests)} is at work"
+    return f"which is at work: {', or '.join(rests) if any(' and ' in rest for rest in rests) else ' or '.join(rests)}"
+
+
+def otherwise(content: dict[str, Any], words: Vocabulary) -> str:
+    """What to do with what ties without the run."""
+    count = 1 + len(content["alternatives"])
+    if unseen.harmful(content, words):
+        return f"report all {count} explanations and adopt none"
+    return f"adopt the best explanation to predict with, and report it as one of {count} explanations"
+
+
+def decides(run: dict[str, Any]) -> bool:
+    """Whether a run parts two explanations by so much more, and so far, that it can be expected to decide."""
+    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
+    return then >= max(LITTLE * now, PLAIN)
+
+
+def care(content: dict[str, Any], words: Vocabulary) -> str:
+    """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
+    run = content["next_run"]
+    said = next((said for there, said in CARE.items() if there in run["title"]), "")
+    if "load" in run["title"] and words.load:
+        cannot = "If your rig cannot change its load, "
+    elif said:
+        cannot = "If your rig cannot go so fast, "
+    else:
+        return ""
+    if "parts" in run:
+        lost = "the likelier explanations stay tied" if decides(run) else "little is lost"
+        cannot += f"leave this run out: {lost}."
+    else:
+        cannot += (
+            "make the run at the other speed alone: it shows less." if "speed" in run["title"] else "leave it out."
+        )
+    return " ".join(part for part in (said, cannot) if part)
