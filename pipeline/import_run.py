@@ -15,15 +15,15 @@ from pipeline import schemas
 from pipeline.errors import BadInput, program
 from pipeline.files import sha256
 from pipeline.folders import whole_folder
+from pipeline.formats import read_foreign
 from pipeline.ingest import check, check_finite, questions
 from pipeline.kinematics import Array
 from pipeline.named_units import in_its_unit
 from pipeline.names import checked, own_material, run_name
 from pipeline.next_command import following
-from pipeline.recording import to_samples
+from pipeline.recording import asked_columns, to_samples
 from pipeline.run_yaml import parse_run
 from pipeline.strict_yaml import read_yaml, write_yaml
-from pipeline.table_file import read_table
 
 MOST_MOVED = 0.01  # of all stamps
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
@@ -117,7 +117,7 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     except BadInput as error:  # the mapping is what a person can mend, but for the name
         where = "--run" if error.field == "run" else str(mapping)
         raise BadInput(where, error.field, error.problem, error.mend) from None
-    table = read_table(file, run.file)
+    table = read_foreign(file, run.file, asked_columns(run))
     samples = to_samples(run, table, file, mapping)
     check_finite(samples, file)
     time_s, mended = mend_time(samples["time_s"].to_numpy())

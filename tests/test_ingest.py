@@ -353,7 +353,7 @@ def test_reading_text_takes_little_more_than_the_text(make_run):
     many["time_s"] = np.arange(len(many)) / 100
     many.to_csv(folder / "recording.csv", index=False)
     program = (
-        "import resource, sys\nfrom pipeline.text_table import read_text\nfrom pipeline.text_file import TextFile\n"
+        "import resource, sys\nfrom pipeline.formats.text import read_text\nfrom pipeline.text_file import TextFile\n"
         "from pathlib import Path\npeak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\nbefore = peak()\n"
         "read_text(Path(sys.argv[1]), TextFile.model_validate({}))\nprint(1024 * (peak() - before))"
     )
