@@ -10,8 +10,9 @@ import yaml
 from made_recording import content, recording
 
 from pipeline.errors import BadInput
+from pipeline.foreign.clock import mend_time
 from pipeline.formats.stored import read_table
-from pipeline.import_run import import_run, mend_time
+from pipeline.import_run import import_run
 from pipeline.ingest import read_samples
 from pipeline.new_run import make_run as new_run
 

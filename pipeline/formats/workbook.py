@@ -1,5 +1,6 @@
 """A sheet of an Excel workbook (.xlsx), as a table."""
 
+import contextlib
 import datetime
 import itertools
 import zipfile
@@ -73,8 +74,9 @@ def seconds(value: Any) -> Any:
     return value
 
 
-def _rows(path: Path, sheet: Any, comment: str | None, skip: int) -> Iterator[list[Any]]:
-    """Rows of a sheet that hold a cell, without empty cells at their ends; raises BadInput for too many."""
+def _rows(path: Path, sheet: Any) -> Iterator[tuple[int, list[Any]]]:
+    """Rows of a sheet that hold a cell, after their numbers, without empty cells at their ends; raises BadInput."""
+    sheet.reset_dimensions()  # what the file says of its own size can be wrong
     for number, row in enumerate(sheet.iter_rows(values_only=True)):
         if number >= MOST_ROWS or len(row) > MOST_COLUMNS:
             problem = f"has a cell beyond row {MOST_ROWS} or column {MOST_COLUMNS}"
@@ -82,9 +84,8 @@ def _rows(path: Path, sheet: Any, comment: str | None, skip: int) -> Iterator[li
         cells = [None if isinstance(cell, str) and not cell.strip() else cell for cell in row]
         while cells and cells[-1] is None:
             cells.pop()
-        if number < skip or not cells or (comment and str(cells[0]).startswith(comment)):
-            continue
-        yield cells
+        if cells:
+            yield number, cells
 
 
 def _check_start(path: Path, rows: list[list[Any]], layout: TextFile) -> None:
@@ -114,30 +115,50 @@ def _named(path: Path, rows: list[list[Any]], names: list[str], whole: bool) -> 
     return table
 
 
-def read_workbook(path: Path, layout: TextFile) -> pd.DataFrame:
-    """Cells of a sheet under the names of its first row; raises BadInput for no workbook, no such sheet, no rows."""
+@contextlib.contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    """The workbook of a file, while it is read; raises BadInput where it is none."""
     import openpyxl
 
     _check_parts(path)
     try:
         with open_regular(path) as file:
-            book = openpyxl.load_workbook(file, read_only=True, data_only=True, keep_links=False)
-            sheet = _sheet(path, book, layout.sheet)
-            sheet.reset_dimensions()  # what the file says of its own size can be wrong
-            rows = list(itertools.chain(_rows(path, sheet, layout.comment, layout.skip)))
+            yield openpyxl.load_workbook(file, read_only=True, data_only=True, keep_links=False)
     except BadInput:
         raise
     except Exception as error:  # openpyxl raises whatever a damaged part leads it to
         said = f"{type(error).__name__}: {str(error)[:80]}"
         raise BadInput(path, "file", f"is not a readable workbook ({said})", SAVE) from None
+
+
+def first_rows(path: Path, most: int) -> dict[str, list[tuple[int, list[Any]]]]:
+    """The first rows of each sheet that hold a cell, after their numbers from 0; raises BadInput."""
+    with _opened(path) as book:
+        return {sheet.title: list(itertools.islice(_rows(path, sheet), most)) for sheet in book.worksheets}
+
+
+def read_workbook(path: Path, layout: TextFile) -> pd.DataFrame:
+    """Cells of a sheet under the names of its first row; raises BadInput for no workbook, no such sheet, no rows."""
+    with _opened(path) as book:
+        sheet = _sheet(path, book, layout.sheet)
+        title = sheet.title
+        rows = [
+            row
+            for number, row in _rows(path, sheet)
+            if number >= layout.skip and not (layout.comment and str(row[0]).startswith(layout.comment))
+        ]
     _check_start(path, rows, layout)
     names = ["" if cell is None else str(cell).strip() for cell in rows[0]] if layout.header and rows else []
     rows = rows[1 + layout.skip_below :] if layout.header else rows
     if not rows:
-        raise BadInput(path, f"sheet {sheet.title!a}", "holds no rows", "name another under file.sheet")
+        raise BadInput(path, f"sheet {title!a}", "holds no rows", "name another under file.sheet")
     return _named(path, rows, names, layout.header)
 
 
 FORMAT = Format(
-    "an Excel workbook", (".xlsx", ".xlsm", ".xls"), (b"PK\x03\x04", OLD), frozenset({"sheet"}), read_workbook
+    "an Excel workbook",
+    (".xlsx", ".xlsm", ".xls"),
+    (b"PK\x03\x04", OLD),
+    frozenset({"sheet"}),
+    read_workbook,
 )
