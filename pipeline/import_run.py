@@ -64,11 +64,12 @@ class _Run:
     said: str
 
 
-def _checked(file: Path, mapping: Path, own: dict[str, Any], folder: Path) -> _Run:
+def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Path) -> _Run:
     """The run that a file makes by the content of a mapping; raises BadInput."""
-    content = {"run": folder.name, **own}
+    folder = out / name
+    content = {"run": name, **own}
     try:
-        checked(run_name, folder.name, folder / "run.yaml", "run")
+        checked(run_name, name, folder / "run.yaml", "run")
         run = parse_run(content, folder / "run.yaml")
         if run.string:
             checked(own_material, run.string.material, mapping, "string.material")
@@ -99,11 +100,11 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     Raises BadInput, before anything is written.
     """
     axes = each_axis(read_mapping(mapping), mapping)
-    folders = {axis: out / (f"{name}-{axis}" if axis else name) for axis in axes}
-    runs = [_checked(file, mapping, own, folders[axis]) for axis, own in axes.items()]
-    for folder in folders.values():
-        if folder.exists():
-            raise BadInput(folder, "run", "is there already", TAKEN)
+    names = {axis: f"{name}-{axis}" if axis else name for axis in axes}
+    runs = [_checked(file, mapping, own, names[axis], out) for axis, own in axes.items()]
+    for run in runs:
+        if run.folder.exists():
+            raise BadInput(run.folder, "run", "is there already", TAKEN)
     for run in runs:
         write_run(run.content, run.samples, run.folder, origin(file, mapping))
     return "\n".join(run.said for run in runs)
