@@ -116,6 +116,17 @@ def test_counts_and_guessed_units_are_said(tmp_path):
     text = program("--guess", "a.csv", cwd=tmp_path).stdout
     assert "counts_per_turn:  # fill in: how many counts a turn has" in text
     assert "# check: the unit is a guess from its numbers" in text
+    table(t=T, angle=M * 360, theta=M * 360, weg=X).to_csv(tmp_path / "b.csv", index=False)
+    text = program("--guess", "b.csv", cwd=tmp_path).stdout
+    assert "motor_turns: {column: angle, unit: deg}" in text and "theta may be meant as well" in text
+
+
+def test_a_unit_in_the_header_that_gives_no_rate_of_a_rig_is_doubted(tmp_path):
+    table(**{"Time [ms]": T, "theta_deg": M * 360, "x_mm": X}).to_csv(tmp_path / "a.csv", index=False)
+    text = program("--guess", "a.csv", cwd=tmp_path).stdout
+    assert re.search(
+        r"time_s: \{column: 'Time \[ms\]', unit: s\} +# check: in ms, as its name says, it would have no", text
+    )
 
 
 def test_another_kind_of_rig_is_drafted_for(tmp_path):

@@ -322,8 +322,13 @@ def test_a_packed_file_without_end_is_stopped(make_run):
 @pytest.mark.parametrize(
     ("content", "says"),
     [
-        (b"PK\x03\x04" + b"x" * 100, "is an Excel workbook or another zip file, no text. Mend: save its table as CSV"),
-        (b'{"time_s": [1, 2]}\n{}', "is JSON or a page"),
+        (
+            b"PK\x03\x04" + b"x" * 100,
+            "is an Excel workbook or another zip file, no text. Mend: make a run of it with python -m pipeline.import",
+        ),
+        (b'{"time_s": [1, 2]}\n{}', "is JSON, not a table. Mend: name it .json"),
+        (b'[{"time_s": 1}]', "is JSON, not a table. Mend: name it .json"),
+        (b"<html>\n<table>\n", "is a page of the web, not a table"),
         (b"a\tb\n1\t2\n", r"set file.delimiter to \"\\t\""),
         (b"," * 5000 + b"\n1\n", "has 5001 columns"),
         (b"\xff\xfe\x00", "is not utf-8"),

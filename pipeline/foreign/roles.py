@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import pandas as pd
 
+from pipeline.complaint import key_name
 from pipeline.foreign.header_units import header_unit, unit_word
 from pipeline.formats.text_layout import with_point
 from pipeline.kinematics import Array
@@ -28,6 +29,8 @@ NOT_MEASURED = re.compile(r"speed|vel|rate|cmd|command|target|desired|ref|soll|e
 RISING = 0.98  # share of steps: single wrong stamps are mended later
 SIZES = {"turns": (2.0, 60.0), "rad": (60.0, 720.0), "deg": (720.0, 40_000.0)}  # a motor's range that is usual in each
 STEP_S = (0.5e-4, 0.21)
+SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+MOST_ALIKE = 8
 
 
 @dataclass
@@ -84,17 +87,16 @@ def _score(channel: str, column: str | int, values: Array, unit: str | None) -> 
     return score if np.ptp(finite) > 0 or stem in ("load", "temperature") else -1
 
 
-def _time_unit(values: Array) -> str | None:
-    step = float(np.median(np.diff(values)))
-    sizes = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-    return next((unit for unit, one_s in sizes.items() if STEP_S[0] <= step * one_s <= STEP_S[1]), None)
+def _is_rate(values: Array, unit: str) -> bool:
+    """Whether time stamps in this unit are those of a rig, 10 Hz to 10 kHz."""
+    return STEP_S[0] <= float(np.median(np.diff(values))) * SECONDS[unit] <= STEP_S[1]
 
 
 def _by_size(channel: str, values: Array) -> str | None:
     """The unit that a column's range makes likely, None where none does."""
     span = float(np.nanmax(values) - np.nanmin(values))
     if channel == "time_s":
-        return _time_unit(values)
+        return next((unit for unit in SECONDS if _is_rate(values, unit)), None)
     if channel == "motor_turns":
         return next((unit for unit, (least, most) in SIZES.items() if least <= span < most), None)
     if channel == "displacement_mm":
@@ -116,6 +118,16 @@ def _sign(role: Role, other: Role | None) -> None:
         role.why.append("it falls in the file while the motor winds")
 
 
+def _role(channel: str, column: str | int, values: Array, told: str | None) -> Role:
+    """How a column reads as a channel: in the unit that it is told in, else in the one that its numbers make likely."""
+    likely = _by_size(channel, values)
+    span = f"{np.nanmin(values):.6g} to {np.nanmax(values):.6g}"
+    if channel == "time_s" and told and likely and not _is_rate(values, told):
+        return Role(column, values, likely, why=[f"in {told}, as its name says, it would have no rate of a rig"])
+    why = [f"the unit is a guess from its numbers, {span}"] if told is None and likely else []
+    return Role(column, values, told or likely, why=why)
+
+
 def find_roles(system: System, columns: dict[str | int, Array], units: dict[str | int, str]) -> dict[str, Role]:
     """The channels that were found, in the system's order; what no name or unit tells is not among them."""
     told = {column: _unit(column, units) for column in columns}
@@ -125,15 +137,18 @@ def find_roles(system: System, columns: dict[str | int, Array], units: dict[str 
         for place, (column, values) in enumerate(columns.items())
     ]
     roles: dict[str, Role] = {}
+    won: dict[str, int] = {}
     for score, _, _, channel, column in sorted(scores, key=lambda one: one[:3], reverse=True):
         least = 1 if channel == "time_s" else 2
-        if score >= least and channel not in roles and column not in [role.column for role in roles.values()]:
-            unit = told[column]
-            role = Role(column, columns[column], unit or _by_size(channel, columns[column]))
-            if unit is None and role.unit:
-                span = f"{np.nanmin(role.values):.6g} to {np.nanmax(role.values):.6g}"
-                role.why.append(f"the unit is a guess from its numbers, {span}")
-            roles[channel] = role
+        free = column not in [role.column for role in roles.values()]
+        if score >= least and free and channel not in roles:
+            roles[channel], won[channel] = _role(channel, column, columns[column], told[column]), score
+    used = {role.column for role in roles.values()}
+    for channel, role in roles.items():
+        same = [one[4] for one in scores if one[3] == channel and one[0] == won[channel]]
+        alike = [key_name(column) for column in same if column not in used]
+        if alike:
+            role.why.append(f"{', '.join(alike[:MOST_ALIKE])} may be meant as well")
     driver, follower = roles.get(system.driver), roles.get(system.channel)
     if driver and system.turn is not None:
         _sign(driver, None)

@@ -94,10 +94,13 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     Raises BadInput for a file that is empty, is not text, or holds something else than numbers.
     """
     kept, first, count = _kept(path, layout)
+    begin = first[0][1].lstrip() if first else ""
+    if begin.startswith(("{", "[", "<")):
+        if begin[0] == "<":
+            raise BadInput(path, "file", "is a page of the web, not a table", "save its table as CSV")
+        raise BadInput(path, "file", "is JSON, not a table", f"name it .json and {IMPORT}")
     if count <= layout.header:
         raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
-    if first[0][1].lstrip().startswith(("{", "[", "<")):
-        raise BadInput(path, "file", "is JSON or a page, not a table", "save its table as CSV")
     other = other_delimiter([line for _, line in first], layout.delimiter)
     if other:
         problem, mend = f"is {layout.delimiter!r}, which parts no line", f"set file.delimiter to {DELIMITERS[other]}"
