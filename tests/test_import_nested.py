@@ -177,6 +177,22 @@ def cut(file):
     file.write_bytes(file.read_bytes()[:3000])
 
 
+def table_object(file):
+    """A table as MATLAB stores it in a 7.3 file: a few numbers that stand for it."""
+    import h5py
+
+    struct_of(file, {"unused": {"a": "b"}})
+    with h5py.File(file, "a") as made:
+        made.create_group("#subsystem#")
+        made.create_dataset("T", data=np.arange(6, dtype=np.uint32)).attrs["MATLAB_object_decode"] = 3
+
+
+def huge(file):
+    with open(file, "wb") as made:
+        made.truncate(200_000_001)
+        made.write(b'[{"a": 1}')
+
+
 @pytest.mark.parametrize(
     ("name", "make", "says"),
     [
@@ -185,6 +201,8 @@ def cut(file):
         ("a.mat", lambda f: scipy.io.savemat(f, {"note": "nothing"}), "holds no series of numbers"),
         ("a.mat", lambda f: scipy.io.savemat(f, {"a": SERIES, "b": SERIES}), "a.time_cont"),
         ("a.mat", cut, "is not a readable HDF5 file"),
+        ("a.mat", table_object, "holds a table, a timeseries or another object of MATLAB's own"),
+        ("a.json", huge, "has more than 200 MB. Mend: save it as CSV or Parquet, or cut it into runs"),
         ("a.h5", bomb, "is packed more than 200-fold"),
         ("a.h5", broken_reference, "there is no column 'theta'"),
         ("a.json", lambda f: f.write_text('{"time_cont": [1, 2'), "is not JSON"),

@@ -324,7 +324,7 @@ def test_a_packed_file_without_end_is_stopped(make_run):
     [
         (
             b"PK\x03\x04" + b"x" * 100,
-            "is an Excel workbook or another zip file, no text. Mend: make a run of it with python -m pipeline.import",
+            "Excel workbook or another zip file, no text. Mend: make a run of it with python",
         ),
         (b'{"time_s": [1, 2]}\n{}', "is JSON, not a table. Mend: name it .json"),
         (b'[{"time_s": 1}]', "is JSON, not a table. Mend: name it .json"),

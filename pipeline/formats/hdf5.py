@@ -37,6 +37,8 @@ class _Reader:
 
         if item.is_virtual or item.external or item.shape is None or item.attrs.get("MATLAB_empty"):
             return None  # its numbers lie in other files, or there are none
+        if "MATLAB_object_decode" in item.attrs:
+            return None  # one of MATLAB's own objects, whose numbers lie elsewhere in a form that nobody documents
         if h5py.check_ref_dtype(item.dtype) is not None:
             cells = item.attrs.get("MATLAB_class") in (b"cell", "cell")
             return (list if cells else _Elements)(self.referred(item, depth))

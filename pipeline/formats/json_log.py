@@ -14,7 +14,7 @@ from pipeline.formats.nested import columns_of, records
 from pipeline.formats.unpacked import unpacked
 from pipeline.text_file import TextFile
 
-LARGEST = 400_000_000  # bytes: Python needs some ten times as much to hold them as values
+LARGEST = 200_000_000  # bytes: Python needs some ten times as much to hold them as values
 SMALLER = "save it as CSV or Parquet, or cut it into runs"
 LOOK = 20  # lines at the start by which a file of one object a line is told
 SPLIT = {"columns", "data"}  # what pandas calls names and rows

@@ -17,7 +17,7 @@ from pipeline.formats.unpacked import IS_IT, NO_READINGS, is_bomb
 from pipeline.regular_file import open_regular
 from pipeline.text_file import TextFile
 
-MOST_BYTES, MOST_BESIDE = 2_000_000_000, 200_000_000  # of all parts, and of a part that is no sheet, unpacked
+MOST_BYTES, MOST_BESIDE = 700_000_000, 200_000_000  # of all parts, and of a part that is no sheet, unpacked
 MOST_ROWS, MOST_COLUMNS = 1_048_576, 2_000  # a sheet's, and a recording's
 LOOK = 50  # rows at the start by which the layout is judged
 OLD = b"\xd0\xcf\x11\xe0"  # how a workbook of before 2007, or an encrypted one, begins
