@@ -1,6 +1,8 @@
 """Damaged files of every foreign format: read, or refused in words; never a traceback, never half a run."""
 
 import json
+import subprocess
+import sys
 
 import h5py
 import numpy as np
@@ -52,3 +54,16 @@ def test_a_damaged_file_is_read_or_refused_in_words(tmp_path, name):
             refused += 1
             assert not (raw / f"a-{number}").exists()
     assert refused and not [path for path in raw.rglob("*") if path.name.startswith(".")]
+
+
+def test_a_byte_that_crashes_the_reader_of_matlab_files_is_refused_in_words(tmp_path):
+    file, mapping = tmp_path / "a.mat", tmp_path / "map.yaml"
+    MAKERS["a.mat"](file)
+    content_of = bytearray(file.read_bytes())
+    content_of[272] ^= 0x40  # the type of a field's numbers, with which scipy 1.17 ends in a segmentation fault
+    file.write_bytes(content_of)
+    mapping.write_text(yaml.safe_dump(content("x", run=None, channels=CHANNELS)))
+    words = ["pipeline.import_run", str(file), "--map", str(mapping), "--run", "a-01", "--out", str(tmp_path / "raw")]
+    done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
+    assert done.returncode == 2 and "a.mat: file: is not a MATLAB file" in done.stderr and "Mend: " in done.stderr
+    assert not (tmp_path / "raw").exists()

@@ -16,7 +16,7 @@ from pipeline.regular_file import open_regular
 from pipeline.text_file import TextFile
 
 __all__ = ["format_of", "formats", "read_foreign"]
-HELPERS = ("interface", "nested", "stored", "text_layout", "unpacked")
+HELPERS = ("interface", "matlab_child", "nested", "stored", "text_layout", "unpacked")
 SPACE = b"\xef\xbb\xbf \t\r\n"  # may stand before the first sign of a text
 
 
