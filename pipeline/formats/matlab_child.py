@@ -1,15 +1,18 @@
 """Series of a MATLAB file, read in a process of its own: a damaged byte can crash the library that reads it."""
 
+import argparse
 import io
 import json
 import os
 import sys
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import scipy.io
 
+from pipeline.errors import program
 from pipeline.formats.interface import Columns
 from pipeline.formats.nested import columns_of
 
@@ -37,10 +40,14 @@ def unpack(content: bytes) -> tuple[Columns, bool]:
         return {name: held[f"arr_{1 + index}"] for index, name in enumerate(told["names"])}, told["objects"]
 
 
+@program
 def main() -> None:
-    """Write the series of the file that is named to standard output."""
+    """Write the series of one file to standard output."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.formats.matlab_child", description=__doc__)
+    parser.add_argument("file", type=Path)
+    told = parser.parse_args()
     try:
-        with open(sys.argv[1], "rb") as file, warnings.catch_warnings():
+        with open(told.file, "rb") as file, warnings.catch_warnings():
             warnings.simplefilter("ignore")
             variables = scipy.io.loadmat(file, simplify_cells=True)
     except Exception as error:  # scipy's reader raises whatever a damaged byte leads it to
