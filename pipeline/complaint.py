@@ -74,6 +74,8 @@ def bad_section(
     if kind == "value_error" and "; " in said:
         problem, _, mend = said.rpartition("; ")
         return BadInput(path, field, problem, mend)
+    if given is None:
+        return BadInput(path, field, "is empty", f"fill it in{hint}")
     if kind == "string_type" and isinstance(given, int | float):
         return BadInput(path, field, f"is the number {short(given)}, not text", f"put it in quotes{hint}")
     return BadInput(path, field, f"is {short(given)}: {said}", f"correct it{hint}")

@@ -14,6 +14,7 @@ import pandas as pd
 from pipeline.errors import BadInput, program
 from pipeline.files import write_text
 from pipeline.folders import whole_folder
+from pipeline.formats.stored import read_table
 from pipeline.ingest import check, questions
 from pipeline.like_run import as_in, with_given
 from pipeline.names import checked, own_material, run_name
@@ -23,7 +24,6 @@ from pipeline.run_yaml import STRING_ACTUATORS, Run, parse_run
 from pipeline.runs import RECORDINGS, recording_path, unfinished
 from pipeline.same_string import string_id
 from pipeline.strict_yaml import parse_yaml, write_yaml
-from pipeline.table_file import read_table
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 KEY = re.compile(r"\b(channels|file)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend

@@ -8,8 +8,8 @@ import pandas as pd
 
 from pipeline.complaint import key_name, meant
 from pipeline.errors import BadInput
+from pipeline.formats.text import read_text
 from pipeline.text_file import TextFile
-from pipeline.text_table import read_text
 
 IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the mend
     "file.delimiter": ("columns", "part the columns by commas"),

@@ -10,12 +10,12 @@ import pandas as pd
 from pipeline.captured import check_lines, read_frames
 from pipeline.complaint import key_name, short
 from pipeline.errors import BadInput
+from pipeline.formats.stored import read_table
+from pipeline.formats.text_layout import DECIMAL_COMMA, with_point
 from pipeline.named_units import in_its_unit
 from pipeline.run_yaml import STRING_ACTUATORS, Channel, Run
 from pipeline.runs import recording_path
-from pipeline.table_file import read_table
 from pipeline.text_file import TextFile
-from pipeline.text_layout import DECIMAL_COMMA, with_point
 from pipeline.units import conversion
 
 
@@ -68,6 +68,13 @@ def _numbers(column: pd.Series, name: str, path: Path, layout: TextFile) -> pd.S
             mend = 'set file.decimal to ","'
         raise BadInput(path, name, f"row {row + 1} holds {short(held)}, not a number", mend)
     return numbers.astype(float)
+
+
+def asked_columns(run: Run) -> list[str]:
+    """Names of the columns that a run's channels are read from, where it has them by name."""
+    told = {name: channel.column for name, channel in run.channels.items()}
+    columns = [told.get(name) if told.get(name) is not None else name for name in run.system.columns]
+    return [column for column in columns if isinstance(column, str)]
 
 
 def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.DataFrame:

@@ -11,13 +11,19 @@ NO_TEXT = {"undefined", "punycode", "idna", "unicode_escape", "raw_unicode_escap
 
 
 class TextFile(BaseModel):
-    """How a text recording is written."""
+    """How a text recording, or a workbook, is written."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     delimiter: str = Field(",", min_length=1, max_length=1, description="one character; a space is any white space")
     skip: Annotated[int, Field(ge=0, le=10_000, strict=True)] = Field(
         0, description="how many lines stand before the names, or before the numbers where there are no names"
+    )
+    skip_below: Annotated[int, Field(ge=0, le=100, strict=True)] = Field(
+        0, description="how many lines stand between the names and the numbers, such as one of units"
+    )
+    sheet: Annotated[int, Field(ge=0, strict=True)] | Annotated[str, Field(min_length=1, max_length=100)] | None = (
+        Field(None, description="the sheet of an Excel workbook: its name, or its index from 0")
     )
     decimal: Literal[".", ","] = Field(".", description='"." or ",", what stands in 0.5 or 0,5')
     header: bool = Field(True, description="whether a line of names stands above the numbers")
@@ -42,6 +48,15 @@ class TextFile(BaseModel):
                 f"is {value}, but only says whether there are names; leave it out and set file.skip {before}"
             )
         return value
+
+    @model_validator(mode="after")
+    def _below_names(self) -> "TextFile":
+        if self.skip_below and not self.header:
+            raise ValueError(
+                "file.skip_below: counts lines below the names, of which there are none; "
+                "set file.skip to all lines before the numbers"
+            )
+        return self
 
     @model_validator(mode="after")
     def _two_signs(self) -> "TextFile":

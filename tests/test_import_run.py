@@ -10,10 +10,11 @@ import yaml
 from made_recording import content, recording
 
 from pipeline.errors import BadInput
-from pipeline.import_run import import_run, mend_time
+from pipeline.foreign.clock import mend_time
+from pipeline.formats.stored import read_table
+from pipeline.import_run import import_run
 from pipeline.ingest import read_samples
 from pipeline.new_run import make_run as new_run
-from pipeline.table_file import read_table
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
 HAPTIC = Path(__file__).parent.parent.parent / "shared" / "recordings" / "tsa_haptic"

@@ -322,8 +322,13 @@ def test_a_packed_file_without_end_is_stopped(make_run):
 @pytest.mark.parametrize(
     ("content", "says"),
     [
-        (b"PK\x03\x04" + b"x" * 100, "is an Excel workbook or another zip file, no text. Mend: save its table as CSV"),
-        (b'{"time_s": [1, 2]}\n{}', "is JSON or a page"),
+        (
+            b"PK\x03\x04" + b"x" * 100,
+            "Excel workbook or another zip file, no text. Mend: make a run of it with python",
+        ),
+        (b'{"time_s": [1, 2]}\n{}', "is JSON, not a table. Mend: name it .json"),
+        (b'[{"time_s": 1}]', "is JSON, not a table. Mend: name it .json"),
+        (b"<html>\n<table>\n", "is a page of the web, not a table"),
         (b"a\tb\n1\t2\n", r"set file.delimiter to \"\\t\""),
         (b"," * 5000 + b"\n1\n", "has 5001 columns"),
         (b"\xff\xfe\x00", "is not utf-8"),
@@ -353,7 +358,7 @@ def test_reading_text_takes_little_more_than_the_text(make_run):
     many["time_s"] = np.arange(len(many)) / 100
     many.to_csv(folder / "recording.csv", index=False)
     program = (
-        "import resource, sys\nfrom pipeline.text_table import read_text\nfrom pipeline.text_file import TextFile\n"
+        "import resource, sys\nfrom pipeline.formats.text import read_text\nfrom pipeline.text_file import TextFile\n"
         "from pathlib import Path\npeak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\nbefore = peak()\n"
         "read_text(Path(sys.argv[1]), TextFile.model_validate({}))\nprint(1024 * (peak() - before))"
     )

@@ -12,6 +12,8 @@ from pipeline.real.rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2
 LONGEST_SLUG = 60
+MOST_LISTED = 500  # of them on a page
+SHOWN = 8  # files that a sentence names
 ALL_OTHERS = "all others"  # where a method learnt from every other run of the group
 NONE_GIVEN = "give the folder with the downloaded files: --config recordings=DIR; docs/real.md says where to get them"
 
@@ -32,6 +34,7 @@ class RealPlan:
     """All runs, in order of rig and name."""
 
     recordings: tuple[Recording, ...]
+    passed_over: tuple[str, ...] = ()  # names of files that no pattern knows, from the folder on
 
     def __getitem__(self, run: str) -> Recording:
         """The recording of a run; raises KeyError."""
@@ -54,6 +57,22 @@ class RealPlan:
                 found.setdefault(one.group, []).append(one.run)
         return {group: runs for group, runs in found.items() if len(runs) >= LEAST_TOGETHER}
 
+    @property
+    def said(self) -> str:
+        """Which files were passed over and why, in one sentence; nothing where none was."""
+        if not self.passed_over:
+            return ""
+        first = ", ".join(map(ascii, self.passed_over[:SHOWN]))
+        more = f" and {len(self.passed_over) - SHOWN} more" if len(self.passed_over) > SHOWN else ""
+        files = f"{len(self.passed_over)} file{'s' * (len(self.passed_over) > 1)}"
+        return f"passed over {files} whose names no pattern of pipeline/config/real.yaml knows: {first}{more}"
+
+    @property
+    def shown(self) -> list[str]:
+        """Files passed over as a page lists them, each no text that a command takes for an option."""
+        more = len(self.passed_over) - MOST_LISTED
+        return [f"./{name}" for name in self.passed_over[:MOST_LISTED]] + [f"and {more} more"] * (more > 0)
+
     def tables(self, _: Any) -> list[str]:
         """What the page over all rigs is made of; raises BadInput when no recordings are given."""
         if not self.recordings:
@@ -70,6 +89,13 @@ def slug(text: str) -> str:
     return f"{plain[: LONGEST_SLUG - 9].strip('-') or 'unnamed'}-{told_apart}"
 
 
+def _known(pattern: str, file: Path) -> re.Match[str] | None:
+    """How a pattern matches the name of a file without .gz, or that name behind its folder's."""
+    plain = re.sub(r"\.gz$", "", file.name, flags=re.I)
+    names = (plain, f"{file.parent.name}/{plain}")
+    return next((match for name in names if (match := re.fullmatch(pattern, name, re.I))), None)
+
+
 def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
     """Plan for every file below a folder that a rig's pattern knows.
 
@@ -82,15 +108,18 @@ def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
     for rig, described in rigs.items():
         for kind in described.files:
             for file in files:
-                plain = re.sub(r"\.gz$", "", file.name, flags=re.I)
-                match = re.fullmatch(kind.pattern, plain, re.I)
+                match = _known(kind.pattern, file)
                 if match:
-                    run = f"{kind.name}-{slug(plain.rsplit('.', 1)[0])}"
+                    run = f"{kind.name}-{slug(match[0].rsplit('.', 1)[0])}"
                     mapping = MAPPINGS / f"{kind.mapping}.yaml"
                     found.append((run, rig, slug(match.expand(kind.group)), file, mapping))
+    taken = {file for *_, file, _ in found}
+    passed_over = tuple(str(file.relative_to(folder)) for file in files if file not in taken)
     if not found:
-        mend = "docs/real.md says where to get the files; leave their names as they are"
-        raise BadInput(folder, "recordings", "holds no recording of a known rig", mend)
+        mend = "docs/real.md says where to get the files; leave their names and folders as they are"
+        there = RealPlan((), passed_over).said
+        problem = "holds no recording of a known rig" + (f"; {there}" if there else "")
+        raise BadInput(folder, "recordings", problem, mend)
     times = Counter(run for run, *_ in found)
     recordings: dict[str, Recording] = {}
     for run, rig, group, file, mapping in found:
@@ -99,7 +128,8 @@ def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
             raise BadInput(file, "recordings", f"is there already as {recordings[name].file}", "remove one of the two")
         recordings[name] = Recording(name, rig, group, file, mapping)
     order = list(rigs)
-    return RealPlan(tuple(sorted(recordings.values(), key=lambda one: (order.index(one.rig), one.run))))
+    ordered = sorted(recordings.values(), key=lambda one: (order.index(one.rig), one.run))
+    return RealPlan(tuple(ordered), passed_over)
 
 
 def plan_of(config: dict[str, Any]) -> RealPlan:

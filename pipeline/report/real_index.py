@@ -92,7 +92,16 @@ def beaten(rows: pd.DataFrame) -> str:
     return f"<p>{' '.join(said)}</p>"
 
 
-def page(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
+def ignored(files: list[str]) -> str:
+    """The files that nothing was made of, and why."""
+    if not files:
+        return ""
+    listed = "".join(f"<li>{html.escape(name)}</li>" for name in files)
+    why = "No pattern of <code>pipeline/config/real.yaml</code> knows their names:"
+    return f"<h2>Files that were passed over</h2><p>{why}</p><ul>{listed}</ul>"
+
+
+def page(rows: pd.DataFrame, rigs: dict[str, Rig], passed_over: list[str]) -> str:
     """The page's HTML."""
     return "\n".join([
         "<!doctype html>\n<html lang=en><meta charset=utf-8><title>public rigs</title>",
@@ -100,6 +109,7 @@ def page(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
         "<p>All numbers: <a href=table.csv>table.csv</a></p>",
         overview(rows, rigs), beaten(rows),
         "<h2>The tool can be wrong in public</h2>", doubts(rows),
+        ignored(passed_over),
     ]) + "\n"  # fmt: skip
 
 
@@ -110,6 +120,7 @@ def main() -> None:
     parser.add_argument("tables", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the file of the page; required")
     parser.add_argument("--table", type=Path, required=True)
+    parser.add_argument("--passed-over", nargs="*", default=[], help="files of which nothing was made")
     told = parser.parse_args()
     rows = pd.concat([pd.read_csv(io.BytesIO(read_regular(path, LARGEST))) for path in told.tables], ignore_index=True)
     texts = ["verdict", "named", "expected", "unit", "doubt", "why"]
@@ -117,7 +128,7 @@ def main() -> None:
     if missing:
         raise BadInput(told.tables[0], missing[0], "is not among its columns", "make the rigs' tables again")
     rows[texts] = rows[texts].fillna("").astype(str)
-    write_text(told.out, page(rows, read_rigs()))
+    write_text(told.out, page(rows, read_rigs(), told.passed_over))
     with whole(told.table) as temporary:
         rows.to_csv(temporary, index=False, float_format="%.5g")
 

@@ -1,6 +1,8 @@
 from pipeline.real.plan import plan_of
 
 REAL = plan_of(config)
+if REAL.said:
+    print(f"recordings: {REAL.said}", file=sys.stderr)
 
 
 def real_file(wildcards):
@@ -50,7 +52,7 @@ rule bring:
     log:
         "processed/logs/real-bring-{run}.log",
     params:
-        code=fingerprint("pipeline.real.bring"),
+        code=fingerprint("pipeline.real.bring", "pipeline.formats.*"),
     message:
         "import {wildcards.run}"
     shell:
@@ -153,7 +155,9 @@ rule real:
         "processed/logs/real.log",
     params:
         code=fingerprint("pipeline.report.real_index"),
+        passed_over=REAL.shown,
     message:
         "write the table over all public rigs"
     shell:
-        "exec python -m pipeline.report.real_index {input:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.real_index {input:q} --out {output.page:q} --table {output.table:q}"
+        " --passed-over {params.passed_over:q} > {log:q} 2>&1"

@@ -53,8 +53,21 @@ def test_every_file_of_a_known_rig_becomes_its_runs(downloaded):
     assert plan["davinci-tool-9-bowl-l"].group == "tool-9-bowl-l"
     assert plan["emps-data-emps"].mapping.name == "emps.yaml"
     assert plan["emps-data-emps-pulses"].mapping.name == "emps_pulses.yaml"
-    assert plan.groups("emps") == {"emps": ["emps-data-emps", "emps-data-emps-pulses"]}
+    assert plan.groups("emps") == {}, "their channels differ: together they would be refused"
+    assert set(plan.passed_over) == {"README.md"} and "passed over 1 file" in plan.said
     assert plan.tables(None) == [f"processed/real/table/{rig}.csv" for rig in ("tsa_haptic", "davinci_tool", "emps")]
+
+
+def test_the_names_of_the_surgical_tools_repository_are_known_as_they_stand(downloaded):
+    names = [f"data/Tool_4_Maryland_{side}/{number}.TXT" for side in ("L_4", "R_5") for number in ("00", "43")]
+    names += ["data/Tool_4_Maryland_L_Pitch_1/013.TXT", "data/Tool_4_Maryland_R_5/01.TXT.gz"]
+    others = ["data/Tool_4_Maryland_L_4/SerialLog.txt", "data/Tool_4_Maryland_L_Pitch_1/ReadME.txt", "data/00.TXT"]
+    plan = make_real_plan(downloaded(*names, *others), read_rigs())
+    runs = [f"davinci-tool-4-maryland-{one}" for one in ("l-4-00", "l-4-43", "l-pitch-1-013")]
+    runs += [f"davinci-tool-4-maryland-r-5-{one}" for one in ("00", "01", "43")]
+    assert plan.runs("davinci_tool") == runs
+    assert set(plan.groups("davinci_tool")) == {"tool-4-maryland-l-4", "tool-4-maryland-r-5"}
+    assert set(plan.passed_over) == set(others) and all(name in plan.said for name in others)
 
 
 def test_a_name_without_letters_or_without_end_becomes_a_runs_name(downloaded):
@@ -74,7 +87,7 @@ def test_files_of_one_name_are_told_apart_by_their_folder_or_refused(downloaded)
 
 
 def test_a_folder_without_recordings_says_what_to_do(downloaded, tmp_path):
-    with pytest.raises(BadInput, match="no recording of a known rig"):
+    with pytest.raises(BadInput, match=r"no recording of a known rig; passed over 1 file .*'notes.txt'"):
         make_real_plan(downloaded("notes.txt"), read_rigs())
     with pytest.raises(BadInput, match="--config recordings=DIR"):
         make_real_plan(tmp_path / "nowhere", read_rigs())

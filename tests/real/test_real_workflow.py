@@ -17,9 +17,10 @@ def dry_run(tmp_path, *words):
 def test_every_file_gets_its_jobs_and_every_group_its_own(tmp_path):
     folder = tmp_path / "my downloads"
     folder.mkdir()
-    for name in ("Tool_1_A_00.TXT", "Tool_1_A_13.TXT.gz", "Tool_2_B_00.TXT", "DATA_EMPS.mat"):
+    for name in ("Tool_1_A_00.TXT", "Tool_1_A_13.TXT.gz", "Tool_2_B_00.TXT", "DATA_EMPS.mat", "notes (1).md"):
         (folder / name).write_bytes(b"")
     status, said = dry_run(tmp_path, "--config", f"recordings={folder}")
+    assert "passed over 1 file whose names no pattern" in said and "'notes (1).md'" in said
     jobs = {name: int(count) for name, count in re.findall(r"^(\w+) +(\d+)$", said, re.M)}
     assert status == 0 and jobs == {
         "bring": 4, "real_verdict": 4, "black_boxes": 4, "real_together": 1, "transfer": 1, "real_page": 2, "real": 1,

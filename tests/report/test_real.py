@@ -112,6 +112,7 @@ def run(tmp_path, verdicts, together, boxes, transfer):
     subprocess.run(command, check=True, capture_output=True)
     command = [sys.executable, "-m", "pipeline.report.real_index", str(tmp_path / "rows.csv")]
     command += ["--out", str(out / "index.html"), "--table", str(out / "table.csv")]
+    command += ["--passed-over", "./data/<b>.txt"]
     subprocess.run(command, check=True, capture_output=True)
     return out
 
@@ -129,6 +130,7 @@ def test_the_pages_say_what_the_files_say(made, tmp_path):
         assert link == "index.html" or (out / link).is_file(), link
     assert "1 stroke decides nothing" in index and "The tool can be wrong in public" in index
     assert "3 of 4 verdicts are ambiguous" in index
+    assert "<li>./data/&lt;b&gt;.txt</li>" in index
     assert (
         "better on 1 of 1 recordings. On another recording the best of the three black boxes is better on 1 of 1"
         in index

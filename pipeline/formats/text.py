@@ -12,22 +12,23 @@ from pathlib import Path
 import pandas as pd
 
 from pipeline.errors import BadInput
+from pipeline.formats.interface import Format
+from pipeline.formats.text_layout import DELIMITERS, LOOK, cells, check_start, other_delimiter, uneven, without_half
+from pipeline.formats.unpacked import BOMB_BYTES, GZIP, IS_IT, NO_READINGS, is_bomb
 from pipeline.regular_file import open_regular
 from pipeline.text_file import TextFile
-from pipeline.text_layout import DELIMITERS, LOOK, cells, check_start, other_delimiter, uneven, without_half
 
-GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
+IMPORT = "make a run of it with python -m pipeline.import_run, which reads it"
 OTHERS = {  # what else a file that is no text begins with, and what to do about it
-    b"PK\x03\x04": ("an Excel workbook or another zip file", "save its table as CSV"),
-    b"\xd0\xcf\x11\xe0": ("an Excel workbook", "save its table as CSV"),
-    b"\x89HDF": ("an HDF5 file", "save its table as CSV or Parquet"),
+    b"PK\x03\x04": ("an Excel workbook or another zip file", IMPORT),
+    b"\xd0\xcf\x11\xe0": ("an old Excel workbook, or one with a password", "save it as .xlsx without a password"),
+    b"\x89HDF": ("an HDF5 file", IMPORT),
     b"PAR1": ("a Parquet file", "name it .parquet"),
-    b"MATLAB": ("a MATLAB file", "name it .mat and use python -m pipeline.import_run"),
+    b"MATLAB": ("a MATLAB file", IMPORT),
 }
 LONGEST_LINE = 100_000  # characters
 MOST_COLUMNS = 2_000
 LARGEST_TEXT = 4_000_000_000  # bytes: a day at 1 kHz
-BOMB_BYTES, BOMB_RATIO = 50_000_000, 200  # unpacked size from which, and packing by which, a file holds no readings
 
 
 def _lines(path: Path, encoding: str) -> Iterator[str]:
@@ -49,9 +50,8 @@ def _lines(path: Path, encoding: str) -> Iterator[str]:
                 read += len(line)
                 if read > look:
                     look = read + BOMB_BYTES
-                    if zipped and read > BOMB_RATIO * packed:
-                        problem = f"is packed more than {BOMB_RATIO}-fold, as no readings can be"
-                        raise BadInput(path, "file", problem, "check that it is the recording")
+                    if zipped and is_bomb(read, packed):
+                        raise BadInput(path, "file", NO_READINGS, IS_IT)
                     if read > LARGEST_TEXT:
                         problem = f"has more than {LARGEST_TEXT / 1e9:g} GB of text"
                         raise BadInput(path, "file", problem, "save it as Parquet, or cut it into runs")
@@ -65,11 +65,14 @@ def _kept(path: Path, layout: TextFile) -> tuple[io.BytesIO, list[tuple[int, str
 
     Raises BadInput for a file that cannot be read or is in another encoding.
     """
-    kept, first, count, ended = io.BytesIO(), [], 0, True
+    kept, first, count, named, ended = io.BytesIO(), [], 0, 0, True
     try:
         for number, line in enumerate(_lines(path, layout.encoding)):
             shown = line.removeprefix("\ufeff").strip() if count == 0 else line.strip()
             if number < layout.skip or not shown or (layout.comment and shown.startswith(layout.comment)):
+                continue
+            named += 1
+            if layout.header and 1 < named <= 1 + layout.skip_below:
                 continue
             line = line.removeprefix("\ufeff") if count == 0 else line
             ended = line.endswith("\n")
@@ -91,10 +94,13 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
     Raises BadInput for a file that is empty, is not text, or holds something else than numbers.
     """
     kept, first, count = _kept(path, layout)
+    begin = first[0][1].lstrip() if first else ""
+    if begin.startswith(("{", "[", "<")):
+        if begin[0] == "<":
+            raise BadInput(path, "file", "is a page of the web, not a table", "save its table as CSV")
+        raise BadInput(path, "file", "is JSON, not a table", f"name it .json and {IMPORT}")
     if count <= layout.header:
         raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
-    if first[0][1].lstrip().startswith(("{", "[", "<")):
-        raise BadInput(path, "file", "is JSON or a page, not a table", "save its table as CSV")
     other = other_delimiter([line for _, line in first], layout.delimiter)
     if other:
         problem, mend = f"is {layout.delimiter!r}, which parts no line", f"set file.delimiter to {DELIMITERS[other]}"
@@ -128,3 +134,6 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
         own = [str(name).strip() for name in table.columns]
         table.columns = [name or own[i] for i, name in enumerate(names)] if len(names) == len(own) else own
     return table
+
+
+FORMAT = Format("text", (".csv", ".txt", ".tsv", ".dat", ".log", ".asc"), (), frozenset(), read_text)

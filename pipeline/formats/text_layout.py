@@ -15,6 +15,7 @@ DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', whic
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan", re.IGNORECASE)
 DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
 LOOK = 50  # lines at the start by which the layout is judged
+MOST_BELOW = 5  # lines of units, ranges and the like under the names
 TAIL = 250_000  # bytes at the end that hold the last two lines
 
 
@@ -65,6 +66,9 @@ def check_start(path: Path, lines: list[tuple[int, str]], layout: TextFile) -> N
         return
     width = len(cells(lines[row][1], layout.delimiter))
     if len({cell for cell in first if cell}) == width:
+        if layout.header and not layout.skip_below and row <= MOST_BELOW:  # names, and what is said of them
+            problem = f"has {short(lines[1][1].strip())} between its names and its rows of numbers"
+            raise BadInput(path, "file.skip_below", problem, f"set file.skip_below to {row - 1}")
         return  # names, whatever stands below them
     before, start = lines[row - layout.header]
     problem = f"begins with {short(lines[0][1].strip())}, which has not the {width} fields of its rows of numbers"

@@ -1,0 +1,37 @@
+"""A mapping of a file with several axes: what all share, and what each says for itself, as one mapping an axis."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+from pipeline.complaint import key_name, short
+from pipeline.errors import BadInput
+
+AXIS_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
+
+
+def _over(whole: Any, own: Any) -> Any:
+    """What an axis says over what all share, key by key."""
+    if not isinstance(whole, dict) or not isinstance(own, dict):
+        return own
+    return {**whole, **{key: _over(whole.get(key), value) for key, value in own.items()}}
+
+
+def each_axis(mapping: dict[str, Any], path: Path) -> dict[str, dict[str, Any]]:
+    """The mapping of each axis by its name, one without a name where there are no `axes`; raises BadInput."""
+    shared = {key: value for key, value in mapping.items() if key != "axes"}
+    if "axes" not in mapping:
+        return {"": shared}
+    axes = mapping["axes"]
+    if not isinstance(axes, dict) or not axes:
+        mend = "write one name an axis, each with the keys of a mapping that it has for itself"
+        raise BadInput(path, "axes", f"is {short(axes)}", mend)
+    for name, own in axes.items():
+        field = f"axes.{key_name(name)}"
+        if not AXIS_NAME.fullmatch(str(name)):
+            raise BadInput(path, field, "cannot end a run's name", "use lower-case letters, digits and -")
+        if not isinstance(own, dict):
+            raise BadInput(path, field, f"is {short(own)}", "write the keys that this axis has for itself")
+        if wrong := {"run", "mended", "axes", "file"} & own.keys():
+            raise BadInput(path, f"{field}.{min(wrong)}", "belongs to no axis", "remove it, or say it once for all")
+    return {str(name): _over(shared, own) for name, own in axes.items()}

@@ -1,0 +1,116 @@
+"""A mapping drafted from a foreign file: what its header and numbers tell, and what a person has to fill in."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from pipeline.complaint import key_name
+from pipeline.errors import BadInput
+from pipeline.foreign.layout_guess import guess_layout
+from pipeline.foreign.roles import Role, find_roles, numbers
+from pipeline.formats import format_of, read_foreign
+from pipeline.kinematics import Array
+from pipeline.run_yaml import String
+from pipeline.strict_yaml import write_yaml
+from pipeline.systems import System, systems
+from pipeline.text_file import TextFile
+from pipeline.units import conversion
+
+SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
+UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, cm or m"}
+UNITS |= {"s": "s, ms or us", "m": "m, cm or mm", "n": "N, kgf or g", "nm": "Nm or Nmm", "c": "degC or K"}
+
+
+def _filled(key: str, what: str, indent: int = 2) -> str:
+    return f"{' ' * indent}{key}:  # fill in: {what}"
+
+
+def _rig(system: System) -> list[str]:
+    """The sections that no file tells: the string and the rig's dimensions."""
+    lines = []
+    if system.needs_string:
+        keys = ("material", "radius_mm", "length_mm")
+        told = {key: String.model_fields[key].description or key for key in keys}
+        lines += ["string:", *(_filled(key, what) for key, what in told.items())]
+    if system.rig:
+        lines += [
+            "rig:",
+            *(_filled(key, f"{key.rpartition('_')[0].replace('_', ' ')}, {what}") for key, what in system.rig.items()),
+        ]
+    return lines
+
+
+def _layout(layout: TextFile) -> list[str]:
+    default = TextFile.model_validate({})
+    told = {key: value for key, value in layout.model_dump().items() if value != getattr(default, key)}
+    return [f"file: {write_yaml(told, flow=True)}"] if told else []
+
+
+def _span(values: Array) -> str:
+    return f"{np.nanmin(values):.6g} to {np.nanmax(values):.6g}"
+
+
+def _channel(channel: str, role: Role | None, free: list[str | int]) -> list[str]:
+    """Lines of a channel, with what a person must fill in or check."""
+    unit = UNITS.get(channel.rpartition("_")[2], "its unit")
+    if role is None:
+        names = ", ".join(key_name(column) for column in free[:SHOWN_COLUMNS])
+        return [f"  {channel}:", _filled("column", f"one of {names}", 4), _filled("unit", unit, 4)]
+    told: dict[str, Any] = {"column": role.column, "unit": role.unit, "scale": role.scale}
+    told = {key: value for key, value in told.items() if value is not None and (key, value) != ("scale", 1.0)}
+    check = f"  # check: {'; '.join(role.why)}" if role.why else ""
+    if role.unit is not None and role.unit != "count":
+        return [f"  {channel}: {write_yaml(told, flow=True)}{check}"]
+    body = write_yaml(told).rstrip("\n").replace("\n", "\n    ")
+    missing = ("counts_per_turn", "how many counts a turn has") if role.unit else ("unit", unit)
+    return [f"  {channel}:{check}", f"    {body}", _filled(*missing, 4)]
+
+
+def _in_our_units(channel: str, role: Role) -> Array | None:
+    try:
+        factor, shift = conversion(channel, role.unit, None)
+    except ValueError:
+        return None
+    return np.asarray(factor * role.scale * role.values + shift)
+
+
+def _preview(path: Path, kind: str, roles: dict[str, Role], columns: dict[str | int, Array]) -> str:
+    """The first rows as they would be read, and the columns that nothing is read from."""
+    read = {channel: values for channel, role in roles.items() if (values := _in_our_units(channel, role)) is not None}
+    count = max((len(values) for values in columns.values()), default=0)
+    lines = [f"{path}: {kind} with {count} rows of {len(columns)} columns of numbers"]
+    if read:
+        shown = pd.DataFrame({channel: values[:SHOWN_ROWS] for channel, values in read.items()})
+        lines += ["its first rows, as they are read:", shown.to_string(index=False)]
+    used = {role.column for role in roles.values()}
+    free = [f"  {key_name(column)}: {_span(values)}" for column, values in columns.items() if column not in used]
+    more = [f"  and {len(free) - SHOWN_COLUMNS} more"] if len(free) > SHOWN_COLUMNS else []
+    return "\n".join([*lines, *(["not read:"] if free else []), *free[:SHOWN_COLUMNS], *more])
+
+
+def draft(path: Path, actuator: str) -> tuple[str, str]:
+    """Text of a mapping for a file, and a preview of its first rows; raises BadInput for a file that is not read."""
+    known = systems()
+    if actuator not in known:
+        raise BadInput("--actuator", "actuator", f"{actuator!r} is not known", f"use one of {', '.join(known)}")
+    system, guessed = known[actuator], guess_layout(path)
+    table = read_foreign(path, guessed.layout)
+    columns = numbers(table, guessed.layout.decimal == ",")
+    if not columns:
+        raise BadInput(path, "file", "holds no column of numbers", "check that it is the recording")
+    named = dict(zip([*table.columns], guessed.units, strict=False))
+    units = {column: named.get(column if isinstance(column, str) else table.columns[column], "") for column in columns}
+    roles = find_roles(system, columns, units)
+    kind = format_of(path).name
+    free = [column for column in columns if column not in [role.column for role in roles.values()]]
+    wanted = [channel for channel in system.columns if channel in roles or channel in system.columns[:3]]
+    lines = [f"# A mapping for {key_name(path.name)} and files like it, drafted from {kind}."]
+    lines += ["# Fill in what is empty, check what is a guess, then import it through this mapping."]
+    lines += [f"actuator: {actuator}", *_rig(system), *_layout(guessed.layout), "channels:"]
+    for channel in wanted:
+        lines += _channel(channel, roles.get(channel), free)
+    if system.load and system.load not in roles and system.load == "load_n":
+        lines += ["  # no load was found: name its column as load_n, or give rig.load_n where it is constant"]
+    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns)

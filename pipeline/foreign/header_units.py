@@ -1,0 +1,36 @@
+"""The unit that a column's name carries: `angle [deg]`, `t (ms)`, `weg_mm`, `Zeit in ms`."""
+
+import re
+
+from pipeline.units import SAID, UNITS
+
+SIGNS = {"°": "deg", "grad": "deg", "u": "turns", "umdrehungen": "turns", "turn": "turns", "rot": "turns"}
+SIGNS |= {"°c": "degC", "c": "degC", "amp": "A", "kg": "kgf", "sekunden": "s", "counts": "count", "ticks": "count"}
+SIGNS |= {"\u03bcs": "us", "usec": "us", "micros": "us", "millis": "ms", "n*m": "Nm", "meter": "m", "metre": "m"}
+KNOWN = {**SIGNS, **SAID, **{unit.lower(): unit for unit in UNITS}}
+PLACES = (
+    r"\[\s*([^\]]+?)\s*\]\s*$",
+    r"\(\s*([^)]+?)\s*\)\s*$",
+    r"\bin\s+(\S+)\s*$",
+    r"/\s*([^/\s]+)\s*$",
+    r"_([^_\W]+)$",
+)
+WHOLE = {"millis": "ms", "micros": "us"}
+
+
+def unit_word(text: str) -> str | None:
+    """The unit that a word means, None where it means none."""
+    word = text.strip().strip("[]()").lower()
+    return KNOWN.get(word) or KNOWN.get(word.removesuffix("s"))
+
+
+def header_unit(name: str) -> str | None:
+    """The unit in a column's name, None where it has none."""
+    last = re.split(r"[.\s]", name.strip().lower())[-1]
+    if last in WHOLE:
+        return WHOLE[last]
+    for place in PLACES:
+        found = re.search(place, name)
+        if found and (unit := unit_word(found[1])):
+            return unit
+    return None

@@ -1,0 +1,41 @@
+"""A Parquet file, ours or foreign, as a table."""
+
+from pathlib import Path
+
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from pipeline import seal
+from pipeline.errors import BadInput
+from pipeline.formats.interface import Format
+from pipeline.regular_file import open_regular
+from pipeline.text_file import TextFile
+
+MOST_VALUES = 2_000_000_000  # some bytes of a file can stand for any number of rows
+
+
+def read_parquet(path: Path, _: TextFile | None = None) -> pd.DataFrame:
+    """Columns of a Parquet file, an index like any other; raises BadInput when it is damaged or too large.
+
+    A file that carries our seal, as an imported run's does, must be what was sealed; a foreign one carries none.
+    """
+    try:
+        with open_regular(path) as file:
+            if seal.is_sealed(content := seal.content_of(path)):
+                seal.check_parquet(content)
+            parquet = pq.ParquetFile(file)
+            rows, columns = parquet.metadata.num_rows, parquet.metadata.num_columns
+            if not 0 <= rows * columns <= MOST_VALUES:
+                problem = f"says that it holds {rows} rows of {columns} columns"
+                raise BadInput(path, "file", problem, "cut it into runs of a day or less")
+            return parquet.read().to_pandas(ignore_metadata=True)
+    except seal.Damaged as error:
+        mend = "copy it again from where it was made, or import the recording again"
+        raise BadInput(path, "file", f"is damaged: {error}", mend) from None
+    except (pa.ArrowException, OSError, ValueError, OverflowError, MemoryError):
+        mend = "copy it again; a Parquet file whose writer was killed cannot be read"
+        raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
+
+
+FORMAT = Format("a Parquet file", (".parquet",), (b"PAR1",), frozenset(), read_parquet)

@@ -1,0 +1,199 @@
+"""`import_run --guess`: the mapping that it drafts imports the file once a person has filled in what is empty."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import scipy.io
+from made_recording import recording
+from test_import_workbook import workbook
+
+from pipeline.ingest import read_samples
+
+ROOT = Path(__file__).parents[1]
+GOOD = recording()
+SIZES = {"material": "nylon", "radius_mm": 0.4, "length_mm": 400, "torsion_zone_mm": 150, "separator_mm": 8}
+
+
+def program(*words, cwd):
+    command = [sys.executable, "-m", "pipeline.import_run", *map(str, words)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=cwd, env={**os.environ, "PYTHONPATH": str(ROOT)})
+    assert "Traceback" not in done.stderr, done.stderr
+    return done
+
+
+def filled(text, **more):
+    """A draft in which a person has written the sizes, and what else is asked for."""
+    for key, value in {**SIZES, **more}.items():
+        text = re.sub(rf"^( *{key}):  # fill in.*$", rf"\1: {value}", text, flags=re.M)
+    assert "fill in:" not in text, text
+    return text
+
+
+def table(**columns):
+    return pd.DataFrame(columns)
+
+
+T, M, X = GOOD["time_s"], GOOD["motor_turns"], GOOD["displacement_mm"]
+GERMAN = table(**{"Zeit [ms]": T * 1e3, "Drehwinkel (°)": M * 360, "Weg [mm]": -X, "Status": T * 0})
+PLAIN = table(time=T, motor_angle=M * 2 * np.pi, motor_speed=M * 0 + 3, position=X / 10)
+FORCED = table(t_us=T * 1e6, turns=-M, laser_cm=X / 10, force_gf=20 / 9.80665e-3 + T * 0)
+
+
+def units_below(file):
+    rows = [["t", "theta", "x"], ["s", "deg", "cm"], *np.column_stack([T, M * 360, X / 10]).tolist()]
+    file.write_text("Rig 7\n" + "\n".join("\t".join(map(str, row)) for row in rows))
+
+
+def commented(file):
+    names = "operator: somebody\ntime [s],motor_angle [rad],motor_speed,position [cm]"
+    np.savetxt(file, PLAIN, header=names, delimiter=",")
+
+
+def lines_of_json(file):
+    rows = PLAIN.rename(columns={"position": "pos_cm"}).to_dict("records")
+    file.write_text("\n".join(map(json.dumps, rows)))
+
+
+def of_sheets(file):
+    rows = [["Rig 7"], [*GERMAN], *GERMAN.to_numpy().tolist()]
+    workbook(file, notes=[["by somebody"]], data=rows)
+
+
+MAKERS = {
+    "german.csv": lambda f: f.write_text(
+        "Messung am Prüfstand\n\n" + GERMAN.to_csv(sep=";", decimal=",", index=False), encoding="cp1252"
+    ),
+    "plain.csv": lambda f: PLAIN.rename(columns={"position": "position_cm"}).to_csv(f, index=False),
+    "forced.txt": lambda f: FORCED.to_csv(f, index=False, sep=" "),
+    "tabs.dat": units_below,
+    "commented.txt": commented,
+    "log.xlsx": of_sheets,
+    "log.mat": lambda f: scipy.io.savemat(f, {"data": {"time": T, "theta_deg": M * 360, "x_mm": X, "gain": 3.0}}),
+    "log.jsonl": lines_of_json,
+    "log.parquet": lambda f: FORCED.to_parquet(f),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_a_drafted_mapping_imports_the_file_once_the_sizes_are_filled_in(tmp_path, name):
+    MAKERS[name](tmp_path / name)
+    done = program("--guess", name, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "its first rows, as they are read:" in done.stderr and "displacement_mm" in done.stderr
+    (tmp_path / "map.yaml").write_text(filled(done.stdout), encoding="utf-8")
+    done = program(name, "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert read["time_s"].to_numpy() == pytest.approx(T.to_numpy())
+    assert read["motor_turns"].to_numpy() == pytest.approx(M.to_numpy(), abs=1e-6)
+    assert read["displacement_mm"].to_numpy() == pytest.approx(X.to_numpy(), abs=1e-6)
+    if name in ("forced.txt", "log.parquet"):
+        assert read["load_n"].to_numpy() == pytest.approx(20.0)
+
+
+def test_what_no_name_tells_is_left_to_a_person(tmp_path):
+    np.savetxt(tmp_path / "bare.csv", np.column_stack([T, M, X]), delimiter=",")
+    done = program("--guess", "bare.csv", "--out", "map.yaml", cwd=tmp_path)
+    assert done.returncode == 0 and "map.yaml: fill in what is empty" in done.stdout
+    text = (tmp_path / "map.yaml").read_text()
+    assert "time_s: {column: 0, unit: s}" in text and "column:  # fill in: one of 1, 2" in text
+    done = program("bare.csv", "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)
+    assert done.returncode == 2 and "map.yaml: string.material: is empty. Mend: fill it in (name of the" in done.stderr
+    assert not (tmp_path / "raw").exists()
+    done = program("--guess", "bare.csv", "--out", "map.yaml", cwd=tmp_path)
+    assert done.returncode == 2 and "is there already" in done.stderr
+
+
+def test_counts_and_guessed_units_are_said(tmp_path):
+    table(t=T, encoder_counts=(M * 4096).round(), angle=M * 360, weg=X).to_csv(tmp_path / "a.csv", index=False)
+    text = program("--guess", "a.csv", cwd=tmp_path).stdout
+    assert "counts_per_turn:  # fill in: how many counts a turn has" in text
+    assert "# check: the unit is a guess from its numbers" in text
+    table(t=T, angle=M * 360, theta=M * 360, weg=X).to_csv(tmp_path / "b.csv", index=False)
+    text = program("--guess", "b.csv", cwd=tmp_path).stdout
+    assert "motor_turns: {column: angle, unit: deg}" in text and "theta may be meant as well" in text
+
+
+def test_a_unit_in_the_header_that_gives_no_rate_of_a_rig_is_doubted(tmp_path):
+    table(**{"Time [ms]": T, "theta_deg": M * 360, "x_mm": X}).to_csv(tmp_path / "a.csv", index=False)
+    text = program("--guess", "a.csv", cwd=tmp_path).stdout
+    assert re.search(
+        r"time_s: \{column: 'Time \[ms\]', unit: s\} +# check: in ms, as its name says, it would have no", text
+    )
+
+
+def test_another_kind_of_rig_is_drafted_for(tmp_path):
+    table(t=T, q_m=np.sin(T), motor_force=np.cos(T)).to_csv(tmp_path / "a.csv", index=False)
+    text = program("--guess", "a.csv", "--actuator", "moving_mass", cwd=tmp_path).stdout
+    assert "position_m: {column: q_m, unit: m}" in text and "column: motor_force" in text and "string:" not in text
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["--guess", "no.csv"], "no.csv: file: is not there"),
+        (["--guess", "words.csv"], "Mend: "),
+        (["--guess", "good.csv", "--actuator", "rope"], "use one of"),
+        (["good.csv", "--run", "a"], "draft one with --guess"),
+    ],
+)
+def test_what_cannot_be_guessed_is_refused_in_words(tmp_path, words, says):
+    (tmp_path / "words.csv").write_text("a,b\nc,d\n")
+    PLAIN.to_csv(tmp_path / "good.csv", index=False)
+    done = program(*words, cwd=tmp_path)
+    assert done.returncode == 2 and says in done.stderr, done.stderr
+    assert done.stdout == ""
+
+
+AXES = """
+actuator: separator
+rig: {torsion_zone_mm: 150, separator_mm: 8}
+string: {material: nylon, radius_mm: 0.4, length_mm: 400}
+channels: {time_s: {column: t}}
+axes:
+  left:
+    channels: {motor_turns: {column: m1, unit: deg}, displacement_mm: {column: x1}}
+  right:
+    string: {material: UHMWPE}
+    channels: {motor_turns: {column: m2}, displacement_mm: {column: x2, scale: -1}}
+"""
+
+
+@pytest.fixture
+def two_axes(tmp_path):
+    table(t=T, m1=M * 360, x1=X, m2=M, x2=-X).to_csv(tmp_path / "two.csv", index=False)
+    (tmp_path / "map.yaml").write_text(AXES)
+    return tmp_path
+
+
+def test_a_file_with_several_axes_makes_a_run_of_each(two_axes):
+    done = program("two.csv", "--map", "map.yaml", "--run", "a-01", cwd=two_axes)
+    assert done.returncode == 0, done.stderr
+    for axis, material in (("left", "nylon"), ("right", "UHMWPE")):
+        run, read = read_samples(two_axes / "raw" / f"a-01-{axis}")
+        assert run.string.material == material and run.string.radius_mm == 0.4
+        assert read["motor_turns"].to_numpy() == pytest.approx(M.to_numpy())
+        assert read["displacement_mm"].to_numpy() == pytest.approx(X.to_numpy())
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (("x2, scale", "x9, scale"), "there is no column 'x9'"),
+        (("  right:", "  Right:"), "axes.Right: cannot end a run's name"),
+        (("string: {material: UHMWPE}", "run: b"), "axes.right.run: belongs to no axis"),
+        (("  left:", "  left: 3\n  leftover:"), "axes.left: is 3"),
+    ],
+)
+def test_one_bad_axis_writes_none(two_axes, change, says):
+    (two_axes / "map.yaml").write_text(AXES.replace(*change))
+    done = program("two.csv", "--map", "map.yaml", "--run", "a-01", cwd=two_axes)
+    assert done.returncode == 2 and says in done.stderr, done.stderr
+    assert not (two_axes / "raw").exists()

@@ -1,0 +1,221 @@
+"""Files that hold values inside values: structs of MATLAB, HDF5 and JSON, imported by the real program."""
+
+import gzip
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import scipy.io
+import yaml
+from made_recording import content, recording
+
+from pipeline.ingest import read_samples
+
+GOOD = recording()
+SERIES = {"time_cont": GOOD["time_s"], "theta": GOOD["motor_turns"] * 360, "weg": GOOD["displacement_mm"] / 10}
+SERIES = {name: values.to_numpy() for name, values in SERIES.items()}
+CHANNELS = {
+    "time_s": {"column": "time_cont"},
+    "motor_turns": {"column": "theta", "unit": "deg"},
+    "displacement_mm": {"column": "weg", "unit": "cm"},
+}
+ROWS = [
+    dict(zip(SERIES, row, strict=True)) for row in zip(*(values.tolist() for values in SERIES.values()), strict=True)
+]
+
+
+def imported(file, channels=CHANNELS, layout=None, **changes):
+    """Import a file with the program; the finished process and the run's folder."""
+    mapping = file.parent / "map.yaml"
+    mapping.write_text(yaml.safe_dump(content("x", run=None, channels=channels, file=layout, **changes)))
+    words = ["import_run", str(file), "--map", str(mapping), "--run", "a-01", "--out", str(file.parent / "raw")]
+    done = subprocess.run([sys.executable, "-m", f"pipeline.{words[0]}", *words[1:]], capture_output=True, text=True)
+    assert "Traceback" not in done.stderr
+    return done, file.parent / "raw" / "a-01"
+
+
+def read_back(done, folder):
+    """Assert that the run has the samples that were written."""
+    assert done.returncode == 0, done.stderr
+    samples = read_samples(folder)[1]
+    for name in ("time_s", "motor_turns", "displacement_mm"):
+        assert samples[name].to_numpy() == pytest.approx(GOOD[name].to_numpy()), name
+
+
+def refused(done, folder, says):
+    """Assert that the program says what is wrong, ends with 2 and writes nothing."""
+    assert done.returncode == 2 and says in done.stderr and "Mend: " in done.stderr, done.stderr
+    assert not folder.parent.exists()
+
+
+def struct_of(file, value):
+    """A MATLAB 7.3 file as MATLAB writes it: a struct is a group, a list of structs one of references."""
+    import h5py
+
+    with h5py.File(file, "w", userblock_size=512) as made:
+        references = made.create_group("#refs#")
+
+        def put(group, name, held):
+            if isinstance(held, dict):
+                inside = group.create_group(name)
+                inside.attrs["MATLAB_class"] = np.bytes_("struct")
+                for key, part in held.items():
+                    put(inside, key, part)
+            elif isinstance(held, list):
+                inside = group.create_group(name)
+                for key in held[0]:
+                    made_of = []
+                    for index, one in enumerate(held):
+                        put(references, f"{name}{key}{index}", one[key])
+                        made_of.append(references[f"{name}{key}{index}"].ref)
+                    inside.create_dataset(key, data=np.array([made_of], dtype=h5py.ref_dtype))
+            elif isinstance(held, str):
+                codes = np.frombuffer(held.encode("utf-16-le"), np.uint16)
+                group.create_dataset(name, data=codes[:, None]).attrs["MATLAB_class"] = np.bytes_("char")
+            else:
+                group.create_dataset(name, data=np.atleast_2d(held))
+
+        for name, held in value.items():
+            put(made, name, held)
+    with open(file, "r+b") as opened:
+        opened.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(124) + b"\x00\x02IM")
+
+
+NOTES = {"operator": "somebody", "gain": 3.0, "limits": np.arange(5.0)}
+
+
+@pytest.mark.parametrize("version", ["5", "7.3"])
+@pytest.mark.parametrize("kind", ["vectors", "struct", "struct in a struct", "second of two structs"])
+def test_structs_of_both_versions_of_matlab_are_read_by_the_names_of_their_fields(tmp_path, version, kind):
+    short = {name: values[:40] for name, values in SERIES.items()}
+    held = {
+        "vectors": SERIES,
+        "struct": {"data": {**SERIES, **NOTES}},
+        "struct in a struct": {"rig": {"log": SERIES, "note": NOTES}},
+        "second of two structs": {"data": [short, SERIES]},
+    }[kind]
+    save = (lambda file: scipy.io.savemat(file, held)) if version == "5" else (lambda file: struct_of(file, held))
+    save(tmp_path / "log.mat")
+    channels = CHANNELS
+    if kind == "second of two structs":
+        channels = {name: {**one, "column": f"data[1].{one['column']}"} for name, one in CHANNELS.items()}
+    read_back(*imported(tmp_path / "log.mat", channels))
+
+
+def test_a_matrix_gives_its_columns_by_index(tmp_path):
+    matrix = np.column_stack(list(SERIES.values()))
+    scipy.io.savemat(tmp_path / "log.mat", {"data": matrix})
+    channels = {name: {**one, "column": f"data[{i}]"} for i, (name, one) in enumerate(CHANNELS.items())}
+    read_back(*imported(tmp_path / "log.mat", channels))
+
+
+def test_plain_hdf5_is_read_with_its_groups(tmp_path):
+    import h5py
+
+    with h5py.File(tmp_path / "log.h5", "w") as made:
+        for name, values in SERIES.items():
+            made.create_dataset(f"run/1/{name}", data=values, compression="gzip")
+        made["elsewhere"] = h5py.ExternalLink("secret.h5", "/x")
+        made["again"] = h5py.SoftLink("/run")
+    read_back(*imported(tmp_path / "log.h5"))
+
+
+JSON = {
+    "records": lambda: json.dumps(ROWS),
+    "object of lists": lambda: json.dumps({name: values.tolist() for name, values in SERIES.items()}),
+    "inside an object": lambda: json.dumps({"rig": {"operator": "x", "load": 3}, "log": {"samples": ROWS}}, indent=1),
+    "split": lambda: json.dumps({"columns": [*SERIES], "data": [list(row.values()) for row in ROWS]}),
+    "lines": lambda: "\n".join(map(json.dumps, ROWS)) + "\n",
+    "lines after a remark": lambda: "\n".join(map(json.dumps, [{"version": 2, "rig": "A"}, *ROWS])),
+    "lines, the last cut": lambda: "\n".join(map(json.dumps, ROWS)) + '\n{"time_cont": 9',
+    "nested lines": lambda: "\n".join(json.dumps({"m": row, "imu": [1, 2, 3]}) for row in ROWS),
+}
+
+
+@pytest.mark.parametrize("kind", JSON)
+def test_json_is_read_in_every_form_that_loggers_write(tmp_path, kind):
+    file = tmp_path / ("log.jsonl" if "lines" in kind else "log.json")
+    file.write_text(JSON[kind]())
+    done, folder = imported(file)
+    read_back(done, folder)
+    assert ("is cut off and was left out" in done.stderr) == ("cut" in kind)
+    assert ("1 of its records hold none of these channels" in done.stderr) == ("remark" in kind)
+
+
+def test_packed_json_and_json_of_another_name_are_known_by_their_content(tmp_path):
+    (tmp_path / "log.dat").write_bytes(gzip.compress(JSON["records"]().encode()))
+    done, folder = imported(tmp_path / "log.dat")
+    assert done.returncode == 2 and not folder.exists()  # a packed text tells nothing before it is unpacked
+    (tmp_path / "log.json.gz").write_bytes((tmp_path / "log.dat").read_bytes())
+    read_back(*imported(tmp_path / "log.json.gz"))
+    (tmp_path / "raw").rename(tmp_path / "before")
+    (tmp_path / "log.dat").write_text(JSON["records"]())
+    read_back(*imported(tmp_path / "log.dat"))
+
+
+def bomb(file):
+    """An HDF5 file that says that it holds much and holds nothing."""
+    import h5py
+
+    with h5py.File(file, "w") as made:
+        made.create_dataset("time_cont", shape=(10**10,), dtype="f8", chunks=(10**6,))
+
+
+def broken_reference(file):
+    import h5py
+
+    with h5py.File(file, "w") as made:
+        held = made.create_dataset("data", shape=(3,), dtype=h5py.ref_dtype)
+        made.create_dataset("time_cont", data=np.arange(9.0))
+        assert not held[0]
+
+
+def cut(file):
+    struct_of(file, SERIES)
+    file.write_bytes(file.read_bytes()[:3000])
+
+
+def table_object(file):
+    """A table as MATLAB stores it in a 7.3 file: a few numbers that stand for it."""
+    import h5py
+
+    struct_of(file, {"unused": {"a": "b"}})
+    with h5py.File(file, "a") as made:
+        made.create_group("#subsystem#")
+        made.create_dataset("T", data=np.arange(6, dtype=np.uint32)).attrs["MATLAB_object_decode"] = 3
+
+
+def huge(file):
+    with open(file, "wb") as made:
+        made.truncate(200_000_001)
+        made.write(b'[{"a": 1}')
+
+
+@pytest.mark.parametrize(
+    ("name", "make", "says"),
+    [
+        ("a.mat", lambda f: scipy.io.savemat(f, {"data": {**SERIES, "theta": 1}}), "theta"),
+        ("a.mat", lambda f: scipy.io.savemat(f, {**SERIES, "weg": SERIES["weg"][1:]}), "weg: has"),
+        ("a.mat", lambda f: scipy.io.savemat(f, {"note": "nothing"}), "holds no series of numbers"),
+        ("a.mat", lambda f: scipy.io.savemat(f, {"a": SERIES, "b": SERIES}), "a.time_cont"),
+        ("a.mat", cut, "is not a readable HDF5 file"),
+        ("a.mat", table_object, "holds a table, a timeseries or another object of MATLAB's own"),
+        ("a.json", huge, "has more than 200 MB. Mend: save it as CSV or Parquet, or cut it into runs"),
+        ("a.h5", bomb, "is packed more than 200-fold"),
+        ("a.h5", broken_reference, "there is no column 'theta'"),
+        ("a.json", lambda f: f.write_text('{"time_cont": [1, 2'), "is not JSON"),
+        ("a.json", lambda f: f.write_text('{"a": 1, "a": 2}'), "says 'a' twice"),
+        ("a.json", lambda f: f.write_text("[" * 100_000), "is nested too deep"),
+        ("a.json", lambda f: f.write_text(""), "is empty"),
+        ("a.json", lambda f: f.write_text("[1" + "0" * 5000 + "]"), "is not JSON"),
+        ("a.json", lambda f: f.write_text('{"time_cont": [1, 2], "theta": [1], "weg": [1, "x"]}'), "time_cont"),
+        ("a.json", lambda f: f.write_text(JSON["records"]().replace('"theta": 0.0', '"theta": "off"', 1)), "'off'"),
+        ("a.jsonl", lambda f: f.write_text("hello\n" + JSON["lines"]()), "line 1: is no JSON"),
+        ("a.jsonl.gz", lambda f: f.write_bytes(gzip.compress(b" " * 60_000_000)), "is packed more than 200-fold"),
+    ],
+)
+def test_what_cannot_be_read_is_refused_in_words_and_writes_nothing(tmp_path, name, make, says):
+    make(tmp_path / name)
+    refused(*imported(tmp_path / name), says)
