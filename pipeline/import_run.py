@@ -136,8 +136,11 @@ def main() -> None:
     parser.add_argument("--guess", action="store_true", help="draft a mapping for the file, and show its first rows")
     kinds = ", ".join(systems())
     parser.add_argument("--actuator", default="separator", help=f"with --guess, the kind of rig: {kinds}")
-    out = "the folder in which the run's folder is made, default raw; with --guess the file of the mapping"
-    parser.add_argument("--out", type=Path, help=out)
+    parser.add_argument(
+        "--out",
+        type=Path,
+        help="folder of the run's folder, with --guess file of the mapping; default: raw, the screen",
+    )
     arguments = parser.parse_args()
     if arguments.guess:
         guess(arguments.file, arguments.actuator, arguments.out)

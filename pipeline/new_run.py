@@ -155,8 +155,9 @@ def main() -> None:
     parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
-    where = "the folder in which the run's folder is made; default: raw, or beside the run that it is like"
-    parser.add_argument("--out", type=Path, help=where)
+    parser.add_argument(
+        "--out", type=Path, help="folder in which the run's folder is made; default: raw, or beside the run it is like"
+    )
     arguments = parser.parse_args()
     lacking = [f"--{name}" for name in NEEDED if getattr(arguments, name.replace("-", "_")) is None]
     if lacking and not arguments.like:
