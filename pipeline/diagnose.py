@@ -7,10 +7,10 @@ import sys
 import time
 import traceback
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, TypeVar
 
+from pipeline.alone import each_alone
 from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
 from pipeline.diagnosis.adopt import adoptions, block
 from pipeline.diagnosis.judge import judge
@@ -159,13 +159,7 @@ def main() -> int:
     if arguments.together:
         print(diagnose(folders, arguments.out, together=True, without=without, judge_file=arguments.judge))
         return 0
-    outcomes: list[tuple[str, bool | None]] = []
-    if arguments.jobs > 1 and len(folders) > 1:
-        with ProcessPoolExecutor(arguments.jobs) as pool:
-            waiting: list[Any] = [pool.submit(_one, folder, *asked) for folder in folders]
-            outcomes = [future.result() for future in waiting]
-    else:
-        outcomes = [_one(folder, *asked) for folder in folders]
+    outcomes = each_alone(_one, folders, *asked, jobs=arguments.jobs, preload="pipeline.diagnose")
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2
