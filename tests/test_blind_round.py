@@ -16,8 +16,11 @@ RUNS = sorted(path.name for path in RECORDINGS.iterdir() if path.is_dir())
 CODE = fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*")
 
 
-def verdict(run):
-    return json.loads((VERDICTS / run / "diagnosis.json").read_text(encoding="utf-8"))
+SECOND = ROOT / "reports" / "blind" / "round-2"
+
+
+def verdict(run, verdicts=VERDICTS):
+    return json.loads((verdicts / run / "diagnosis.json").read_text(encoding="utf-8"))
 
 
 def numbers(value):
@@ -40,9 +43,19 @@ def words(value):
 
 def test_every_recording_has_its_verdict_by_one_and_the_same_code():
     assert len(RUNS) == 24 and sorted(path.name for path in VERDICTS.iterdir() if path.is_dir()) == RUNS
-    assert len({verdict(run)["code"] for run in RUNS}) == 1
-    for run in RUNS:
-        content = verdict(run)
+    check(VERDICTS, RUNS)
+
+
+def test_the_second_round_has_its_verdicts_by_one_and_the_same_code():
+    check(SECOND, [f"case-{number:03}" for number in range(60)])
+
+
+def check(verdicts, runs):
+    """One verdict a run, all by one code, each of the form that its word asks for."""
+    assert sorted(path.name for path in verdicts.iterdir()) == runs
+    assert len({verdict(run, verdicts)["code"] for run in runs}) == 1
+    for run in runs:
+        content = verdict(run, verdicts)
         assert content["run"] == run
         named = content["verdict"] in ("explained", "ambiguous")
         assert bool(content["mechanisms"]) == named and bool(content["alternatives"]) == (
