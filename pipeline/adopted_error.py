@@ -14,9 +14,13 @@ WHY = (
     "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured. The effects were fitted "
     "together with the calibrated dimensions, so the simulator may err by more than the verdict says."
 )
-NEXT = "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator."
+NEXT = (
+    "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator. Give it another "
+    "--out: in the same folder the verdict that was adopted is replaced."
+)
+WORSE = 2.0  # times the error with the dimensions of the verdict: more is no simulator to predict with
 CALIBRATED = "now, calibrated"
-FAR, MOST = 1.0, 3  # sigma from which a dimension is measured again; dimensions that are named
+FAR, MOST = 1.0, 8  # sigma from which a dimension is measured again; dimensions that are named
 
 
 def why(content: dict[str, Any]) -> str:
@@ -52,7 +56,7 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     rows = [["error on this recording, rms", *columns]]
     if problem.system.free_zero:
         rows.append(["zero set in the first second, as pipeline.simulate does"])
-        rows.append(["zero fitted to the whole recording, as a verdict does"])
+        rows.append(["zero fitted to the whole recording (of nominal, a verdict takes the median)"])
     else:
         rows.append(["as pipeline.simulate RUN_DIR errs"])
     for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
@@ -62,4 +66,15 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
         said.append(
             f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}"
         )
+        said += distrust(errors[1][-1], errors[2][-1], path)
     return said
+
+
+def distrust(now: float, calibrated: float, path: Path) -> list[str]:
+    """That nobody should predict with the adopted simulator where it errs far more than the verdict at `path`."""
+    if now <= WORSE * calibrated:
+        return []
+    return [
+        f"Do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as the verdict. "
+        f"Until the dimensions are measured again use pipeline.simulate --simulation {path}"
+    ]

@@ -167,6 +167,10 @@ def main() -> None:
     folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
     recorded = any((folder / name).exists() for name in RECORDINGS)
     print(f"{folder} is there; {following(folder, recorded)}")
+    effects = ", ".join(entry["id"] for entry in content.get("simulation", []))
+    if effects:
+        mend = f"python -m pipeline.adopt --remove {shlex.quote(str(folder))}"
+        print(f"It took over what {arguments.like} had adopted ({effects}). To take that out: {mend}")
 
 
 if __name__ == "__main__":

@@ -193,6 +193,16 @@ def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_i
     assert status == 0 and made["string"]["material"] == "synthetic", said
 
 
+def test_a_run_like_one_that_adopted_effects_says_that_it_has_them_too(new, tmp_path, monkeypatch, capsys):
+    assert new("a-01", samples=GOOD)[0] == 0
+    path = tmp_path / "raw" / "a-01" / "run.yaml"
+    drift = "simulation:\n- {id: sensor_drift, parameters: {mm_per_hour: 1.0}}\n"
+    path.write_text(path.read_text() + drift)
+    status, said, made = made_like(tmp_path, monkeypatch, capsys)
+    assert status == 0 and made["simulation"][0]["id"] == "sensor_drift", said
+    assert "had adopted (sensor_drift). To take that out: python -m pipeline.adopt --remove " in said
+
+
 def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp_path, monkeypatch, capsys):
     assert new("a-01", samples=GOOD)[0] == 0
     for option in (["--string-id", "spool 9"], ["--material", "nylon"]):

@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from pipeline.diagnosis import panels
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.panels import AFTER, SHADES
-from pipeline.diagnosis.words.sight import heading
+from pipeline.diagnosis.words.sight import heading, included
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.files import whole
@@ -32,10 +32,11 @@ def title(content: dict[str, Any]) -> str:
     name = " + ".join(runs)
     if len(name) > WIDE // 2:
         name = runs[0] if len(runs) == 1 else f"{runs[0]} and {len(runs) - 1} more"
-    head = f"{name}: {content['verdict']}"
+    head, held = f"{name}: {content['verdict']}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
     if not ids:
-        return head
+        said = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
+        return f"{head}\n{said if len(said) <= WIDE else f'beside {len(held)} adopted effects'}" if held else head
     others = content["alternatives"]
     best = TOGETHER.join(ids)
     if not others:

@@ -13,6 +13,7 @@ import pandas as pd
 import pytest
 import yaml
 
+from pipeline import adopted_error
 from pipeline.adopted_block import adopted, bare, with_block, without_block
 from pipeline.diagnose import described
 from pipeline.diagnosis.words import commands
@@ -180,6 +181,10 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     assert set_ == pytest.approx([before, errs(), whole], rel=0.05) and first.startswith("zero set in the first second")
     assert free[:2] == pytest.approx([before_fitted, fitted()], rel=0.05) and second.startswith("zero fitted to the wh")
     assert f"as by pipeline.simulate --simulation {diagnosis}" in done.stdout
+    assert "Do not predict" not in done.stdout and free[1] < 2.0 * free[2]
+    assert adopted_error.distrust(0.99, 0.5, diagnosis) == []
+    (warned,) = adopted_error.distrust(0.99, 0.034, diagnosis)
+    assert "errs 29 times as much as the verdict" in warned and f"simulate --simulation {diagnosis}" in warned
     assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in done.stdout
     assert "measure again" not in done.stdout  # the diagnosis names no dimension
 

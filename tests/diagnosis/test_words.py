@@ -144,8 +144,8 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
     ):  # fmt: skip
         assert step in text
     assert (
-        "Worth making if you need to know which is at work: creep or thermal; otherwise adopt the best explanation to "
-        "predict with, and report it as one of 2 explanations. It is to tell friction_hysteresis + creep from "
+        "Worth making if you need to know which is at work: creep or thermal; otherwise report the best "
+        "explanation as one of 2. It is to tell friction_hysteresis + creep from "
         "friction_hysteresis + thermal. So far the closest two predictions differ by 2.2 standard deviations; "
         "with the run it should be 73."
     ) in text
@@ -161,7 +161,8 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     assert "Hardly worth making: make it only if you need to know which is at work: creep or thermal; otherwise" in text
     assert "with the run it should be 4, and no other run" in text and "Noise alone can make that, so it does" in text
     made["next_run"]["parts"][0].append("wear")
-    assert "which is at work: creep and wear, or thermal; otherwise adopt the best explanation to predict" in told(made)
+    assert "at work: creep and wear, or thermal; otherwise report the best explanation as one of 5." in told(made)
+    assert "The best explanation is neither of the two: it differs from both by at least as much." in told(made)
     made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
     made["fit"]["heldout"]["explained_mm"] = 0.95
     assert "whether slack is at work; otherwise report all 5 explanations and adopt none." in told(made)
@@ -609,12 +610,16 @@ def to_adopt(**changes):
     """What is said of adopting, from the JSON that lies in reports/nylon-3."""
     made = spoken(content(**changes), SYSTEMS["mm"])
     text = verdict_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
-    return text.partition("To adopt it\n")[2].partition("\n\n")[0]
+    return text.partition("To use it\n")[2].partition("\n\n")[0]
 
 
 def test_what_is_named_comes_with_the_command_that_adopts_it():
     assert "  python -m pipeline.adopt reports/nylon-3/diagnosis.json raw/nylon-3\n" in to_adopt()
-    assert "Another explanation may be the right one" in to_adopt()
+    assert "Another explanation may be the right one: make the run above first." in to_adopt()
+    tried = to_adopt(next_run__gap_then=9.0).replace("\n    ", " ")
+    assert "Another explanation may be the right one: no run that was tried decides between them." in tried
+    simulate = "python -m pipeline.simulate raw/nylon-3 --simulation reports/nylon-3/diagnosis.json --out FILE"
+    assert f"  {simulate}\n" in to_adopt()
     assert "Another explanation" not in to_adopt(verdict="explained", next_run=None)
     assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Do not: on the unseen strokes")
     assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
@@ -633,6 +638,9 @@ def test_a_title_has_two_lines_at_most_and_breaks_nowhere_else(others, said):
     made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}], "alternatives": others}
     assert title(made).replace("\N{NO-BREAK SPACE}", " ") == f"a-1: ambiguous\n{said}"
     assert title(made | {"mechanisms": [], "verdict": "unknown"}) == "a-1: unknown"
+    adopted_ = made | {"mechanisms": [], "verdict": "parameters", "simulation": [{"id": "wear"}, {"id": "creep"}]}
+    said = "a-1: parameters\nbeside what run.yaml has adopted: wear + creep"
+    assert title(adopted_).replace("\N{NO-BREAK SPACE}", " ") == said
     many = title(made | {"run": [f"nylon-20261122-{n:02}" for n in range(9)]})
     assert many.startswith("nylon-20261122-00 and 8 more: ambiguous\n") and many.count("\n") == 1
 
@@ -714,7 +722,7 @@ def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig()
     many = {f"{name}_mm": 3.0 for name in ("radius", "length", "separator", "torsion_zone")}
     values = dict.fromkeys(many, CONTENT["parameters"]["radius_mm"])
     text = told(content(parameters=values, evidence__moved_sigma=many))
-    assert "rather physics is missing that bends them, or run.yaml describes another rig." in text
+    assert "where measuring again changes none, missing physics bends them, or run.yaml describes another" in text
 
 
 def test_what_most_explanations_share_is_said():
@@ -857,6 +865,30 @@ def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_propo
     assert "None is proposed" in second(tied=[], verdict="explained")
 
 
+def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
+    made = spoken(content(next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
+    assert "Hardly worth making" in made
+    text = second(next_experiment=made)
+    assert "found no run that decides between them" in text and "adopt --remove" not in text
+    assert "Report what was adopted as one of 2 explanations: no run that was tried decides between them." in text
+    assert "The run that decides is still" not in text and "the run is below" not in text
+
+
+def test_dimensions_at_their_bounds_take_trust_from_the_first_line_after_adopting():
+    far = adopted(evidence__moved_sigma={"radius_mm": 3.0})
+    assert "some by three times their tolerance: measure them again before you trust it." in " ".join(far.split())
+    assert "before you trust it" not in adopted(evidence__moved_sigma={"radius_mm": 2.0})
+
+
+def test_a_sure_effect_whose_size_may_be_nothing_says_so():
+    found = content()
+    found["mechanisms"][0]["rms_mm"] |= {"low": 0.0}
+    sure = "That it is there is sure, its size is not: dimensions or other effects can take its place."
+    for confidence, said in ((0.85, True), (0.6, False)):
+        found["mechanisms"][0]["confidence"] = confidence
+        assert (sure in told(copy.deepcopy(found))) is said
+
+
 def test_a_run_of_the_adopted_verdict_keeps_its_loads():
     legs = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0),
             leg(0.5, 0.0, 20.0), leg(20.0, 12.0, 20.0), leg(20.0, 0.0, 20.0)]  # fmt: skip
@@ -962,17 +994,20 @@ def next_thing(made):
 
 
 def test_one_clear_advice_says_what_to_do_next():
-    which, adopt = "which is at work: creep or thermal", "dopt the best explanation to predict with, and report it as"
-    assert (
-        next_thing(content())
-        == f"Make the run below: it can decide {which}. If you do not make it, a{adopt} one of 2 explanations."
+    which, report = "which is at work: creep or thermal", "eport the best explanation as one of 2."
+    first = (
+        "First measure the radius again. If a value changes, write it into run.yaml and diagnose again. If none does, "
+        "go on: missing physics bends them."
     )
+    make = f"Make the run below: it can decide {which}. If you do not make it, r{report}"
+    assert next_thing(content()) == f"{first} {make}"
+    assert next_thing(content(evidence__moved_sigma={"radius_mm": 0.4})) == make
     weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
     only = f"Make the run below, which may not decide, only if you need to know {which}."
-    assert next_thing(weak) == f"A{adopt} one of 2 explanations. {only}"
+    assert next_thing(weak) == f"{first} R{report} {only}"
     one = {"verdict": "explained", "alternatives": [], "next_run": None}
     again = "Measure the radius again, and write what you measured into run.yaml."
-    assert next_thing(content(**one)) == f"Adopt the explanation: the command is below. {again}"
+    assert next_thing(content(**one)) == f"{first} Use the explanation: the commands are below."
     assert next_thing(content(**one, fit__heldout__explained_mm=0.95)).startswith(
         "Adopt nothing: on the unseen strokes"
     )

@@ -3,13 +3,14 @@
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import sight, unseen
+from pipeline.diagnosis.words import sight, unseen, worth
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.rivals import called
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = "python -m pipeline.adopt"
+SIMULATE = "python -m pipeline.simulate"
 
 
 def cautions(content: dict[str, Any]) -> list[str]:
@@ -63,8 +64,18 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
         return []
     if unseen.harmful(content, words):
         return [f"Do not: on the {sight.strokes(content)} it makes the simulator worse."]
-    lines = ["This puts it into run.yaml, from which the next diagnosis starts (or paste simulation.yaml there):"]
-    lines += [f"  {COMMAND} {out / 'diagnosis.json'} {folder}" for folder in folders]
+    source = out / "diagnosis.json"
+    lines = ["To predict with it, dimensions included:"]
+    lines += [f"  {SIMULATE} {folder} --simulation {source} --out FILE" for folder in folders]
+    lines.append(
+        "To adopt its effects alone: they go into run.yaml, whose dimensions stay as measured, so the simulator errs "
+        "by more until these are measured again (pipeline.adopt prints by how much):"
+    )
+    lines += [f"  {COMMAND} {source} {folder}" for folder in folders]
     if content["verdict"] == "ambiguous":
-        lines.append("Another explanation may be the right one: decide between them first, if you can.")
+        run = content["next_run"]
+        can = bool(run) and "parts" in run and worth.decides(run)
+        mend = "make the run above first" if can else "no run that was tried decides between them"
+        lines.append(f"Another explanation may be the right one: {mend}.")
+    lines.append("Diagnose again into another folder (--out): in the same one this verdict is replaced.")
     return lines

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import sight, unseen, worth
+from pipeline.diagnosis.words import sight, still, unseen, worth
 from pipeline.diagnosis.words.dimensions import far_moved, name_of
 from pipeline.diagnosis.words.headline import moved_in_vain
 from pipeline.diagnosis.words.quantity import listing
@@ -15,7 +15,7 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """One piece of advice."""
     verdict, run = content["verdict"], content["next_run"]
     if verdict == "ambiguous":
-        return [_ambiguous(content, words)]
+        return [*_first(content), _ambiguous(content, words)]
     if verdict == "unknown":
         shows = "Make the run below: it shows more of what is missing. " if run else ""
         return [f"{shows}Adopt nothing: no effect of the library is named."]
@@ -25,8 +25,13 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
                 f"Adopt nothing: on the {sight.strokes(content)} the explanation makes the simulator worse. Record "
                 "the rig once more, with more strokes, and diagnose both runs together."
             ]
-        return [f"Adopt the explanation: the command is below.{_again(content, words)}"]
-    if any(one["tied"] for one in content.get("adopted", [])):
+        return [*_first(content), "Use the explanation: the commands are below."]
+    tied = [one for one in content.get("adopted", []) if one["tied"]]
+    if tied and not still.worth_making(tied):
+        count = 1 + max(len(one["tied"]) for one in tied)
+        return [f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
+                f"{_again(content, words)}"]  # fmt: skip
+    if tied:
         return ["Decide between what was adopted and what tied with it, if you need to know: the run is below."]
     if unseen.left_over(content, words):
         return ["Record the rig in other ways, as said below, and diagnose the runs together."]
@@ -42,6 +47,17 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
     only = f"Make the run below, which may not decide, only if you need to know {worth.question(content)}"
     return f"{without[0].upper()}{without[1:]}. {only}."
+
+
+def _first(content: dict[str, Any]) -> list[str]:
+    """What to measure before all else, and what it means where nothing changes."""
+    names = [f"the {name_of(name)}" for name in far_moved(content)]
+    if not names:
+        return []
+    return [
+        f"First measure {listing(names)} again. If a value changes, write it into run.yaml and diagnose again. If none "
+        "does, go on: missing physics bends them."
+    ]
 
 
 def _again(content: dict[str, Any], words: Vocabulary) -> str:

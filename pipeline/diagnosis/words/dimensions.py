@@ -46,8 +46,8 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
         lines.append(f"What the simulation still misses bends dimensions as well. {do_not_copy(moved)}")
     if len(moved) >= MANY:
         lines.append(
-            "So many at once are hardly measured wrong: rather physics is missing that bends them, or run.yaml "
-            "describes another rig."
+            "So many at once are seldom all measured wrong: where measuring again changes none, missing physics bends "
+            "them, or run.yaml describes another rig."
         )
     return lines
 
@@ -73,7 +73,7 @@ def suspicious(content: dict[str, Any]) -> list[str]:
     return [
         f"Suspicious: calibration moved {'a dimension' if one else f'{len(found)} dimensions'} as far as it may, three "
         f"times the tolerance: {'; '.join(said)}. The best value may lie beyond. Measure {'it' if one else 'them'} "
-        "again and write what you measured into run.yaml. If it is the same as before, rather physics is missing."
+        f"again; where nothing changes, missing physics bends {'it' if one else 'them'}."
     ]
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.naming import Units
+from pipeline.diagnosis.words.certainty import SURE
 from pipeline.diagnosis.words.quantity import duration, listing, quantity, size
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -44,7 +45,10 @@ def interval(entry: dict[str, Any], words: Vocabulary) -> str:
         return "Its rms has no interval: the fit gives it one value alone."
     low, high = (size(known[end], words.unit) for end in ("low", "high"))
     unit = high.partition(" ")[2]
-    return f"90 % interval of its rms, if this explanation is right: {low.removesuffix(f' {unit}')} to {high}."
+    said = f"90 % interval of its rms, if this explanation is right: {low.removesuffix(f' {unit}')} to {high}."
+    if known["low"] > 0.0 or entry.get("confidence", 0.0) < SURE:
+        return said
+    return f"{said} That it is there is sure, its size is not: dimensions or other effects can take its place."
 
 
 def calculated(mechanism: Mechanism, entry: dict[str, Any]) -> bool:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.words import rivals, sight, unseen
 from pipeline.diagnosis.words.quantity import listing, percent, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -17,9 +18,10 @@ SAID = {
 }
 WITH_ADOPTED = {
     "consistent": "{adopted}; with it the simulation explains the recording to its noise ({floor}).",
-    "parameters": "{adopted}; with it the simulation explains the recording once its dimensions move.",
+    "parameters": "{adopted}; with it the simulation explains the recording once its dimensions move{far}.",
 }
 HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
+FAR = ", some by three times their tolerance: measure them again before you trust it"
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named beside what was adopted ({})"
 NONE_NEEDED = {
@@ -54,6 +56,7 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "sure": how_sure(content),
         "adopted": named,
         "beside": f"{named}; with it " if adopted else "",
+        "far": FAR if at_bound(evidence["moved_sigma"]) else "",
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }

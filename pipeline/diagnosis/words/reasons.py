@@ -14,7 +14,7 @@ SAID = {
         "another effect in place of its weakest part does better",
     ),
     "more": ("a further effect would add less to it", "a further effect would add more to it"),
-    "cancels": ("its parts cancel each other less", "its parts cancel each other more"),
+    "cancels": ("its effects work against each other less", "its effects work against each other more"),
     "size": ("it has fewer effects", "it has more effects"),
 }
 MARK = ("it leaves out {}", "it has {}")

@@ -10,6 +10,10 @@ from pipeline.diagnosis.words.headline import UNNAMED
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict:"
+HARDLY = (
+    "What was adopted tied with others, and the adopted verdict found no run that decides between them. The best one "
+    "that it tried stands in run.yaml: `next_experiment` under `adopted`."
+)
 LOST = "What was adopted tied with others. The run that decides stands in the adopted verdict, under the same heading."
 FIRST = "Take out what was adopted first, for it is not weighed again. Later adopt what the new verdict names."
 STEP = re.compile(r" (?=\d+\. [A-Z])")  # where a step begins
@@ -24,6 +28,8 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: 
     tied = [one for one in content.get("adopted", []) if one["tied"]]
     if not tied or content["verdict"] not in ("explained", *UNNAMED):
         return []
+    if not worth_making(tied):
+        return [HARDLY]
     said: list[str] = []
     for told in dict.fromkeys(one.get("next_experiment") for one in tied):
         said += [LOST] if told is None else [STILL, *protocol(told)]
@@ -31,6 +37,11 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: 
     found = commands.lines(folders, out, loads(told) if words.twisted else [""] * len(loads(told)))
     remove = [f"  {commands.PROGRAMS}adopt --remove {shlex.quote(str(folder))}" for folder in folders]
     return [*said, FIRST, *remove, *commands.block(found, folders[-1].name, words.twisted)]
+
+
+def worth_making(tied: list[dict[str, Any]]) -> bool:
+    """Whether one of the adopted verdicts that tied proposed a run that can decide, or does not say which run."""
+    return not all("Hardly worth making" in (one.get("next_experiment") or "") for one in tied)
 
 
 def protocol(told: str) -> list[str]:

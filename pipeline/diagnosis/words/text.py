@@ -69,7 +69,7 @@ def verdict_text(
         (error_table.HEADING, error_table.lines(content, words)),
         (rivals.DIMENSIONS, moved(content, words)),
         ("The run to make next", following(content, words, folders, out)),
-        ("To adopt it", adoption.how(content, words, folders, out)),
+        ("To use it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", seen.lines(content, words)),
     ]

@@ -25,7 +25,7 @@ def purpose(content: dict[str, Any], words: Vocabulary) -> str:
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     worth = "Worth making" if decides(run) else "Hardly worth making: make it only"
-    value = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
+    value = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}.{aside(content)}"
     one, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
@@ -62,12 +62,19 @@ def question(content: dict[str, Any]) -> str:
     return f"which is at work: {', or '.join(rests) if any(' and ' in rest for rest in rests) else ' or '.join(rests)}"
 
 
+def aside(content: dict[str, Any]) -> str:
+    """Where the run is chosen for two others: that the best explanation differs from them by at least as much."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    concerned = best in [set(ids) for ids in content["next_run"]["parts"]]
+    return "" if concerned else " The best explanation is neither of the two: it differs from both by at least as much."
+
+
 def otherwise(content: dict[str, Any], words: Vocabulary) -> str:
     """What to do with what ties without the run."""
     count = 1 + len(content["alternatives"])
     if unseen.harmful(content, words):
         return f"report all {count} explanations and adopt none"
-    return f"adopt the best explanation to predict with, and report it as one of {count} explanations"
+    return f"report the best explanation as one of {count}"
 
 
 def decides(run: dict[str, Any]) -> bool:
