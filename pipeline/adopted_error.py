@@ -53,7 +53,7 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     if content["parameters"] and is_of(content, run):
         columns[CALIBRATED] = content
     errors = [off(problem, tared(problem, one, path, run)) for one in columns.values()]
-    rows = [["error on this recording, rms", *columns]]
+    rows = [["error on this recording, rms of single samples", *columns]]
     if problem.system.free_zero:
         rows.append(["zero set in the first second, as pipeline.simulate does"])
         rows.append(["zero fitted to the whole recording (of nominal, a verdict takes the median)"])
@@ -66,7 +66,7 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
         said.append(
             f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}"
         )
-        said += distrust(errors[1][-1], errors[2][-1], path)
+        said += distrust(errors[1][0], errors[2][0], path)
     return said
 
 
@@ -75,6 +75,8 @@ def distrust(now: float, calibrated: float, path: Path) -> list[str]:
     if now <= WORSE * calibrated:
         return []
     return [
-        f"Do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as the verdict. "
-        f"Until the dimensions are measured again use pipeline.simulate --simulation {path}"
+        f"Do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as with the "
+        "dimensions of the verdict. Measure the dimensions again. If a value changes: write it into run.yaml, take the "
+        "effects out, diagnose again and adopt anew. If none changes: take the effects out, and predict with "
+        f"pipeline.simulate --simulation {path}"
     ]

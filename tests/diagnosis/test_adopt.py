@@ -176,7 +176,7 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     before, before_fitted, whole = errs(), fitted(), errs("--simulation", diagnosis)
     done = run("pipeline.adopt", diagnosis, folder)
     head, first, second = done.stdout.splitlines()[1:4]
-    assert head.split("   ")[0] == "error on this recording, rms" and head.endswith("now, calibrated")
+    assert head.split("   ")[0] == "error on this recording, rms of single samples" and head.endswith("now, calibrated")
     set_, free = ([float(one) for one in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
     assert set_ == pytest.approx([before, errs(), whole], rel=0.05) and first.startswith("zero set in the first second")
     assert free[:2] == pytest.approx([before_fitted, fitted()], rel=0.05) and second.startswith("zero fitted to the wh")
@@ -184,7 +184,8 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     assert "Do not predict" not in done.stdout and free[1] < 2.0 * free[2]
     assert adopted_error.distrust(0.99, 0.5, diagnosis) == []
     (warned,) = adopted_error.distrust(0.99, 0.034, diagnosis)
-    assert "errs 29 times as much as the verdict" in warned and f"simulate --simulation {diagnosis}" in warned
+    assert "errs 29 times as much as with the dim" in warned and f"simulate --simulation {diagnosis}" in warned
+    assert "If a value changes: write it into run.yaml, take the effects out, diagnose again and adopt anew." in warned
     assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in done.stdout
     assert "measure again" not in done.stdout  # the diagnosis names no dimension
 

@@ -869,8 +869,10 @@ def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
     made = spoken(content(next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
     assert "Hardly worth making" in made
     text = second(next_experiment=made)
-    assert "found no run that decides between them" in text and "adopt --remove" not in text
+    assert "found no run that decides between them" in text and "pipeline.new_run" not in text
     assert "Report what was adopted as one of 2 explanations: no run that was tried decides between them." in text
+    assert "Measure the radius again. If a value changes, write it into run.yaml, take the adopted effects out," in text
+    assert "To take them out: python -m pipeline.adopt --remove raw/nylon-3" in text
     assert "The run that decides is still" not in text and "the run is below" not in text
 
 
@@ -997,14 +999,14 @@ def test_one_clear_advice_says_what_to_do_next():
     which, report = "which is at work: creep or thermal", "eport the best explanation as one of 2."
     first = (
         "First measure the radius again. If a value changes, write it into run.yaml and diagnose again. If none does, "
-        "go on: missing physics bends them."
+        "keep run.yaml as it is: missing physics bends them."
     )
     make = f"Make the run below: it can decide {which}. If you do not make it, r{report}"
     assert next_thing(content()) == f"{first} {make}"
     assert next_thing(content(evidence__moved_sigma={"radius_mm": 0.4})) == make
     weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
-    only = f"Make the run below, which may not decide, only if you need to know {which}."
-    assert next_thing(weak) == f"{first} R{report} {only}"
+    use = "and predict with the first command under To use it. No run that was tried decides: the best one, below, may"
+    assert next_thing(weak) == f"{first} R{report[:-1]}, {use} not tell {which}."
     one = {"verdict": "explained", "alternatives": [], "next_run": None}
     again = "Measure the radius again, and write what you measured into run.yaml."
     assert next_thing(content(**one)) == f"{first} Use the explanation: the commands are below."

@@ -1,8 +1,10 @@
 """What to do next, in one piece of advice; it follows from the verdict and decides nothing."""
 
+import shlex
+from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import sight, still, unseen, worth
+from pipeline.diagnosis.words import commands, sight, still, unseen, worth
 from pipeline.diagnosis.words.dimensions import far_moved, name_of
 from pipeline.diagnosis.words.headline import moved_in_vain
 from pipeline.diagnosis.words.quantity import listing
@@ -11,8 +13,8 @@ from pipeline.diagnosis.words.vocabulary import Vocabulary
 HEADING = "What to do next"
 
 
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """One piece of advice."""
+def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[str]:
+    """One piece of advice, on the runs in `folders`."""
     verdict, run = content["verdict"], content["next_run"]
     if verdict == "ambiguous":
         return [*_first(content), _ambiguous(content, words)]
@@ -29,12 +31,14 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     tied = [one for one in content.get("adopted", []) if one["tied"]]
     if tied and not still.worth_making(tied):
         count = 1 + max(len(one["tied"]) for one in tied)
-        return [f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
-                f"{_again(content, words)}"]  # fmt: skip
+        said = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
+        return [said, *_anew(content, folders)]
     if tied:
         return ["Decide between what was adopted and what tied with it, if you need to know: the run is below."]
     if unseen.left_over(content, words):
         return ["Record the rig in other ways, as said below, and diagnose the runs together."]
+    if sight.included(content) and far_moved(content):
+        return _anew(content, folders)
     return [_again(content, words).strip() or "Nothing needs to be done: this recording shows nothing further."]
 
 
@@ -45,8 +49,9 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
         return f"{without[0].upper()}{without[1:]}."
     if worth.decides(run):
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
-    only = f"Make the run below, which may not decide, only if you need to know {worth.question(content)}"
-    return f"{without[0].upper()}{without[1:]}. {only}."
+    tried = f"No run that was tried decides: the best one, below, may not tell {worth.question(content)}"
+    use = "" if unseen.harmful(content, words) else ", and predict with the first command under To use it"
+    return f"{without[0].upper()}{without[1:]}{use}. {tried}."
 
 
 def _first(content: dict[str, Any]) -> list[str]:
@@ -56,7 +61,21 @@ def _first(content: dict[str, Any]) -> list[str]:
         return []
     return [
         f"First measure {listing(names)} again. If a value changes, write it into run.yaml and diagnose again. If none "
-        "does, go on: missing physics bends them."
+        "does, keep run.yaml as it is: missing physics bends them."
+    ]
+
+
+def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:
+    """What to measure again after adopting, and what follows for the adopted effects."""
+    names = [f"the {name_of(name)}" for name in far_moved(content)]
+    if not names:
+        return []
+    return [
+        f"Measure {listing(names)} again. If a value changes, write it into run.yaml, take the adopted effects out, "
+        "diagnose again and adopt anew: they were fitted together with the dimensions. If none changes, take them out "
+        "too, and predict with pipeline.simulate --simulation and the diagnosis.json that was adopted. To take them "
+        "out:",
+        *(f"  {commands.PROGRAMS}adopt --remove {shlex.quote(str(folder))}" for folder in folders),
     ]
 
 

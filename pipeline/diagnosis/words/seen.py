@@ -42,6 +42,9 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     left = unseen.left_over(content, words)
     larger = [f"{id_} {size(least, words.unit)}" for id_, least in sizes if least > left]
     if not left:
+        if any(one["tied"] for one in content.get("adopted", [])):
+            beside = "Beside what was adopted, one more effect would have been seen from this size on (rms). That does "
+            return [f"{beside}not exclude it in place of an adopted one:", f"{listing(larger)}."]
         return ["An effect would have been seen from this size on (rms):", f"{listing(larger)}."]
     more = f"Of the errors in the table above, {size(left, words.unit)} rms is more than noise"
     said = f"{more}: effects of that size and less may hide in it."

@@ -12,7 +12,7 @@ from pipeline.diagnosis.words.vocabulary import Vocabulary
 STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict:"
 HARDLY = (
     "What was adopted tied with others, and the adopted verdict found no run that decides between them. The best one "
-    "that it tried stands in run.yaml: `next_experiment` under `adopted`."
+    "that it tried stands in its verdict.txt, and in run.yaml: `next_experiment` under `adopted`."
 )
 LOST = "What was adopted tied with others. The run that decides stands in the adopted verdict, under the same heading."
 FIRST = "Take out what was adopted first, for it is not weighed again. Later adopt what the new verdict names."

@@ -53,7 +53,7 @@ def verdict_text(
     sections = [
         (headline(content, words), certainty.summary(content)),
         (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
-        (advice.HEADING, advice.lines(content, words)),
+        (advice.HEADING, advice.lines(content, words, folders)),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
