@@ -15,6 +15,7 @@ import scipy.io
 from pipeline.errors import program
 from pipeline.formats.interface import Columns
 from pipeline.formats.nested import columns_of
+from pipeline.regular_file import open_regular
 
 TOLD = 3  # exit status where the library said what is wrong
 
@@ -46,13 +47,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.formats.matlab_child", description=__doc__)
     parser.add_argument("file", type=Path)
     told = parser.parse_args()
-    try:
-        with open(told.file, "rb") as file, warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+    with open_regular(told.file) as file, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
             variables = scipy.io.loadmat(file, simplify_cells=True)
-    except Exception as error:  # scipy's reader raises whatever a damaged byte leads it to
-        print(f"{type(error).__name__}: {str(error)[:100]}", file=sys.stderr)
-        sys.exit(TOLD)
+        except Exception as error:  # scipy's reader raises whatever a damaged byte leads it to
+            print(f"{type(error).__name__}: {str(error)[:100]}", file=sys.stderr)
+            sys.exit(TOLD)
     own = {name: value for name, value in variables.items() if not name.startswith("__")}
     columns = {name: values for name, values in columns_of(own) if len(values) > 1}
     content = pack(columns, any(_is_object(name, value) for name, value in own.items()))
