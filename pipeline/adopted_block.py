@@ -2,6 +2,7 @@
 
 import json
 import textwrap
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -57,17 +58,13 @@ def adopted(text: str, entries: list[dict[str, Any]], path: Path, origin: list[d
     there = parse_yaml(text, path)
     keep = origin or (origin is not None and ORIGIN in there)
     wanted = {**there, KEY: entries, **({ORIGIN: origin} if keep else {})}
-    try:
+
+    def make() -> str:
         made = with_block(text, entries)
-        made = with_block(made, origin or [], ORIGIN) if keep else made
-        right = parse_yaml(made, path) == wanted
-    except (BadInput, yaml.YAMLError):
-        right = False
-    if not right:
-        mend = f"put the block of simulation.yaml beside the diagnosis in its place by hand, under the key {KEY}"
-        raise BadInput(path, KEY, "stands where it cannot be replaced without changing other text", mend)
-    parse_run(wanted, path)
-    return made
+        return with_block(made, origin or [], ORIGIN) if keep else made
+
+    mend = f"put the block of simulation.yaml beside the diagnosis in its place by hand, under the key {KEY}"
+    return _checked(make, wanted, path, "replaced", mend)
 
 
 def without_block(text: str, named: str) -> str:
@@ -99,13 +96,18 @@ def bare(text: str, path: Path) -> str:
     """The text without what was adopted, parsed to see that it says all else as it did; raises BadInput."""
     there = parse_yaml(text, path)
     wanted = {key: value for key, value in there.items() if key not in (KEY, ORIGIN)}
+    mend = f"take the keys {KEY} and {ORIGIN} out by hand"
+    return _checked(lambda: without_block(without_block(text, ORIGIN), KEY), wanted, path, "taken out", mend)
+
+
+def _checked(make: Callable[[], str], wanted: dict[str, Any], path: Path, done: str, mend: str) -> str:
+    """The text that `make` gives where it says what is wanted, and that is a run; else raises BadInput."""
     try:
-        made = without_block(without_block(text, ORIGIN), KEY)
+        made = make()
         right = parse_yaml(made, path) == wanted
     except (BadInput, yaml.YAMLError):
         right = False
     if not right:
-        mend = f"take the keys {KEY} and {ORIGIN} out by hand"
-        raise BadInput(path, KEY, "stands where it cannot be taken out without changing other text", mend)
+        raise BadInput(path, KEY, f"stands where it cannot be {done} without changing other text", mend)
     parse_run(wanted, path)
     return made

@@ -39,7 +39,7 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
         return ["Record the rig in other ways, as said below, and diagnose the runs together."]
     if sight.included(content) and far_moved(content):
         return _anew(content, folders)
-    return [_again(content, words).strip() or "Nothing needs to be done: this recording shows nothing further."]
+    return [_again(content, words) or "Nothing needs to be done: this recording shows nothing further."]
 
 
 def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
@@ -56,22 +56,22 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
 
 def _first(content: dict[str, Any]) -> list[str]:
     """What to measure before all else, and what it means where nothing changes."""
-    names = [f"the {name_of(name)}" for name in far_moved(content)]
+    names = _far(content)
     if not names:
         return []
     return [
-        f"First measure {listing(names)} again. If a value changes, write it into run.yaml and diagnose again. If none "
+        f"First measure {names} again. If a value changes, write it into run.yaml and diagnose again. If none "
         "does, keep run.yaml as it is: missing physics bends them."
     ]
 
 
 def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:
     """What to measure again after adopting, and what follows for the adopted effects."""
-    names = [f"the {name_of(name)}" for name in far_moved(content)]
+    names = _far(content)
     if not names:
         return []
     return [
-        f"Measure {listing(names)} again. If a value changes, write it into run.yaml, take the adopted effects out, "
+        f"Measure {names} again. If a value changes, write it into run.yaml, take the adopted effects out, "
         "diagnose again and adopt anew: they were fitted together with the dimensions. If none changes, take them out "
         "too, and predict with pipeline.simulate --simulation and the diagnosis.json that was adopted. To take them "
         "out:",
@@ -83,5 +83,10 @@ def _again(content: dict[str, Any], words: Vocabulary) -> str:
     """Which dimensions to measure again, if any."""
     if content["verdict"] == "parameters" and moved_in_vain(content, words):
         return ""
-    names = [f"the {name_of(name)}" for name in far_moved(content)]
-    return f" Measure {listing(names)} again, and write what you measured into run.yaml." if names else ""
+    names = _far(content)
+    return f"Measure {names} again, and write what you measured into run.yaml." if names else ""
+
+
+def _far(content: dict[str, Any]) -> str:
+    """The dimensions to measure again, by name; nothing where none moved far."""
+    return listing([f"the {name_of(name)}" for name in far_moved(content)])

@@ -1,0 +1,31 @@
+"""The products of a fit's columns: made stretch by stretch, they are those of the whole table at once."""
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis import products
+from pipeline.diagnosis.noise import Noise
+from pipeline.diagnosis.recursions import whiten
+
+
+@pytest.mark.parametrize("stretch", [40, 97, 10_000])
+def test_products_made_stretch_by_stretch_are_those_of_the_whole_table(stretch, monkeypatch):
+    monkeypatch.setattr(products, "STRETCH", stretch)
+    table = np.random.default_rng(4).standard_normal((5, 300))
+    first = np.r_[np.arange(130), np.arange(170)]  # two runs: no filter reaches from one into the other
+    noise, prior = Noise(0.4, np.array([0.5, -0.2, 0.1, 0.05, 0.02, 0.1, 0.03]), 0.3), np.arange(4.0)
+    held = products.Products()
+    held.hold(table, prior, noise, first)
+    white = whiten(table, noise.ar, first) / noise.innovation
+    assert held.gram == pytest.approx(white[:-1] @ white[:-1].T + np.diag(prior))
+    assert held.moment == pytest.approx(white[:-1] @ white[-1]) and held.square == pytest.approx(white[-1] @ white[-1])
+
+
+def test_plain_products_are_right_in_whatever_order_they_are_asked_for():
+    table = np.random.default_rng(5).standard_normal((9, 50))
+    held = products.Products()
+    held.hold(table, np.zeros(8), Noise(1.0, np.zeros(0), 1.0), np.arange(50))
+    for columns in ([3, 1], [1, 7, 0], [2, 4, 5, 6, 3]):
+        gram, moment, square = held.raw(np.array(columns))
+        assert gram == pytest.approx(table[columns] @ table[columns].T)
+        assert moment == pytest.approx(table[columns] @ table[-1]) and square == pytest.approx(table[-1] @ table[-1])
