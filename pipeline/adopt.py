@@ -13,6 +13,8 @@ from pipeline.complaint import short
 from pipeline.diagnosis.adopt import adoptions, checked
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.words.quantity import listing
+from pipeline.diagnosis.words.rivals import called
+from pipeline.diagnosis.words.text import wrapped
 from pipeline.errors import program
 from pipeline.files import whole
 from pipeline.ingest import read_samples
@@ -20,6 +22,8 @@ from pipeline.regular_file import read_regular
 from pipeline.runs import RECORDINGS, read_run
 from pipeline.simulate import read_diagnosis
 from pipeline.strict_yaml import LARGEST, parse_yaml
+
+MOST = 5  # explanations that are named
 
 
 def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
@@ -96,13 +100,18 @@ def adopt(source: Path, folder: Path) -> None:
         print(f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is")
         return
     write(path, made)
-    print(f"{folder / 'run.yaml'}: {KEY} holds {names} now; all else in it stays as it was")
+    told = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all else in it stays as it was"]
     others = origin[-1]["tied"] if origin else []
     if others:
-        print(f"{len(others)} other explanation{'s' * (len(others) > 1)} tied with it: {ORIGIN} in run.yaml names them")
-    for line in (*errors, adopted_error.why(content), adopted_error.NEXT):
-        print(line)
-    print(f"To take the effects out of run.yaml again: python -m pipeline.adopt --remove {shlex.quote(str(folder))}")
+        many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely as well"
+        told.append(f"{many}: {listing([called(ids) for ids in others[:MOST]], 'or')}.")
+    told += [*errors, adopted_error.why(content), adopted_error.NEXT]
+    told += [
+        "To take the effects out of run.yaml again:",
+        f"  python -m pipeline.adopt --remove {shlex.quote(str(folder))}",
+    ]
+    for line in told:
+        print("\n".join(wrapped(line, "")))
 
 
 if __name__ == "__main__":

@@ -56,18 +56,16 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     rows = [["error on this recording, rms of single samples", *columns]]
     if problem.system.free_zero:
         rows.append(["zero set in the first second, as pipeline.simulate does"])
-        rows.append(["zero fitted to the whole recording (of nominal, a verdict takes the median)"])
+        rows.append(["zero fitted to the whole recording, as in a verdict"])
     else:
         rows.append(["as pipeline.simulate RUN_DIR errs"])
     for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
         row += [size(error, unit) for error in found]
     said = aligned(rows)
-    if CALIBRATED in columns:
-        said.append(
-            f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}"
-        )
-        said += distrust(errors[1][0], errors[2][0], path)
-    return said
+    if CALIBRATED not in columns:
+        return said
+    said.append(f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}")
+    return [*distrust(errors[1][0], errors[2][0], path), *said]
 
 
 def distrust(now: float, calibrated: float, path: Path) -> list[str]:
@@ -75,8 +73,8 @@ def distrust(now: float, calibrated: float, path: Path) -> list[str]:
     if now <= WORSE * calibrated:
         return []
     return [
-        f"Do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as with the "
-        "dimensions of the verdict. Measure the dimensions again. If a value changes: write it into run.yaml, take the "
-        "effects out, diagnose again and adopt anew. If none changes: take the effects out, and predict with "
+        f"Beware: do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as with "
+        "the dimensions of the verdict. Measure the dimensions again. If a value changes: write it into run.yaml, "
+        "take the effects out, diagnose again and adopt anew. If none changes: take the effects out, and predict with "
         f"pipeline.simulate --simulation {path}"
     ]

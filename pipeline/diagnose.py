@@ -81,17 +81,20 @@ def diagnose(
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
-    write_block(content, out / "simulation.yaml")
+    write_block(content, out)
     doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
     words = verdict_text(content, problem.system, folders, out, doubts)
     write_text(out / "verdict.txt", words + "\n")
     return words
 
 
-def write_block(content: dict[str, Any], path: Path) -> None:
+def write_block(content: dict[str, Any], out: Path) -> None:
     """Write the `simulation` of a diagnosis that names something, ready to be pasted into run.yaml; else remove it."""
+    path = out / "simulation.yaml"
     if content["mechanisms"] and content["simulation"]:
-        write_text(path, block(content["simulation"]) + block(adoptions(content, str(path)), "adopted"))
+        write_text(
+            path, block(content["simulation"]) + block(adoptions(content, str(out / "diagnosis.json")), "adopted")
+        )
     else:
         path.unlink(missing_ok=True)  # of an earlier diagnosis
 

@@ -166,7 +166,7 @@ def main() -> None:
     content = with_string_id(arguments_to_content(arguments), out)
     folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
     recorded = any((folder / name).exists() for name in RECORDINGS)
-    print(f"{folder} is there; {following(folder, recorded)}")
+    print(f"{folder} is there; {following(folder, recorded, arguments.like)}")
     effects = ", ".join(entry["id"] for entry in content.get("simulation", []))
     if effects:
         mend = f"python -m pipeline.adopt --remove {shlex.quote(str(folder))}"

@@ -6,9 +6,16 @@ from pathlib import Path
 MAIN = "snakemake --cores 2"
 
 
-def following(folder: Path, recorded: bool) -> str:
-    """What is done next with a run folder: the main job finds runs in raw/ alone."""
-    diagnose = f"python -m pipeline.diagnose {shlex.quote(str(folder))} --out reports/mine"
+def following(folder: Path, recorded: bool, like: Path | None = None) -> str:
+    """What is done next with a run folder: the main job finds runs in raw/ alone.
+
+    A run that is `like` another of the same string is diagnosed together with it.
+    """
+    own = shlex.quote(str(folder))
+    diagnose = f"python -m pipeline.diagnose {own} --out reports/mine"
+    if like:
+        out = shlex.quote(str(Path("reports/mine") / folder.name))
+        diagnose = f"python -m pipeline.diagnose {shlex.quote(str(like))} {own} --together --out {out}"
     alone = f"or ask only what the simulator leaves out: {diagnose}"
     in_raw = folder.parent.resolve() == Path("raw").resolve()
     if not recorded:

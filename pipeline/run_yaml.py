@@ -94,6 +94,7 @@ class Adopted(_Section):
     effects: list[str]
     verdict: Literal["explained", "ambiguous"]
     tied: list[list[str]] = Field(default_factory=list)
+    diagnosis: str | None = Field(None, description="the diagnosis.json that was adopted")
     runs: list[str] | None = Field(None, description="the runs that the effects were fitted to")
     next_experiment: str | None = Field(None, description="the run that decides between what tied, in words")
 

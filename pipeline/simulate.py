@@ -104,10 +104,14 @@ def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Ar
 
 
 def off(problem: Problem, predicted: Array) -> tuple[float, float]:
-    """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and its zero fitted."""
+    """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and about its median.
+
+    The median is the zero that a verdict gives the nominal simulator.
+    """
     residual = problem.measured - predicted
     residual = residual[~wild(residual)[0]]
-    return float(np.sqrt(np.mean(np.square(residual)))), float(np.std(residual))
+    found = (float(np.sqrt(np.mean(np.square(residual - zero)))) for zero in (0.0, np.median(residual)))
+    return next(found), next(found)
 
 
 def at_rows(time_s: Array, working_s: Array, predicted: Array) -> Array:

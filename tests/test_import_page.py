@@ -16,6 +16,7 @@ from test_import_workbook import workbook
 
 from pipeline.ingest import read_samples
 from pipeline.run_yaml import Channel, Run, String
+from pipeline.systems import systems
 from pipeline.text_file import TextFile
 
 ROOT = Path(__file__).parents[1]
@@ -113,3 +114,15 @@ def test_the_example_of_every_format_imports_its_file(tmp_path, name, make, says
 def test_the_page_names_every_key(section):
     for key in set(section.model_fields) - {"run", "mended"}:
         assert f"`{key}`" in PAGE, key
+
+
+def test_the_page_lists_every_tolerance_with_its_default():
+    told = {}
+    for keys, defaults in re.findall(
+        r"^\| (`.*) \| the .* \| ([0-9][^|]*) \|$", PAGE.partition("| in `tolerance` |")[2], re.M
+    ):
+        values = [float(one) for one in re.findall(r"[0-9.]+", defaults)]
+        names = [name for name in re.findall(r"`(\w+)`", keys) if name not in systems()]
+        told |= dict(zip(names, values * len(names) if len(values) == 1 else values, strict=True))
+    shipped = ("separator", "twisted_pair", "cable_drive", "moving_mass")
+    assert told == {key: value for name in shipped for key, value in systems()[name].tolerance.items()}

@@ -179,6 +179,8 @@ def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_i
     before = read_yaml(path)
     status, said, made = made_like(tmp_path, monkeypatch, capsys, "--load-n", "40")
     assert status == 0 and "note:" not in said, said
+    both = f"{tmp_path / 'raw' / 'a-01'} {tmp_path / 'raw' / 'a-02'} --together --out reports/mine/a-02"
+    assert f"python -m pipeline.diagnose {both}" in said, "one string: both runs in one diagnosis"
     string = {key: value for key, value in before["string"].items() if key != "strokes_before"} | {"id": "a-01"}
     rig, tolerance = before["rig"] | {"load_n": 40.0}, before["tolerance"]
     assert made == {"run": "a-02", "actuator": "separator", "string": string, "rig": rig, "tolerance": tolerance}

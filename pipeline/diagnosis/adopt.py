@@ -11,6 +11,8 @@ from pipeline.errors import BadInput
 from pipeline.strict_yaml import write_yaml
 
 DIGITS = 6
+NO_USE = "Hardly worth making"  # what `next_experiment` says of a run that decides nothing
+NOTE = {"simulation": "  # numbers of the library's formulas, as a diagnosis found them: not to be edited by hand"}
 
 
 def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
@@ -32,7 +34,8 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
 
 def block(entries: list[dict[str, Any]], key: str = "simulation") -> str:
     """The lines that say `simulation`, or another key, in a run.yaml, of its entries: ready to be pasted there."""
-    return write_yaml({key: entries})
+    head, _, rest = write_yaml({key: entries}).partition("\n")
+    return f"{head}{NOTE.get(key, '')}\n{rest}"
 
 
 def adoptions(content: dict[str, Any], where: str) -> list[dict[str, Any]]:
@@ -52,12 +55,12 @@ def adoptions(content: dict[str, Any], where: str) -> list[dict[str, Any]]:
         if not isinstance(ids, list) or not all(isinstance(id_, str) and id_ in mechanisms() for id_ in ids):
             problem = f"holds {short(ids)}, which is no list of mechanisms of the library"
             raise BadInput(where, "mechanisms, alternatives", problem, "give a diagnosis.json as it was made")
-    made: dict[str, Any] = {"effects": effects, "verdict": content["verdict"], "tied": tied}
+    made: dict[str, Any] = {"effects": effects, "verdict": content["verdict"], "tied": tied, "diagnosis": where}
     runs, experiment = content.get("run"), content.get("next_experiment")
     if runs:
         made["runs"] = [runs] if isinstance(runs, str) else runs
     if isinstance(experiment, str) and tied:
-        made["next_experiment"] = experiment
+        made["next_experiment"] = f"{NO_USE}: no run that was tried decides" if NO_USE in experiment else experiment
     return [*before, made]
 
 

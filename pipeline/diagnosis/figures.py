@@ -13,6 +13,7 @@ from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.patches import Patch
 
 from pipeline.diagnosis import panels
+from pipeline.diagnosis.mismatch_map import map_of, mismatch_map
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.panels import AFTER, SHADES
 from pipeline.diagnosis.words.sight import heading, included
@@ -69,8 +70,8 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     panels.over_time(under, drivers, left, f"residual ({unit})")
     under.set_xlabel("time (s)")
     for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):
-        limit = max(float(np.nanpercentile(np.abs(panels.map_of(drivers, residual)[0]), 98)), 2.0 * floor)
-        image = panels.mismatch_map(axes, drivers, residual, f"mismatch, {name} (own scale)", limit)
+        limit = max(float(np.nanpercentile(np.abs(map_of(drivers, residual)[0]), 98)), 2.0 * floor)
+        image = mismatch_map(axes, drivers, residual, f"recording − simulation, {name} (own scale)", limit)
         maps.colorbar(image, ax=axes, label=unit, pad=0.01)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     compared, single = noises(content, Vocabulary.of(problem.system))

@@ -9,11 +9,9 @@ from matplotlib.axis import Axis
 from matplotlib.figure import SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
-from numpy.typing import NDArray
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.words import rivals
 from pipeline.diagnosis.words.quantity import percent, size, times
 from pipeline.kinematics import Array
@@ -28,10 +26,11 @@ STANDINGS = {
     "named": (AFTER, "the best explanation"),
     "tied": (TIED, "likely as well"),
     "beaten": (OTHER, "less likely: verdict.txt says why"),
-    "not needed": (MORE, "less likely, larger than the best"),
+    "not needed": (MORE, "less likely, with more effects"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
+MORE_ALONE = "takes away too little to be named"  # where nothing is
 BENT_FORMULA = "left if its formulas may be a little wrong"
 MOTION = {
     "turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion",
@@ -48,36 +47,9 @@ def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[s
     axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
 
 
-def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:
-    """Mean residual by stroke and place on the stroke (up, then down again); the strokes; edges of the motion."""
-    edges = np.linspace(drivers.motion.min(), drivers.motion.max() + 1e-9, BINS + 1)
-    strokes = np.unique(drivers.stroke[drivers.stroke > 0])
-    down = drivers.phase >= PHASES.index("unwinding")
-    column = np.clip(np.digitize(drivers.motion, edges) - 1, 0, BINS - 1)
-    column = np.where(down, 2 * BINS - 1 - column, column)
-    worked = drivers.stroke > 0
-    place = np.searchsorted(strokes, drivers.stroke[worked]), column[worked]
-    total, count = np.zeros((len(strokes), 2 * BINS)), np.zeros((len(strokes), 2 * BINS))
-    np.add.at(total, place, residual[worked])
-    np.add.at(count, place, 1.0)
-    return np.where(count > 0, total / np.maximum(count, 1.0), np.nan), strokes, edges
-
-
-def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float) -> Any:
-    """The map of a residual; returns the image, for its colour bar."""
-    mean, strokes, edges = map_of(drivers, residual)
-    image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
-                        extent=(0, 2 * BINS, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip
-    axes.axvline(BINS, color="k", lw=0.6)
-    low, high = (f"{edge:.3g}" if abs(edge) > 1e-3 * np.ptp(edges) else "0" for edge in (edges[0], edges[-1]))
-    axes.set_xticks(
-        [0, BINS / 2, BINS, 3 * BINS / 2, 2 * BINS],
-        [low, "up →", high, "→ down", low],
-    )
-    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    unit = drivers.units.motion
-    axes.set(title=title, xlabel=f"{MOTION.get(unit, MOTION[''])} ({unit})", ylabel="stroke")
-    return image
+def ways(drivers: Drivers) -> tuple[str, str]:
+    """The two directions of motion, as an axis calls them."""
+    return ("winding", "unwinding") if drivers.units.motion == "turns" else ("up", "down")
 
 
 def briefly(one: dict[str, Any]) -> str:
@@ -89,7 +61,7 @@ def briefly(one: dict[str, Any]) -> str:
 
 def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "noise") -> None:
     """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
-    shown = content["evidence"]["explanations"]
+    shown = sorted(content["evidence"]["explanations"], key=lambda one: one.get("probability") or 0.0)
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
     colours = [STANDINGS[one["standing"]][0] for one in shown]
@@ -103,7 +75,8 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
     there = {one["standing"] for one in shown}
     standings = [name for name in STANDINGS if name in there]
-    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=STANDINGS[name][1]) for name in standings]
+    said = {name: MORE_ALONE if name == "not needed" and "named" not in there else STANDINGS[name][1] for name in there}
+    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=said[name]) for name in standings]
     handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
@@ -151,10 +124,10 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
     """Signals that a residual may follow, by their label, and the samples that count for each."""
     everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
-    units, going = drivers.units, MOTION.get(drivers.units.motion, MOTION[""])
+    units, going, (up, down) = drivers.units, MOTION.get(drivers.units.motion, MOTION[""]), ways(drivers)
     found = {
-        f"{going}, up ({units.motion})": (drivers.motion, moving & (drivers.rate > 0)),
-        f"{going}, down ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
+        f"{going}, {up} ({units.motion})": (drivers.motion, moving & (drivers.rate > 0)),
+        f"{going}, {down} ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
         "time (s)": (drivers.elapsed_s, everywhere),
         f"rate ({units.motion}/s)": (drivers.rate, everywhere),
     }

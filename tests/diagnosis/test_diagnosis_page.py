@@ -95,9 +95,11 @@ def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_rule
     others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
     assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
     shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
-    assert shown == [
-        "" if one["probability"] is None else percent(one["probability"]) for one in evidence["explanations"]
-    ]
+    likeliest_last = sorted(evidence["explanations"], key=lambda one: one["probability"] or 0.0)
+    assert shown == ["" if one["probability"] is None else percent(one["probability"]) for one in likeliest_last]
+    assert likeliest_last[-1]["standing"] == "named", "the uppermost is the best"
+    names = [label.get_text() for label in figure.subfigs[-2].axes[0].get_yticklabels()]
+    assert names == [" + ".join(one["ids"]) or "calibration alone" for one in likeliest_last]
 
 
 def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_words(drawn) -> None:
@@ -174,3 +176,20 @@ def test_each_map_has_the_scale_of_its_own_residual(drawn) -> None:
     figure, _ = drawn
     limits = [axes.images[0].get_clim()[1] for axes in figure.subfigs[1].axes if axes.images]
     assert len(limits) == 2 and limits[1] < limits[0]
+    maps = [axes for axes in figure.subfigs[1].axes if axes.images]
+    assert [axes.get_title() for axes in maps] == [
+        f"recording − simulation, {name} (own scale)" for name in ("calibrated", "as diagnosed")
+    ]
+    assert [label.get_text() for label in maps[0].get_xticklabels()][1::2] == ["winding →", "→ unwinding"]
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best(named) -> None:
+    one = {"left_mm": 0.1, "bent_mm": 0.1, "probability": None}
+    shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
+    shown += [{**one, "ids": ["creep"], "standing": "named"}] if named else []
+    _, axes = plt.subplots()
+    panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}}, "mm")
+    said = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert ("less likely, with more effects" in said) is named
+    assert ("takes away too little to be named" in said) is not named

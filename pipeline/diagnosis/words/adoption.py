@@ -1,9 +1,11 @@
 """What run.yaml has adopted, and how what was found is adopted, in words."""
 
+import shlex
 from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.words import sight, unseen, worth
+from pipeline.diagnosis.words.dimensions import far_moved
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.rivals import called
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -48,7 +50,7 @@ def doubtful(content: dict[str, Any]) -> list[str]:
     for one in content.get("adopted", []):
         effects, tied = listing(one["effects"]), one["tied"]
         if not tied:
-            lines.append(f"No other explanation tied with what was adopted ({effects}).")
+            lines.append(f"No other explanation was as likely as what was adopted ({effects}).")
             continue
         named = listing([called(ids) for ids in tied[:NAMED]], "or")
         rest = f", or one of {len(tied) - NAMED} more (`adopted` in run.yaml)" if len(tied) > NAMED else ""
@@ -56,6 +58,12 @@ def doubtful(content: dict[str, Any]) -> list[str]:
             f"Instead of what was adopted ({effects}) this may be right, for it was likely as well: {named}{rest}."
         )
     return lines
+
+
+def predictions(source: Path, folders: list[Path]) -> list[str]:
+    """The commands that predict with a diagnosis, its dimensions included."""
+    said = shlex.quote(str(source))
+    return [f"{SIMULATE} {shlex.quote(str(folder))} --simulation {said} --out FILE" for folder in folders]
 
 
 def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
@@ -66,12 +74,18 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
         return [f"Do not: on the {sight.strokes(content)} it makes the simulator worse."]
     source = out / "diagnosis.json"
     lines = ["To predict with it, dimensions included:"]
-    lines += [f"  {SIMULATE} {folder} --simulation {source} --out FILE" for folder in folders]
-    lines.append(
-        "To adopt its effects alone: they go into run.yaml, whose dimensions stay as measured, so the simulator errs "
-        "by more until these are measured again (pipeline.adopt prints by how much):"
-    )
-    lines += [f"  {COMMAND} {source} {folder}" for folder in folders]
+    lines += [f"  {line}" for line in predictions(source, folders)]
+    far = len(far_moved(content))
+    if far:
+        moved = "a dimension" if far == 1 else f"{far} dimensions"
+        lines.append(
+            f"Do not adopt it yet: calibration moved {moved} far, and adopting takes over the effects alone. With the "
+            "dimensions of run.yaml as they are now the simulator would err by more (pipeline.adopt prints by how "
+            "much). Once they are measured again and the run is diagnosed again, this adopts it:"
+        )
+    else:
+        lines.append("To adopt its effects: they go into run.yaml, whose dimensions stay as measured:")
+    lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
         can = bool(run) and "parts" in run and worth.decides(run)

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.diagnosis.words import commands, sight, still, unseen, worth
-from pipeline.diagnosis.words.dimensions import far_moved, name_of
+from pipeline.diagnosis.words.adoption import predictions
+from pipeline.diagnosis.words.dimensions import GAIN, far_moved, name_of, tolerance_keys
 from pipeline.diagnosis.words.headline import moved_in_vain
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -34,7 +35,7 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
         said = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
         return [said, *_anew(content, folders)]
     if tied:
-        return ["Decide between what was adopted and what tied with it, if you need to know: the run is below."]
+        return ["Decide between what was adopted and what was likely as well, if you need to know: the run is below."]
     if unseen.left_over(content, words):
         return ["Record the rig in other ways, as said below, and diagnose the runs together."]
     if sight.included(content) and far_moved(content):
@@ -49,7 +50,7 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
         return f"{without[0].upper()}{without[1:]}."
     if worth.decides(run):
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
-    tried = f"No run that was tried decides: the best one, below, may not tell {worth.question(content)}"
+    tried = "No run that was tried decides, so you can skip The run to make next"
     use = "" if unseen.harmful(content, words) else ", and predict with the first command under To use it"
     return f"{without[0].upper()}{without[1:]}{use}. {tried}."
 
@@ -60,9 +61,18 @@ def _first(content: dict[str, Any]) -> list[str]:
     if not names:
         return []
     return [
-        f"First measure {names} again. If a value changes, write it into run.yaml and diagnose again. If none "
-        "does, keep run.yaml as it is: missing physics bends them."
+        f"First measure {names} again. If a value changes, or you know it better than its tolerance says (see "
+        "Dimensions), write that into run.yaml and diagnose again: it can turn this verdict over. If neither, keep "
+        "run.yaml as it is: missing physics bends them.",
+        *in_run_yaml(content),
     ]
+
+
+def in_run_yaml(content: dict[str, Any]) -> list[str]:
+    """How run.yaml says how well the dimensions to measure again were measured, and what the sensor's gain is."""
+    keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
+    gain = f" {GAIN}." if "scale" in far_moved(content) else ""
+    return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 
 
 def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:
@@ -70,12 +80,15 @@ def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:
     names = _far(content)
     if not names:
         return []
+    adopted = (
+        [one["diagnosis"] for one in content["adopted"] if one.get("diagnosis")][-1:] if "adopted" in content else []
+    )
     return [
         f"Measure {names} again. If a value changes, write it into run.yaml, take the adopted effects out, "
         "diagnose again and adopt anew: they were fitted together with the dimensions. If none changes, take them out "
-        "too, and predict with pipeline.simulate --simulation and the diagnosis.json that was adopted. To take them "
-        "out:",
+        f"too, and predict with {'the diagnosis that was adopted' if adopted else 'the adopted diagnosis.json'}:",
         *(f"  {commands.PROGRAMS}adopt --remove {shlex.quote(str(folder))}" for folder in folders),
+        *(f"  {line}" for source in adopted for line in predictions(Path(source), folders)),
     ]
 
 

@@ -14,6 +14,8 @@ LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
+TOLERANCES = {"radius_mm": "radius"}  # keys of `tolerance:` in run.yaml that are not the dimension's own name
+GAIN = "By a gain of the sensor that you measured, divide the scale in `channels: {displacement_mm: {scale: 1}}`"
 
 
 def far_moved(content: dict[str, Any]) -> dict[str, float]:
@@ -50,6 +52,12 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
             "them, or run.yaml describes another rig."
         )
     return lines
+
+
+def tolerance_keys(moved: Iterable[str]) -> list[str]:
+    """The keys of `tolerance:` in `run.yaml` of dimensions; a stiffness has none."""
+    stems = dict.fromkeys(re.sub(r"_\d+$", "", name) for name in moved)
+    return [TOLERANCES.get(stem, stem) for stem in stems if not stem.startswith("stiffness")]
 
 
 def do_not_copy(moved: Iterable[str]) -> str:

@@ -114,5 +114,5 @@ def time_constants(parameters: dict[str, Any]) -> str:
     if not kept:
         return ""
     if len(kept) == 1:
-        return f"with a time constant of about {duration(kept[0])}"
-    return f"with time constants of {duration(kept[0])} to {duration(kept[-1])}"
+        return f"best with a time constant of {duration(kept[0])} of those that were tried"
+    return f"best with time constants of {duration(kept[0])} to {duration(kept[-1])} of those that were tried"

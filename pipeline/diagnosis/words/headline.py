@@ -49,6 +49,9 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
     elif verdict == "parameters" and moved_in_vain(content, words):
         said = HARDLY_MOVED
     evidence, named = content["evidence"], NOTHING_FURTHER.format(listing(adopted)) if adopted else NOTHING_NAMED
+    likely = max((len(one["tied"]) for one in content.get("adopted", [])), default=0)
+    if adopted and likely:
+        named = f"{named.removesuffix(')')}: one of {1 + likely} likely explanations)"
     fields = {
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),

@@ -6,7 +6,7 @@ from pipeline.diagnosis.words.quantity import span
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 EVERYWHERE = "over the whole range"
-NEARLY_ALL = 0.85  # of the range of motion, and of the strokes
+NEARLY_ALL = 0.75  # of the range of motion, and of the strokes
 
 
 def place(location: dict[str, Any], evidence: dict[str, Any], words: Vocabulary) -> str:

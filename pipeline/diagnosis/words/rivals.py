@@ -104,17 +104,17 @@ def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return lines
 
 
-def hidden(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """Effects that are larger than what is missing, and where the rest of them is hidden."""
-    whole, lines = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0, []
+def hidden(content: dict[str, Any], words: Vocabulary) -> dict[str, str]:
+    """Effects that are larger than what is missing, and where the rest of each is hidden."""
+    whole, lines = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0, {}
     for entry in content["mechanisms"]:
         own = entry[f"rms_{words.ending}"]["value"]
         if not whole or own <= MORE * whole:
             continue
-        sizes = f"by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is missing"
         others = ", and in the other effects" if len(content["mechanisms"]) > 1 else ""
-        hides = f"The rest hides in dimensions that calibration moved (see {DIMENSIONS}){others}"
-        said = f"{entry['id']} moves the reading {sizes}. {hides}."
-        unsure = " Its size is poorly known." if own > LARGER * whole else ""
-        lines.append(said + unsure)
+        unsure = "Its size is poorly known: it" if own > LARGER * whole else "It"
+        lines[entry["id"]] = (
+            f"{unsure} moves the reading by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is "
+            f"missing. The rest hides in dimensions that calibration moved (see {DIMENSIONS}){others}."
+        )
     return lines

@@ -4,9 +4,12 @@ from typing import Any
 
 from pipeline.diagnosis.words import unseen
 from pipeline.diagnosis.words.headline import UNNAMED
-from pipeline.diagnosis.words.places import place
+from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import listing, size, times
+from pipeline.diagnosis.words.rivals import called, left
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+
+LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
 
 
 def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -26,12 +29,29 @@ def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
                 " Some effects would have been seen at a smaller size (below): what is left looks like none of them."
             )
     found = evidence.get("pattern")
+    closest = nearest(content, words)
     if not found:
-        return [said]
+        return [said, *closest]
     where = place(found["location"], evidence, words)
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in found["driver"]])
+    if where == EVERYWHERE:
+        return [said, f"What is systematic in it is spread over the whole recording. It follows {follows}.", *closest]
     share = f"{100.0 * found['location']['share']:.0f} % of the energy of what is systematic in it"
-    return [said, f"{share} lies {where}. It follows {follows}."]
+    return [said, f"{share} lies {where}. It follows {follows}.", *closest]
+
+
+def nearest(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The one effect that would leave least, where it would leave a little less; it is not named."""
+    shown = [one for one in content["evidence"]["explanations"] if one["ids"]]
+    best = min(shown, key=lambda one: one[f"left_{words.ending}"], default=None)
+    alone = content["evidence"].get(f"calibrated_{words.ending}")
+    if best is None or not alone or best[f"left_{words.ending}"] > LESS * alone:
+        return []
+    kind = "one more effect" if content.get("adopted") else "an effect"
+    return [
+        f"Nearest comes {called(best['ids'])}: it would leave {left(best, content, words)}, too little less for {kind} "
+        "to be named."
+    ]
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:

@@ -5,16 +5,20 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+from pipeline.diagnosis.adopt import NO_USE
 from pipeline.diagnosis.words import commands
 from pipeline.diagnosis.words.headline import UNNAMED
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
-STILL = "What was adopted tied with others. The run that decides is still that of the adopted verdict:"
+STILL = "Others were likely as well as what was adopted. The run that decides is still that of the adopted verdict:"
 HARDLY = (
-    "What was adopted tied with others, and the adopted verdict found no run that decides between them. The best one "
-    "that it tried stands in its verdict.txt, and in run.yaml: `next_experiment` under `adopted`."
+    "None is proposed: other explanations were as likely as what was adopted, and the adopted verdict found no run "
+    "that decides between them."
 )
-LOST = "What was adopted tied with others. The run that decides stands in the adopted verdict, under the same heading."
+LOST = (
+    "Others were likely as well as what was adopted. The run that decides stands in the adopted verdict, under the "
+    "same heading."
+)
 FIRST = "Take out what was adopted first, for it is not weighed again. Later adopt what the new verdict names."
 STEP = re.compile(r" (?=\d+\. [A-Z])")  # where a step begins
 END = re.compile(r"(?<=[.:]) (?=[A-Z])")  # where a sentence ends
@@ -41,7 +45,7 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: 
 
 def worth_making(tied: list[dict[str, Any]]) -> bool:
     """Whether one of the adopted verdicts that tied proposed a run that can decide, or does not say which run."""
-    return not all("Hardly worth making" in (one.get("next_experiment") or "") for one in tied)
+    return not all(NO_USE in (one.get("next_experiment") or "") for one in tied)
 
 
 def protocol(told: str) -> list[str]:

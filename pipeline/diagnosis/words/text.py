@@ -62,7 +62,6 @@ def verdict_text(
                 *likely(content),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
-                *rivals.hidden(content, words),
             ],
         ),
         ("What is likely beside it", tied(content, words)),
@@ -130,7 +129,10 @@ def follows(content: dict[str, Any]) -> str:
 def named(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Each mechanism's sentence and how sure its size is; also of those that only a user's own library knows."""
     own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
-    lines = [f"{entry['id']}: {entry['sentence']} {effects.interval(entry, words)}" for entry in content["mechanisms"]]
+    hidden, lines = rivals.hidden(content, words), []
+    for entry in content["mechanisms"]:
+        said = [entry["sentence"], effects.interval(entry, words), hidden.get(entry["id"], "")]
+        lines.append(f"{entry['id']}: {' '.join(part for part in said if part)}")
     if any(each["low"] == each["high"] for entry in content["mechanisms"] for each in entry["parameters"].values()):
         lines.append(CHOSEN)
     idle = content["evidence"].get("idle", [])

@@ -1,0 +1,46 @@
+"""The map of a mismatch: its mean by stroke and by place on the stroke, up and down again."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.panels import BINS, MOTION, ways
+from pipeline.diagnosis.record import PHASES
+from pipeline.kinematics import Array
+
+
+def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:
+    """Mean residual by stroke and place on the stroke (up, then down again); the strokes; edges of the motion."""
+    edges = np.linspace(drivers.motion.min(), drivers.motion.max() + 1e-9, BINS + 1)
+    strokes = np.unique(drivers.stroke[drivers.stroke > 0])
+    down = drivers.phase >= PHASES.index("unwinding")
+    column = np.clip(np.digitize(drivers.motion, edges) - 1, 0, BINS - 1)
+    column = np.where(down, 2 * BINS - 1 - column, column)
+    worked = drivers.stroke > 0
+    place = np.searchsorted(strokes, drivers.stroke[worked]), column[worked]
+    total, count = np.zeros((len(strokes), 2 * BINS)), np.zeros((len(strokes), 2 * BINS))
+    np.add.at(total, place, residual[worked])
+    np.add.at(count, place, 1.0)
+    return np.where(count > 0, total / np.maximum(count, 1.0), np.nan), strokes, edges
+
+
+def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float) -> Any:
+    """The map of a residual; returns the image, for its colour bar."""
+    mean, strokes, edges = map_of(drivers, residual)
+    image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
+                        extent=(0, 2 * BINS, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip
+    axes.axvline(BINS, color="k", lw=0.6)
+    up, down = ways(drivers)
+    low, high = (f"{edge:.3g}" if abs(edge) > 1e-3 * np.ptp(edges) else "0" for edge in (edges[0], edges[-1]))
+    axes.set_xticks(
+        [0, BINS / 2, BINS, 3 * BINS / 2, 2 * BINS],
+        [low, f"{up} →", high, f"→ {down}", low],
+    )
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    unit = drivers.units.motion
+    axes.set(title=title, xlabel=f"{MOTION.get(unit, MOTION[''])} ({unit})", ylabel="stroke")
+    return image
