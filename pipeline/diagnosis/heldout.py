@@ -3,14 +3,18 @@
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pipeline.diagnosis.engine import polished, study
+from pipeline.diagnosis.engine import fine_floor, polished, study
+from pipeline.diagnosis.flexible import foretold
 from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
+from pipeline.kinematics import Array
 
 LAST = 0.3
 TARE_S = 1.0
+LEFT = 1.3  # times the noise, from which a regression without physics is asked what it would foretell
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 
 
@@ -25,6 +29,12 @@ def first_held_out(problem: Problem) -> int | None:
     return row if row >= LEAST_TRAINING * len(problem.record) else None
 
 
+def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
+    """Noise from one sample to the next, rms: no structure that is slower than that is counted as noise."""
+    bends = np.diff((fine.measured - fine.simulate(state))[rows], n=2)  # of white noise the root of 6 as large
+    return float(1.4826 * np.median(np.abs(bends)) / np.sqrt(6.0))
+
+
 def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, Study | None]:
     """Errors (rms) on strokes that no fit has seen: nominal, calibrated, explained; and the study they came from.
 
@@ -36,8 +46,8 @@ def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, St
     unseen = fine.record.time_s >= problem.record.time_s[row]
     found = polished(study(problem.until(row)), fine.until(int(np.argmax(unseen))))
 
-    def error(state: State) -> float:
-        residual = fine.measured - fine.simulate(state)
+    def error(state: State, added: Array | float = 0.0) -> float:
+        residual = fine.measured - fine.simulate(state) - added
         for number in range(fine.runs if fine.system.free_zero else 0):
             own = fine.record.run_index == number
             if unseen[own].all():  # of a run that no fit has seen, nobody knows the zero
@@ -45,9 +55,18 @@ def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, St
                 residual[own] -= np.median(residual[own][time_s - time_s[0] <= TARE_S])
         return rms(residual[unseen & ~wild(residual)[0]])
 
-    return {
+    errors: dict[str, Any] = {
         "split": "last 30 % of strokes",
         "nominal": error(found.nominal),
         "calibrated": error(found.base),
         "explained": error(found.state),
-    }, found
+    }
+    if errors["explained"] > LEFT * min(fine_floor(fine, found), quick(fine, found.state, unseen)):
+        later = problem.record.time_s >= problem.record.time_s[row]
+        states = [found.base] if found.state is found.base else [found.base, found.state]
+        tried = [(state, foretold(problem, fine, state, later)) for state in states]
+        sizes = [error(state, without.added) for state, without in tried]
+        without = tried[int(np.argmin(sizes))][1]
+        errors["without_physics"] = min(sizes)
+        errors["left"] = {"location": without.location, "driver": without.driver}
+    return errors, found

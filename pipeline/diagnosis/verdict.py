@@ -24,6 +24,7 @@ from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
 from pipeline.run_yaml import Run
 
+HELD_OUT = ("nominal", "calibrated", "explained", "without_physics")
 DIGITS = 5  # more of them would be rounding, which processors do each in their own way
 
 
@@ -121,7 +122,7 @@ def diagnosis(
     fit["heldout"] = (
         {
             "split": heldout["split"],
-            **{f"{name}_{unit}": heldout[name] for name in ("nominal", "calibrated", "explained")},
+            **{f"{name}_{unit}": heldout[name] for name in HELD_OUT if name in heldout},
         }
         if heldout
         else None
@@ -153,6 +154,8 @@ def diagnosis(
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
     content["evidence"] = evidence(found) | ({"pattern": pattern} if pattern else {})
+    if heldout and "left" in heldout:
+        content["evidence"]["left_of_unseen"] = heldout["left"]
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():
         content["parameters"][name]["at_bound"] = which
     if without:

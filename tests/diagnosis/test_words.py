@@ -12,7 +12,7 @@ from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.words import advice, effects, experiment, quantity, seen
+from pipeline.diagnosis.words import advice, effects, experiment, level, quantity, seen
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -1060,3 +1060,41 @@ def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little
     if said:
         assert lines[0].startswith("Nearest comes wear: it would leave 0.50 mm rms (")
         assert lines[0].endswith("too little less for an effect to be named.")
+
+
+@pytest.mark.parametrize(
+    ("verdict", "without", "said", "never"),
+    [
+        (
+            "ambiguous",
+            0.02,
+            "foretells the unseen strokes better than the explanation: it errs by 0.020 mm rms",
+            "level",
+        ),
+        ("ambiguous", 0.6, "", "regression"),
+        (
+            "unknown",
+            0.02,
+            "errs by 0.020 mm rms on the unseen strokes, calibration by 0.80 mm rms. That is the level",
+            "better",
+        ),
+        ("unknown", 0.79, "calibration by 0.80 mm rms: what is left there follows none of these as it did", "level"),
+        ("unknown", None, "", "regression"),
+    ],
+)
+def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_something(verdict, without, said, never):
+    held = content()["fit"]["heldout"] | {"calibrated_mm": 0.8, "explained_mm": 0.8}
+    held |= {} if without is None else {"without_physics_mm": without}
+    place = {"motor_turns": [20.0, 26.0], "strokes": [8, 9], "phase": "winding", "share": 0.8}
+    changes = {"fit__heldout": held, "evidence__left_of_unseen": {"location": place, "driver": "direction"}}
+    changes |= {"mechanisms": [], "alternatives": [], "next_run": None} if verdict == "unknown" else {}
+    made = content(verdict=verdict, **changes)
+    words = Vocabulary.of(SYSTEMS["mm"])
+    lines = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
+    assert said in lines and never not in lines
+    whole = " ".join(told(made).split())
+    assert said in whole and ("regression without physics" in whole) == bool(said)
+    if without == 0.02:
+        assert (
+            "at 20 to 26 turns, in strokes 8 to 9, while winding, and it follows the direction of motion" in lines
+        )

@@ -15,6 +15,7 @@ from pipeline.diagnosis.words import (
     error_table,
     experiment,
     explained_words,
+    level,
     probability,
     rivals,
     seen,
@@ -162,7 +163,12 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
     if content["verdict"] == "unknown":
         more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
-        return [*beaten.insufficient(content, words), *probability.of_none(content), more]
+        return [
+            *beaten.insufficient(content, words),
+            *level.to_reach(content, words),
+            *probability.of_none(content),
+            more,
+        ]
     lines = beaten.beaten(content, words) if content["mechanisms"] else []
     return [*(probability.rule(content) if content["verdict"] == "explained" else []), *lines]
 

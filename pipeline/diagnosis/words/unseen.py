@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.words import sight
+from pipeline.diagnosis.words import level, sight
 from pipeline.diagnosis.words.quantity import duration, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -47,7 +47,7 @@ def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
         said.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
     if explained > STILL_MISSING * noise and content["verdict"] != "unknown":
         said.append(still_missing(content, words, explained / noise, named))
-    return said
+    return [*said, *level.beaten(content, words)]
 
 
 def harmful(content: dict[str, Any], words: Vocabulary) -> bool:
