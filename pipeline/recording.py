@@ -70,6 +70,15 @@ def _numbers(column: pd.Series, name: str, path: Path, layout: TextFile) -> pd.S
     return numbers.astype(float)
 
 
+def _asked_rows(table: pd.DataFrame, layout: TextFile, path: Path) -> pd.DataFrame:
+    """The rows that `file.rows` asks for, or all; raises BadInput where the file ends before them."""
+    if layout.rows is None:
+        return table
+    if layout.rows[1] > len(table):
+        raise BadInput(path, "file.rows", f"asks for rows up to {layout.rows[1]} of {len(table)}", "correct file.rows")
+    return table.iloc[slice(*layout.rows)].reset_index(drop=True)
+
+
 def _counted(table: pd.DataFrame, name: str, channel: Channel, mapping: Path) -> pd.Series:
     """Time in s of the rows of a file without a clock; raises BadInput for another channel, or one with a column."""
     mend = "keep it for time_s alone, without column and unit, where the file has no column of time"
@@ -94,6 +103,7 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
 
     A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. Raises BadInput.
     """
+    table = _asked_rows(table, run.file, path)
     known = run.system.columns
     required = known[:3]
     for name in run.channels:

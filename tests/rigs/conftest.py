@@ -22,7 +22,7 @@ def program(*words):
 def diagnosed(tmp_path):
     """Import a file through a shipped mapping, some sections changed, adopt some effects, and diagnose the run."""
 
-    def make(file, mapping, simulation=(), **changes):
+    def make(file, mapping, simulation=(), /, **changes):
         content = yaml.safe_load((ROOT / "pipeline" / "mappings" / f"{mapping}.yaml").read_text())
         content |= {"simulation": list(simulation)}
         for section, told in changes.items():
