@@ -1,5 +1,7 @@
 """Each rig of docs/rigs.md, recorded by another hand: what its simulator leaves out is named, and nothing else is."""
 
+import json
+
 import benches
 import pytest
 from scipy.io import savemat
@@ -65,3 +67,60 @@ def test_a_circuit_whose_spring_is_cubic_is_told_from_a_straight_one(tmp_path, d
     better = diagnosed(file, "silverbox", content["of_your_own"]["simulation"], **SLOW_CIRCUIT)
     assert better["verdict"] in NOTHING
     assert held_out(better)[1] < 0.2 * held_out(content)[1]
+
+
+def test_a_servo_that_rubs_is_told_from_one_that_does_not(tmp_path, diagnosed):
+    file = tmp_path / "2024-03-01_12h00m00.json"
+    file.write_text(json.dumps(benches.servo(1)))
+    content = diagnosed(file, "servo_pendulum")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["weight_v"]["value"] == pytest.approx(0.49 * 9.81 * 0.2 * 2.1 / 1.63, rel=0.03)
+    file.write_text(json.dumps(benches.servo(2, rubs_nm=0.5)))
+    content = diagnosed(file, "servo_pendulum")
+    assert content["verdict"] in ("explained", "ambiguous")
+    (rubs,) = named(content).values()
+    assert rubs["id"] == "friction_hysteresis"
+    assert rubs["parameters"]["half_loop_rad"]["value"] == pytest.approx(0.5 * 2.1 / 1.63 / 75.84, rel=0.1)
+    assert held_out(content)[2] < 0.3 * held_out(content)[1]
+
+
+def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, diagnosed):
+    file = tmp_path / "axis.csv"
+    benches.axis(1).to_csv(file, index=False)
+    content = diagnosed(file, "robot_axis")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(31.5, rel=0.01)
+    benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0).to_csv(file, index=False)
+    content = diagnosed(file, "robot_axis")
+    found = named(content)
+    assert content["verdict"] in ("explained", "ambiguous") and set(found) == {"friction_hysteresis", "viscous_loss"}
+    assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
+    assert found["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]["value"] == pytest.approx(6.0, rel=0.1)
+    assert held_out(content)[2] < 0.1 * held_out(content)[1]
+
+
+def test_a_tendon_that_grips_its_sheath_is_told_from_a_free_one(tmp_path, diagnosed):
+    file = tmp_path / "tendon.csv"
+    benches.sheath(1).to_csv(file, index=False)
+    content = diagnosed(file, "tendon_sheath")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["pulley_radius_mm"]["value"] == pytest.approx(12.3, rel=0.01)
+    benches.sheath(2, grips_mm=2.5).to_csv(file, index=False)
+    content = diagnosed(file, "tendon_sheath")
+    assert content["verdict"] in ("explained", "ambiguous") and "friction_hysteresis" in named(content)
+    assert held_out(content)[2] < 0.2 * held_out(content)[1]
+
+
+def test_a_cylinder_whose_seal_grips_the_more_the_higher_the_pressure_is_told_from_a_free_one(tmp_path, diagnosed):
+    file = tmp_path / "cylinder.csv"
+    benches.cylinder(1).to_csv(file, index=False)
+    content = diagnosed(file, "pneumatic_cylinder")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["bore_mm"]["value"] == pytest.approx(25.1, rel=0.001)
+    benches.cylinder(2, seal_n=6.0, seal_n_per_bar=4.0).to_csv(file, index=False)
+    content = diagnosed(file, "pneumatic_cylinder")
+    assert content["verdict"] in ("explained", "ambiguous")
+    (seal,) = named(content).values()
+    assert seal["id"] == "friction_hysteresis"
+    assert seal["parameters"]["half_loop_n_per_1_bar"]["value"] == pytest.approx(4.0, rel=0.1)
+    assert held_out(content)[2] < 0.1 * held_out(content)[1]
