@@ -70,10 +70,31 @@ def _numbers(column: pd.Series, name: str, path: Path, layout: TextFile) -> pd.S
     return numbers.astype(float)
 
 
+def _asked_rows(table: pd.DataFrame, layout: TextFile, path: Path) -> pd.DataFrame:
+    """The rows that `file.rows` asks for, or all; raises BadInput where the file ends before them."""
+    if layout.rows is None:
+        return table
+    if layout.rows[1] > len(table):
+        raise BadInput(path, "file.rows", f"asks for rows up to {layout.rows[1]} of {len(table)}", "correct file.rows")
+    return table.iloc[slice(*layout.rows)].reset_index(drop=True)
+
+
+def _counted(table: pd.DataFrame, name: str, channel: Channel, mapping: Path) -> pd.Series:
+    """Time in s of the rows of a file without a clock; raises BadInput for another channel, or one with a column."""
+    mend = "keep it for time_s alone, without column and unit, where the file has no column of time"
+    step_s = channel.step_s or 0.0
+    if name != "time_s" or channel != Channel.model_validate({"step_s": step_s}):
+        raise BadInput(mapping, f"channels.{name}.step_s", "says how far apart the rows are, and nothing else", mend)
+    return pd.Series(step_s * np.arange(len(table)), index=table.index)
+
+
 def asked_columns(run: Run) -> list[str]:
     """Names of the columns that a run's channels are read from, where it has them by name."""
     told = {name: channel.column for name, channel in run.channels.items()}
-    columns = [told.get(name) if told.get(name) is not None else name for name in run.system.columns]
+    made = {name for name, channel in run.channels.items() if channel.step_s is not None}
+    columns = [
+        told.get(name) if told.get(name) is not None else name for name in run.system.columns if name not in made
+    ]
     return [column for column in columns if isinstance(column, str)]
 
 
@@ -82,6 +103,7 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
 
     A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. Raises BadInput.
     """
+    table = _asked_rows(table, run.file, path)
     known = run.system.columns
     required = known[:3]
     for name in run.channels:
@@ -94,6 +116,9 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
     for name in known:
         given = name in run.channels
         channel = run.channels.get(name, Channel.model_validate({}))
+        if channel.step_s is not None:
+            samples[name] = _counted(table, name, channel, mapping)
+            continue
         if not given and name not in table.columns:
             free = [column for column in table.columns if column not in (*known, *asked)]
             if there := in_its_unit(name, free):

@@ -109,6 +109,7 @@ class Channel(_Section):
     scale: Number = 1.0
     offset: Number = 0.0
     counts_per_turn: Positive | None = None
+    step_s: Positive | None = Field(None, description="of time_s: what lies between two rows of a file without a clock")
 
 
 class Run(_Section):

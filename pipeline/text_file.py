@@ -25,6 +25,9 @@ class TextFile(BaseModel):
     sheet: Annotated[int, Field(ge=0, strict=True)] | Annotated[str, Field(min_length=1, max_length=100)] | None = (
         Field(None, description="the sheet of an Excel workbook: its name, or its index from 0")
     )
+    rows: tuple[Annotated[int, Field(ge=0, strict=True)], Annotated[int, Field(ge=1, strict=True)]] | None = Field(
+        None, description="the first row of numbers to read, from 0, and the first not to read"
+    )
     decimal: Literal[".", ","] = Field(".", description='"." or ",", what stands in 0.5 or 0,5')
     header: bool = Field(True, description="whether a line of names stands above the numbers")
     comment: Annotated[str, Field(min_length=1, max_length=10)] | None = Field(
@@ -56,6 +59,12 @@ class TextFile(BaseModel):
                 "file.skip_below: counts lines below the names, of which there are none; "
                 "set file.skip to all lines before the numbers"
             )
+        return self
+
+    @model_validator(mode="after")
+    def _some_rows(self) -> "TextFile":
+        if self.rows and self.rows[0] >= self.rows[1]:
+            raise ValueError("file.rows: ends before it begins; give the first row to read and the first not to read")
         return self
 
     @model_validator(mode="after")

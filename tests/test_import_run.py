@@ -46,6 +46,37 @@ def test_import_makes_a_run_folder_that_reads_like_any_other(foreign):
     assert run.mended == {}
 
 
+def test_the_rows_of_a_file_without_a_clock_are_as_far_apart_as_the_mapping_says(foreign):
+    file, mapping, raw = foreign
+    told = yaml.safe_load(mapping.read_text())
+    told["channels"]["time_s"] = {"step_s": 0.05}
+    mapping.write_text(yaml.safe_dump(told))
+    import_run(file, mapping, "a-01", raw)
+    _, samples = read_samples(raw / "a-01")
+    assert samples["time_s"].to_numpy() == pytest.approx(0.05 * np.arange(len(GOOD)))
+    for channels in ({"time_s": {"step_s": 0.05, "unit": "ms"}}, {"displacement_mm": {"column": 2, "step_s": 0.05}}):
+        mapping.write_text(yaml.safe_dump({**told, "channels": {**told["channels"], **channels}}))
+        with pytest.raises(BadInput, match=r"step_s: says how far apart the rows are.* keep it for time_s alone"):
+            import_run(file, mapping, "a-02", raw)
+        assert not (raw / "a-02").exists()
+
+
+def test_some_rows_of_a_file_can_be_asked_for_and_no_more_than_it_has(foreign):
+    file, mapping, raw = foreign
+    told = yaml.safe_load(mapping.read_text())
+    last = len(GOOD) - 10
+    for rows, name in (([5, last], "a-01"), ([5, len(GOOD) + 1], "a-02"), ([9, 9], "a-02")):
+        mapping.write_text(yaml.safe_dump({**told, "file": {**told["file"], "rows": rows}}))
+        if name == "a-01":
+            import_run(file, mapping, name, raw)
+            continue
+        with pytest.raises(BadInput, match=r"file.rows: (asks for rows up to|ends before it begins)"):
+            import_run(file, mapping, name, raw)
+    _, samples = read_samples(raw / "a-01")
+    assert samples["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy()[5:last])
+    assert not (raw / "a-02").exists()
+
+
 def test_import_mends_time_stamps_says_so_and_drops_nothing(foreign):
     file, mapping, raw = foreign
     lines = file.read_text().splitlines()

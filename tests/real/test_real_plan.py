@@ -37,7 +37,7 @@ def test_the_committed_rigs_name_mappings_that_read():
     for rig in read_rigs().values():
         for kind in rig.files:
             assert read_mapping(MAPPINGS / f"{kind.mapping}.yaml")["channels"]["time_s"]
-        assert all(re.match("https://github.com/", rig.repository) for _ in rig.files)
+        assert all(re.match("https://(github.com|www.nonlinearbenchmark.org)/", rig.repository) for _ in rig.files)
 
 
 def test_every_file_of_a_known_rig_becomes_its_runs(downloaded):
@@ -56,6 +56,15 @@ def test_every_file_of_a_known_rig_becomes_its_runs(downloaded):
     assert plan.groups("emps") == {}, "their channels differ: together they would be refused"
     assert set(plan.passed_over) == {"README.md"} and "passed over 1 file" in plan.said
     assert plan.tables(None) == [f"processed/real/table/{rig}.csv" for rig in ("tsa_haptic", "davinci_tool", "emps")]
+
+
+def test_the_nonlinear_benchmarks_are_no_files_of_the_haptic_device(downloaded):
+    plan = make_real_plan(downloaded("tanks/dataBenchmark.csv", "dataBenchmark.csv.gz", "z_motion.csv"), read_rigs())
+    assert plan.runs("tsa_haptic") == [f"tsa-haptic-{module}-z-motion" for module in (1, 2, 3)]
+    assert {one.mapping.stem for one in plan.recordings if one.rig == "cascaded_tanks"} == {
+        "cascaded_tanks", "cascaded_tanks_validation",
+    }  # fmt: skip
+    assert plan.passed_over == ()
 
 
 def test_the_names_of_the_surgical_tools_repository_are_known_as_they_stand(downloaded):

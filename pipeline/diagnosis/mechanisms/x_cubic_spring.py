@@ -1,0 +1,35 @@
+"""A spring that is no straight line: its force grows with the cube of the way from its rest, or falls short by it."""
+
+import numpy as np
+
+from pipeline.diagnosis.drivers import Drivers
+from pipeline.diagnosis.interface import Mechanism, Shape, Term
+
+BOTH_SIDES = 0.2  # of the range of motion, that must lie on either side of the spring's rest
+
+
+def shapes(drivers: Drivers) -> list[Shape]:
+    """One shape, where a force is read and the motion goes to both sides of its zero, which is the spring's rest."""
+    if drivers.levered or drivers.velocity is None:
+        return []
+    least = BOTH_SIDES * drivers.span
+    return [{}] if drivers.motion.min() < -least and drivers.motion.max() > least else []
+
+
+def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+    """Force with the cube of the motion, of either sign: a spring that gets stiffer or softer."""
+    return [Term("cubic_mm_per_turn3", "resistance", drivers.motion**3, "mm/turn3", -np.inf)]
+
+
+MECHANISM = Mechanism(
+    id="x_cubic_spring",
+    driver="motion cubed",
+    equation="F = k x + k3 x^3",
+    source="G. Duffing, 1918; Silverbox of the nonlinear benchmarks",
+    confused_with="a wrong stiffness",
+    told_apart_by="a small and a large swing",
+    sentence="The spring is no straight line: the cube of the {motion} adds up to {span} ({size}).",
+    details=("{cubic_mm_per_turn3}",),
+    shapes=shapes,
+    terms=terms,
+)

@@ -1,0 +1,126 @@
+"""Each rig of docs/rigs.md, recorded by another hand: what its simulator leaves out is named, and nothing else is."""
+
+import json
+
+import benches
+import pytest
+from scipy.io import savemat
+
+NOTHING = ("consistent", "parameters")
+
+
+def named(content):
+    """What a verdict names, by id."""
+    return {one["id"]: one for one in content["mechanisms"]}
+
+
+def own(content):
+    """What a verdict names of mechanisms that the contract does not list, by id."""
+    assert content["verdict"] == "unknown"
+    return {one["id"]: one for one in content["of_your_own"]["mechanisms"]}
+
+
+def held_out(content):
+    """Errors on the last strokes: nominal, calibrated, explained."""
+    return [value for key, value in content["fit"]["heldout"].items() if key != "split"]
+
+
+SMALL_TANKS = {  # of the benchmark's tanks, forty times as fast
+    "channels": {"time_s": {"step_s": 0.1}},
+    "rig": {"pump_gain": 1.6, "upper_outflow": 1.9, "lower_outflow": 1.9},
+}
+
+
+def test_tanks_that_overflow_are_told_from_tanks_that_do_not(tmp_path, diagnosed):
+    file = tmp_path / "dataBenchmark.csv"
+    benches.tanks(1).to_csv(file, index=False)
+    content = diagnosed(file, "cascaded_tanks", **SMALL_TANKS)
+    assert content["verdict"] in NOTHING
+    benches.tanks(2, rim_cm=20.0).to_csv(file, index=False)
+    content = diagnosed(file, "cascaded_tanks", **SMALL_TANKS)
+    found = own(content)
+    assert set(found) == {"x_overflow"}
+    assert found["x_overflow"]["parameters"]["rim_v"]["value"] == pytest.approx(20.0 / 2.5 - 13.2 / 2.5, abs=0.15)
+    better = diagnosed(file, "cascaded_tanks", content["of_your_own"]["simulation"], **SMALL_TANKS)
+    assert better["verdict"] in NOTHING
+    assert held_out(better)[1] < 0.2 * held_out(content)[1]
+
+
+SLOW_CIRCUIT = {  # a resonance at 30 Hz in place of the Silverbox's
+    "file": {"rows": [0, 4000]},
+    "rig": {"inertia_s2": 2.9e-5, "damping_s": 6.0e-4},
+}
+
+
+def test_a_circuit_whose_spring_is_cubic_is_told_from_a_straight_one(tmp_path, diagnosed):
+    file = tmp_path / "SNLS80mV.mat"
+    samples = benches.oscillator(1)
+    savemat(file, {name: samples[name].to_numpy()[None] for name in samples})
+    content = diagnosed(file, "silverbox", **SLOW_CIRCUIT)
+    assert content["verdict"] in NOTHING
+    samples = benches.oscillator(2, hardening=4.0)
+    savemat(file, {name: samples[name].to_numpy()[None] for name in samples})
+    content = diagnosed(file, "silverbox", **SLOW_CIRCUIT)
+    found = own(content)
+    assert set(found) == {"x_cubic_spring"}
+    assert found["x_cubic_spring"]["parameters"]["cubic_v_per_v3"]["value"] == pytest.approx(4.0 / 0.97, rel=0.05)
+    better = diagnosed(file, "silverbox", content["of_your_own"]["simulation"], **SLOW_CIRCUIT)
+    assert better["verdict"] in NOTHING
+    assert held_out(better)[1] < 0.2 * held_out(content)[1]
+
+
+def test_a_servo_that_rubs_is_told_from_one_that_does_not(tmp_path, diagnosed):
+    file = tmp_path / "2024-03-01_12h00m00.json"
+    file.write_text(json.dumps(benches.servo(1)))
+    content = diagnosed(file, "servo_pendulum")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["weight_v"]["value"] == pytest.approx(0.49 * 9.81 * 0.2 * 2.1 / 1.63, rel=0.03)
+    file.write_text(json.dumps(benches.servo(2, rubs_nm=0.5)))
+    content = diagnosed(file, "servo_pendulum")
+    assert content["verdict"] in ("explained", "ambiguous")
+    (rubs,) = named(content).values()
+    assert rubs["id"] == "friction_hysteresis"
+    assert rubs["parameters"]["half_loop_rad"]["value"] == pytest.approx(0.5 * 2.1 / 1.63 / 75.84, rel=0.1)
+    assert held_out(content)[2] < 0.3 * held_out(content)[1]
+
+
+def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, diagnosed):
+    file = tmp_path / "axis.csv"
+    benches.axis(1).to_csv(file, index=False)
+    content = diagnosed(file, "robot_axis")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(31.5, rel=0.01)
+    benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0).to_csv(file, index=False)
+    content = diagnosed(file, "robot_axis")
+    found = named(content)
+    assert content["verdict"] in ("explained", "ambiguous") and set(found) == {"friction_hysteresis", "viscous_loss"}
+    assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
+    assert found["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]["value"] == pytest.approx(6.0, rel=0.1)
+    assert held_out(content)[2] < 0.1 * held_out(content)[1]
+
+
+def test_a_tendon_that_grips_its_sheath_is_told_from_a_free_one(tmp_path, diagnosed):
+    file = tmp_path / "tendon.csv"
+    benches.sheath(1).to_csv(file, index=False)
+    content = diagnosed(file, "tendon_sheath")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["pulley_radius_mm"]["value"] == pytest.approx(12.3, rel=0.01)
+    benches.sheath(2, grips_mm=2.5).to_csv(file, index=False)
+    content = diagnosed(file, "tendon_sheath")
+    assert content["verdict"] in ("explained", "ambiguous") and "friction_hysteresis" in named(content)
+    assert held_out(content)[2] < 0.2 * held_out(content)[1]
+
+
+def test_a_cylinder_whose_seal_grips_the_more_the_higher_the_pressure_is_told_from_a_free_one(tmp_path, diagnosed):
+    file = tmp_path / "cylinder.csv"
+    benches.cylinder(1).to_csv(file, index=False)
+    content = diagnosed(file, "pneumatic_cylinder")
+    assert content["verdict"] in NOTHING
+    assert content["parameters"]["bore_mm"]["value"] == pytest.approx(25.1, rel=0.001)
+    benches.cylinder(2, seal_n=6.0, seal_n_per_bar=4.0).to_csv(file, index=False)
+    content = diagnosed(file, "pneumatic_cylinder")
+    assert content["verdict"] in ("explained", "ambiguous")
+    (seal,) = named(content).values()
+    assert seal["id"] == "friction_hysteresis"
+    assert seal["parameters"]["half_loop_n_per_1_bar"]["value"] == pytest.approx(4.0, rel=0.1)
+    assert held_out(content)[2] < 0.1 * held_out(content)[1]
