@@ -1,5 +1,6 @@
 """Two tanks, one above the other, as a rig of a user's own: what flows out goes with the root of the level."""
 
+from collections.abc import Mapping
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,7 +21,7 @@ class Tanks(System):
     rig = dict.fromkeys(TRUE, "a dimension")
     never_zero = frozenset(TRUE)
     tolerance = dict.fromkeys(TRUE, 0.3)
-    ports = {"twist": "pump", "resistance": "level", "sensor": "sensor"}
+    ports: Mapping[str, str] = {"twist": "pump", "resistance": "level", "sensor": "sensor"}
 
     def parameters(self, run):
         """All dimensions, each known to its share."""

@@ -15,8 +15,9 @@ def left(problem, state):
     return rms(problem.measured - problem.simulate(state))
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3, 5])
+@pytest.mark.parametrize("seed", [2, 4, 5, 6])
 def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
+    """Whole steps leave .50, .02, .89 and .89 V; the third is more than the nominal simulator leaves."""
     guess = np.exp(np.random.default_rng(seed).normal(0.0, 0.25, 6))
     run, samples = tanks.recorded(guess, seed)
     problem = make_problem([run], [samples])
@@ -27,8 +28,8 @@ def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
 
 
 def test_a_step_that_raises_the_misfit_is_made_shorter_and_one_that_cannot_be_is_not_made(monkeypatch):
-    guess = np.exp(np.random.default_rng(3).normal(0.0, 0.25, 6))
-    run, samples = tanks.recorded(guess, 3)
+    guess = np.exp(np.random.default_rng(5).normal(0.0, 0.25, 6))
+    run, samples = tanks.recorded(guess, 5)
     problem = make_problem([run], [samples])
     noise = white(1.0)
     good = calibrate.calibrate(problem, noise)

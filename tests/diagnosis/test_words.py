@@ -8,6 +8,7 @@ import pytest
 
 from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
+from pipeline.diagnosis.heldout import worse_than_nominal
 from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
@@ -1019,3 +1020,15 @@ def test_one_clear_advice_says_what_to_do_next():
     assert next_thing(content(**bare, **still)) == "Nothing needs to be done: this recording shows nothing further."
     nothing = content(verdict="unknown", mechanisms=[], alternatives=[], next_run={**content()["next_run"]})
     assert next_thing(nothing).startswith("Make the run below: it shows more of what is missing. Adopt nothing")
+
+
+def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_first_line():
+    held = {"nominal": 0.31, "calibrated": 1.1, "explained": 0.2}
+    assert worse_than_nominal(held) == ["calibrated"]
+    assert worse_than_nominal(held | {"explained": 0.4}) == ["calibrated", "explained"]
+    assert worse_than_nominal(held | {"calibrated": 0.312}) == []
+    numbers = {f"fit__heldout__{name}_mm": value for name, value in held.items()}
+    first = told(content(**numbers, fit__worse_than_nominal=["calibrated"])).split("\n\n")[0].replace("\n  ", " ")
+    said = "simulator calibrated is worse than the nominal one (1.1 mm against 0.31 mm)."
+    assert first.startswith("nylon-3: ambiguous") and said in " ".join(first.split())
+    assert "worse than the nominal" not in told(content()).split("\n\n")[0]
