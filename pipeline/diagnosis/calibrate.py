@@ -10,28 +10,36 @@ from pipeline.diagnosis.linear import Key, Linear
 from pipeline.diagnosis.noise import Noise, white
 from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.diagnosis.record import wild
+from pipeline.diagnosis.step import Steps
 
 ITERATIONS = 4
+MOST_STEPS = 25  # where whole ones lead astray
 REFINEMENTS = 3
 FEW = 5  # values among the candidates: fewer are kinds, more are samples of a continuous parameter
 EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sample
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
-    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, shapes kept."""
+    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, shapes kept.
+
+    No step is taken that raises the misfit: it is made again within less of what the dimensions may move (`step`).
+    """
     state = state or problem.nominal()
     catalogue = {act.id: list(act.shapes) for act in acts}
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
-    for _ in range(ITERATIONS):
-        linear = Linear(problem, state, noise, catalogue)
-        found = linear.state_of(linear.fit(linear.columns_of(keys)), keys)
-        moved = max(
-            abs(found.values[i] - state.values[i]) / problem.parameters[i].sigma for i in problem.movable
-        ) if problem.movable else 0.0  # fmt: skip
-        state = found
-        if moved < 1e-3:
+    steps, whole = Steps(problem, noise, state, acts), 0
+    for _ in range(MOST_STEPS):
+        before, linear = steps.state, Linear(problem, steps.state, noise, catalogue)
+        whole += steps.reach == 1.0
+        if not steps.take(linear, keys):
             break
-    return state
+        moved = max(
+            (abs(steps.state.values - before.values)[i] / problem.parameters[i].sigma for i in problem.movable),
+            default=0.0,
+        )
+        if whole == ITERATIONS or (steps.reach == 1.0 and moved < 1e-3):
+            break
+    return steps.state
 
 
 def _between(candidates: list[Shape], shape: Shape, width: float, kinds: bool) -> list[Shape]:

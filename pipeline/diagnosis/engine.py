@@ -9,6 +9,7 @@ import pandas as pd
 
 from pipeline.diagnosis import calibrate, candidates, chance, form, generic
 from pipeline.diagnosis.adopt import acts_from
+from pipeline.diagnosis.disguise import disguised, no_name
 from pipeline.diagnosis.drivers import Drivers, drivers_of
 from pipeline.diagnosis.judge import Judge, judge
 from pipeline.diagnosis.judged import NOTHING, judged
@@ -148,11 +149,12 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
                 break
     say("judging")
     found = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
-    sets = found.sets
+    dimensions = Linear(problem, base, white(1.0), {})
+    sets = [one for one in found.sets if not disguised(search.linear, one, dimensions)]
     best = at_work(search, sets[0]) if sets else base
-    while len(sets) > 1 and cancels(problem, best):  # a balance of two effects is none of what ties
-        sets = sets[1:]
-        best = at_work(search, sets[0])
+    while sets and (no_name(problem, best, dimensions) or (len(sets) > 1 and cancels(problem, best))):
+        sets = sets[1:]  # a balance of two effects is none of what ties
+        best = at_work(search, sets[0]) if sets else base
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
     random = {id_: shape for id_, shape in random.items() if id_ in still}
     return decide(problem, nominal, base, noise, best, replace(found, sets=sets), search, random)

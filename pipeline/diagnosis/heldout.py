@@ -15,7 +15,13 @@ from pipeline.kinematics import Array
 LAST = 0.3
 TARE_S = 1.0
 LEFT = 1.3  # times the noise, from which a regression without physics is asked what it would foretell
+WORSE = 1.02  # times the nominal error: less may be chance
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
+
+
+def worse_than_nominal(errors: dict[str, Any]) -> list[str]:
+    """Which of the calibrated and the explained simulator are worse than the nominal one on strokes that none saw."""
+    return [name for name in ("calibrated", "explained") if errors[name] > WORSE * errors["nominal"]]
 
 
 def first_held_out(problem: Problem) -> int | None:

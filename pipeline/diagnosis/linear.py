@@ -86,10 +86,13 @@ class Linear(Products):
         """Calibration's columns and those of some shapes."""
         return np.concatenate([self.calibration, *(self.index[key] for key in keys)]).astype(int)
 
-    def fit(self, columns: np.ndarray) -> Fit:
-        """Whitened joint fit of some columns."""
-        low, high = self.low[columns], self.high[columns]
-        solution, misfit = fitted(self.gram, self.moment, columns, low, high, self.begin[columns])
+    def fit(self, columns: np.ndarray, above: Array | None = None, below: Array | None = None) -> Fit:
+        """Whitened joint fit of some columns; `above` and `below` bound their coefficients further."""
+        low, high, begin = self.low[columns], self.high[columns], self.begin[columns]
+        if above is not None and below is not None:
+            low, high = np.maximum(low, above), np.minimum(high, below)
+            begin = np.clip(begin, low, high)
+        solution, misfit = fitted(self.gram, self.moment, columns, low, high, begin)
         active = int(np.sum((np.abs(solution) * self.scale[columns])[len(self.calibration) :] > 1.0))
         return Fit(columns, solution, self.square + misfit, np.nan, active)
 

@@ -10,6 +10,7 @@ from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.detectable import detectable
 from pipeline.diagnosis.engine import fine_floor
 from pipeline.diagnosis.evidence import evidence
+from pipeline.diagnosis.heldout import worse_than_nominal
 from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import physics
 from pipeline.diagnosis.intervals import intervals
@@ -127,6 +128,8 @@ def diagnosis(
         if heldout
         else None
     )
+    if heldout and (worse := worse_than_nominal(heldout)):
+        fit["worse_than_nominal"] = worse
     if not problem.system.free_zero:
         fit["relative_residual"] = relative(found)
     zeros = (

@@ -8,6 +8,7 @@ import pytest
 
 from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
+from pipeline.diagnosis.heldout import worse_than_nominal
 from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
@@ -1095,6 +1096,16 @@ def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_some
     whole = " ".join(told(made).split())
     assert said in whole and ("regression without physics" in whole) == bool(said)
     if without == 0.02:
-        assert (
-            "at 20 to 26 turns, in strokes 8 to 9, while winding, and it follows the direction of motion" in lines
-        )
+        assert "at 20 to 26 turns, in strokes 8 to 9, while winding, and it follows the direction of motion" in lines
+
+
+def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_first_line():
+    held = {"nominal": 0.31, "calibrated": 1.1, "explained": 0.2}
+    assert worse_than_nominal(held) == ["calibrated"]
+    assert worse_than_nominal(held | {"explained": 0.4}) == ["calibrated", "explained"]
+    assert worse_than_nominal(held | {"calibrated": 0.312}) == []
+    numbers = {f"fit__heldout__{name}_mm": value for name, value in held.items()}
+    first = told(content(**numbers, fit__worse_than_nominal=["calibrated"])).split("\n\n")[0].replace("\n  ", " ")
+    said = "simulator calibrated is worse than the nominal one (1.1 mm against 0.31 mm)."
+    assert first.startswith("nylon-3: ambiguous") and said in " ".join(first.split())
+    assert "worse than the nominal" not in told(content()).split("\n\n")[0]

@@ -63,7 +63,7 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
-    return f"{run}: {verdict}: {said.format(**fields)}"
+    return f"{run}: {verdict}: {said.format(**fields)}{unseen.worse(content, words)}"
 
 
 def how_sure(content: dict[str, Any]) -> str:

@@ -26,6 +26,18 @@ def errors(content: dict[str, Any], words: Vocabulary) -> tuple[float, float, fl
     return nominal, calibrated, explained
 
 
+def worse(content: dict[str, Any], words: Vocabulary) -> str:
+    """What must end the first line: that what was learnt is worse than the nominal simulator; else nothing."""
+    found = errors(content, words)
+    who = content["fit"].get("worse_than_nominal", [])
+    if found is None or not who:
+        return ""
+    nominal, error = found[0], found[2] if "explained" in who else found[1]
+    sizes = f"{size(error, words.unit)} against {size(nominal, words.unit)}"
+    with_what = "as diagnosed" if "explained" in who else "calibrated"
+    return f" But on the {sight.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
+
+
 def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
     found = errors(content, words)

@@ -1,0 +1,76 @@
+"""Recalibration in disguise: what is named must do something, inside the recording, that dimensions could not."""
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from pipeline.diagnosis import form
+from pipeline.diagnosis.interface import Term, physics
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.linear import Linear
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.search import Explanation
+from pipeline.kinematics import Array
+
+TAKEN_BACK = 110.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
+STRAIGHT = 1e-3  # of a signal: what a line may leave of it
+LINES = {"twist": 1, "radius": 0, "length": 0}  # degree in the motion that a dimension could have, by port
+
+
+def outside(problem: Problem, terms: list[Term]) -> bool:
+    """Whether the corner of a mechanism lies outside the recording: what is seen of it is a shift or a line.
+
+    Its first twist, say, is taken up below the lowest twist that was recorded.
+    """
+    return bool(terms) and all(_line(problem, term) for term in terms)
+
+
+def _line(problem: Problem, term: Term) -> bool:
+    """Whether a term is no more than a constant, or on the twist a straight line of it, in the rows that a fit sees."""
+    if callable(term.signal) or term.port not in LINES:
+        return False
+    rows = slice(0, problem.rows)
+    motion = problem.drivers.motion[rows]
+    signal = np.broadcast_to(term.signal, len(problem.drivers.motion))[rows]
+    left = signal - np.polyval(np.polyfit(motion - motion.mean(), signal, LINES[term.port]), motion - motion.mean())
+    return bool(np.sqrt(np.mean(left**2)) <= STRAIGHT * np.sqrt(np.mean(signal**2)))
+
+
+def only_calibration(effect: Array, dimensions: Linear) -> bool:
+    """Whether dimensions, each moved by no more than it may, take back all but a little of an effect.
+
+    `dimensions` is the simulator linearised with nothing acting in it.
+    """
+    own = dimensions.calibration
+    reach = np.maximum(dimensions.high[own] - dimensions.low[own], 1e-12)
+    columns = dimensions.table[own].T
+    moves = lsq_linear(columns, effect, (-reach, reach), method="bvls").x
+    left = effect - columns @ moves
+    return bool(np.sqrt(np.mean(effect**2)) > TAKEN_BACK * np.sqrt(np.mean(left**2)))
+
+
+def disguised(linear: Linear, one: Explanation, dimensions: Linear) -> bool:
+    """Whether a mechanism of an explanation is calibration in disguise, by the linearised simulator."""
+    at = len(linear.calibration)
+    effects: dict[str, Array] = {}
+    for key in one.keys:
+        columns, shape = linear.index[key], linear.catalogue[key[0]][key[1]]
+        if outside(linear.problem, linear.problem.terms(mechanisms()[key[0]], shape)):
+            return True
+        moved = one.fit.coefficients[at : at + len(columns)] @ linear.table[columns]
+        effects[key[0]] = effects.get(key[0], 0.0) + moved
+        at += len(columns)
+    return any(only_calibration(effect, dimensions) for effect in effects.values())
+
+
+def no_name(problem: Problem, state: State, dimensions: Linear) -> bool:
+    """Whether what acts in a simulator can be no explanation: no physics of any strength, or calibration in disguise.
+
+    A simulator in which nothing acts names nothing and is none.
+    """
+    acts = [act for act in state.acts if act not in problem.included]
+    at_work = tuple(act.id for act in acts if any(act.coefficients))
+    if physics(tuple(act.id for act in acts)) and not physics(at_work):
+        return True
+    if any(outside(problem, [term for term, value in problem.act_terms(act) if value]) for act in acts):
+        return True
+    return any(only_calibration(form.effect(problem, state, id_)[: problem.rows], dimensions) for id_ in at_work)

@@ -1,0 +1,39 @@
+"""Calibration takes no step that makes it worse, on a rig whose roots lead whole steps astray."""
+
+import numpy as np
+import pytest
+import tanks
+
+from pipeline.diagnosis import calibrate, step
+from pipeline.diagnosis.engine import make_problem
+from pipeline.diagnosis.noise import white
+from pipeline.diagnosis.outcome import rms
+
+
+def left(problem, state):
+    """What a simulator leaves, rms."""
+    return rms(problem.measured - problem.simulate(state))
+
+
+@pytest.mark.parametrize("seed", [2, 4, 5, 6])
+def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
+    """Whole steps leave .50, .02, .89 and .89 V; the third is more than the nominal simulator leaves."""
+    guess = np.exp(np.random.default_rng(seed).normal(0.0, 0.25, 6))
+    run, samples = tanks.recorded(guess, seed)
+    problem = make_problem([run], [samples])
+    base = calibrate.base(problem)
+    assert left(problem, base) < 1.1 * tanks.NOISE_V < left(problem, problem.nominal())
+    for one, value in zip(problem.parameters, base.values, strict=True):
+        assert abs(value - one.nominal) <= 3.0 * one.sigma * (1.0 + 1e-9), one.name
+
+
+def test_a_step_that_raises_the_misfit_is_made_shorter_and_one_that_cannot_be_is_not_made(monkeypatch):
+    guess = np.exp(np.random.default_rng(5).normal(0.0, 0.25, 6))
+    run, samples = tanks.recorded(guess, 5)
+    problem = make_problem([run], [samples])
+    noise = white(1.0)
+    good = calibrate.calibrate(problem, noise)
+    assert step.misfit_of(problem, noise, good) < step.misfit_of(problem, noise, problem.nominal())
+    own, real = problem.nominal().values, step.misfit_of
+    monkeypatch.setattr(step, "misfit_of", lambda *it: real(*it) if (it[2].values == own).all() else np.inf)
+    assert (calibrate.calibrate(problem, noise).values == own).all()

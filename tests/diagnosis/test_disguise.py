@@ -1,0 +1,73 @@
+"""No name for a corner outside the recording, for what dimensions do as well, or for a strength of nothing."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis import calibrate, disguise, engine
+from pipeline.diagnosis.interface import Term
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.linear import Linear
+from pipeline.diagnosis.noise import white
+from pipeline.diagnosis.problem import Act
+from pipeline.diagnosis.shapes import hinge
+from pipeline.ingest import read_samples
+
+SLACK = {"take_up_turns": 14.5, "stop": 0.0, "softness": 0.05}
+
+
+def never_below(problem, lowest):
+    """The problem, its motion shifted to where it never comes below `lowest`."""
+    drivers = problem.drivers
+    return replace(problem, drivers=replace(drivers, motion=drivers.motion - drivers.motion.min() + lowest), _terms={})
+
+
+@pytest.mark.parametrize(("lowest", "is_outside"), [(26.0, True), (0.0, False)])
+def test_slack_that_is_taken_up_below_the_lowest_twist_is_no_name(problem, lowest, is_outside):
+    moved = never_below(problem, lowest)
+    terms = moved.terms(mechanisms()["slack"], SLACK)
+    assert disguise.outside(moved, terms) == is_outside
+    state = replace(moved.nominal(), acts=(Act("slack", (SLACK,), (1.0,)),))
+    dimensions = Linear(moved, moved.nominal(), white(1.0), {})
+    assert disguise.no_name(moved, state, dimensions) == is_outside
+
+
+@pytest.mark.parametrize(("share", "is_outside"), [(-0.5, True), (0.5, False), (1.5, True)])
+@pytest.mark.parametrize("port", ["twist", "length"])
+def test_a_corner_of_ones_own_counts_inside_the_recording_alone(problem, port, share, is_outside):
+    motion = problem.drivers.motion
+    corner = motion.min() + share * np.ptp(motion)
+    signal = hinge(motion, corner, 1e-3) if port == "twist" else (motion > corner).astype(float)
+    assert disguise.outside(problem, [Term("own", port, signal)]) == is_outside
+
+
+def test_what_dimensions_do_as_well_is_no_name_and_what_they_may_not_is(problem):
+    dimensions = Linear(problem, problem.nominal(), white(1.0), {})
+    radius = dimensions.table[1] * dimensions.high[1]
+    bump = 0.02 * np.std(radius) * np.sin(3.0 * problem.drivers.time_s)
+    assert disguise.only_calibration(radius, dimensions)
+    assert not disguise.only_calibration(9.0 * radius, dimensions)  # further than it may move
+    assert not disguise.only_calibration(radius + bump, dimensions)
+
+
+def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch):
+    run, samples = read_samples(conceal("creep")[0])
+    refine = calibrate.refine
+    silent = {"now": False}
+
+    def to_nothing(problem, noise, state):
+        state = refine(problem, noise, state)
+        acts = tuple(replace(act, coefficients=(0.0,) * len(act.coefficients)) for act in state.acts)
+        return replace(state, acts=acts) if silent["now"] else state
+
+    def judged(*given):
+        silent["now"] = True
+        monkeypatch.setattr(calibrate, "calibrate", lambda problem, noise, state=None, acts=(): state)
+        return real(*given)
+
+    real = engine.judged
+    monkeypatch.setattr(engine, "judged", judged)
+    monkeypatch.setattr(calibrate, "refine", to_nothing)
+    found = engine.study(engine.make_problem([run], [samples]))
+    assert found.verdict == "unknown" and not found.best_ids and not found.sets
