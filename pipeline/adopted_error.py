@@ -52,7 +52,7 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     columns = {"before": {**plain, "simulation": before}, "now": {**plain, "simulation": content["simulation"]}}
     if content["parameters"] and is_of(content, run):
         columns[CALIBRATED] = content
-    errors = [off(problem, tared(problem, one, path, run)) for one in columns.values()]
+    errors = [off(problem.measured, tared(problem, one, path, run)) for one in columns.values()]
     rows = [["error on this recording, rms of single samples", *columns]]
     if problem.system.free_zero:
         rows.append(["zero set in the first second, as pipeline.simulate does"])

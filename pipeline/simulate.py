@@ -14,7 +14,7 @@ from pipeline.complaint import key_name, short
 from pipeline.diagnosis.adopt import acts_from, is_number
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.record import wild
+from pipeline.diagnosis.record import averaged, despiked, means, wild
 from pipeline.diagnosis.words.quantity import listing, size
 from pipeline.errors import BadInput, program
 from pipeline.ingest import read_samples
@@ -103,21 +103,27 @@ def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Ar
     )
 
 
-def off(problem: Problem, predicted: Array) -> tuple[float, float]:
+def off(measured: Array, predicted: Array) -> tuple[float, float]:
     """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and about its median.
 
     The median is the zero that a verdict gives the nominal simulator.
     """
-    residual = problem.measured - predicted
+    residual = measured - predicted
     residual = residual[~wild(residual)[0]]
     found = (float(np.sqrt(np.mean(np.square(residual - zero)))) for zero in (0.0, np.median(residual)))
     return next(found), next(found)
 
 
-def at_rows(time_s: Array, working_s: Array, predicted: Array) -> Array:
-    """A prediction at the working rate, at the recording's own stamps; the first and last mean lie as far inside."""
-    inside = (np.ptp(time_s) - np.ptp(working_s)) / 2.0
-    return np.interp(time_s - time_s[0], working_s - working_s[0] + inside, predicted)
+def compared(run: Run, problem: Problem, predicted: Array) -> tuple[Array, Array]:
+    """Measured and predicted as a diagnosis compares them: where derivatives are followed, in means at a working rate.
+
+    What is predicted is predicted at the recording's own rate: between means, a jump of a force would be a ramp.
+    """
+    time_s = problem.record.time_s
+    width = averaged(run.system, pd.DataFrame({"time_s": time_s})) if run.system.differentiates else 1
+    if width == 1:
+        return problem.measured, predicted
+    return means(time_s, despiked(problem.measured), width), means(time_s, predicted, width)
 
 
 @program
@@ -136,16 +142,14 @@ def main() -> None:
     file_to_write(arguments.out, reads=[source])
     run, samples = read_samples(arguments.run_dir)
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
-    problem = at_own_rate([run], [samples], thin=run.system.differentiates)
+    problem = at_own_rate([run], [samples], thin=False)
     predicted = tared(problem, content, source, run.run)
-    error, _ = off(problem, predicted)
+    error, _ = off(*compared(run, problem, predicted))
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(
             f"warning: {source} counts time from the start of {key_name(content['run'][0])}",
             file=sys.stderr,
         )
-    if run.system.differentiates:  # compared, and so simulated, at the working rate
-        predicted = at_rows(samples["time_s"].to_numpy(), problem.record.time_s, predicted)
     table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})
     schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"

@@ -74,6 +74,12 @@ def _bins(time_s: Array, width: int) -> NDArray[np.intp]:
     )[1]
 
 
+def means(time_s: Array, signal: Array, width: int) -> Array:
+    """Means of a signal over `width` samples, as a record takes them."""
+    bins = _bins(time_s, width) if width > 1 else np.arange(len(time_s))
+    return np.asarray(np.bincount(bins, weights=signal) / np.bincount(bins))
+
+
 def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -> Record:
     """The record of one run, averaged over `width` samples; strokes are numbered on from `stroke0`."""
     system = run.system
