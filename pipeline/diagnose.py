@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.alone import each_alone
-from pipeline.diagnosis import engine, figures, heldout, library, outcome, verdict
+from pipeline.diagnosis import engine, faint, figures, heldout, library, verdict
 from pipeline.diagnosis.adopt import adoptions, block
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.words.text import verdict_text
@@ -65,7 +65,7 @@ def diagnose(
     say("held out")  # first: a study is large, and this one is let go before the other begins
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
     found = engine.study(problem, say)
-    outcome.refuse_faint(found, folders[0])
+    faint.refuse_faint(found, folders[0])
     found = engine.polished(found, fine)
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))

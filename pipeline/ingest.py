@@ -20,6 +20,7 @@ from pipeline.strokes import segment
 from pipeline.wild_samples import without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
+SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
 LEAST_SAMPLES = 20
 LONGEST_GAP_S = 7 * 86_400.0
 
@@ -50,8 +51,8 @@ def check_finite(samples: pd.DataFrame, path: Path) -> None:
             raise BadInput(path, name, problem, mend)
 
 
-def check_clock(samples: pd.DataFrame, path: Path) -> None:
-    """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig has."""
+def check_clock(samples: pd.DataFrame, path: Path, slowest_s: float = STEP_S[1]) -> None:
+    """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig of this kind has."""
     with np.errstate(over="ignore"):
         step_s = np.diff(samples["time_s"])
     if (step_s <= 0).any():
@@ -67,8 +68,8 @@ def check_clock(samples: pd.DataFrame, path: Path) -> None:
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
         raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
     median_s = float(np.median(step_s))
-    if not STEP_S[0] <= median_s <= STEP_S[1]:
-        mend = "set channels.time_s.unit (s, ms or us), or record at 10 Hz to 10 kHz"
+    if not STEP_S[0] <= median_s <= slowest_s:
+        mend = f"set channels.time_s.unit (s, ms or us), or record a sample every {STEP_S[0]:g} to {slowest_s:g} s"
         raise BadInput(path, "time_s", f"a sample every {median_s:g} s is no rate of a rig", mend)
 
 
@@ -81,7 +82,7 @@ def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
     samples, said = without_wild(run, samples, path)
     for sentence in said:
         print(f"warning: {sentence}", file=sys.stderr)
-    check_clock(samples, path)
+    check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S)
     if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:

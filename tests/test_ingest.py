@@ -3,6 +3,7 @@ import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -11,7 +12,7 @@ from made_recording import recording
 
 from pipeline import schemas
 from pipeline.errors import BadInput
-from pipeline.ingest import questions, read_samples
+from pipeline.ingest import SLOWEST_S, check_clock, questions, read_samples
 
 GOOD = recording()
 
@@ -402,3 +403,12 @@ def test_a_column_whose_name_carries_its_unit_is_read_in_it(make_run, capsys, cl
     samples["time_min"] = samples["t_us" if clock == "time_ms" else "time_ms"] = 1.0
     with pytest.raises(BadInput, match="there is no column 'time_s'"):
         read_samples(make_run("a-02", samples))
+
+
+def test_a_slow_rig_that_is_no_string_may_have_a_sample_every_few_seconds():
+    slow = pd.DataFrame({"time_s": 4.0 * np.arange(50)})
+    check_clock(slow, Path("tanks"), SLOWEST_S)
+    with pytest.raises(BadInput, match=r"a sample every 4 s is no rate of a rig.*every 5e-05 to 0.2 s"):
+        check_clock(slow, Path("string"))
+    with pytest.raises(BadInput, match="no rate of a rig"):
+        check_clock(slow.assign(time_s=4000.0 * np.arange(50)), Path("tanks"), SLOWEST_S)

@@ -51,9 +51,12 @@ def make_problem(
     working = WORKING_SAMPLES if system.levered else DRIVES_SAMPLES
     record = joined(runs, tables, most or working, thin)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
-    if len(record) < LEAST_SAMPLES or worked < LEAST_STROKES:
-        problem = f"{len(record)} samples with {worked} stroke{'s' if worked != 1 else ''} decide nothing"
-        raise BadInput(where, "recording", problem, "record at least three strokes, with a pause, at 10 Hz or more")
+    mend = "record at least three strokes, with a pause between them"
+    if worked < LEAST_STROKES:
+        said = f"holds {worked} stroke{'s' * (worked != 1)}: what comes with time cannot be told from what comes with "
+        raise BadInput(where, "recording", f"{said}the motion", mend)
+    if len(record) < LEAST_SAMPLES:
+        raise BadInput(where, "recording", f"holds {len(record)} samples, of which {LEAST_SAMPLES} are needed", mend)
     drivers = drivers_of(system, record, runs[0])
     homes = homes_of(system, runs)
     parameters = (*system.parameters(runs[0]), *homes)

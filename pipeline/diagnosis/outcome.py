@@ -1,7 +1,6 @@
 """What a study found, and the verdict on it."""
 
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 
@@ -13,15 +12,12 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, Explanation, Search
-from pipeline.diagnosis.words.quantity import size
-from pipeline.errors import BadInput
 
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
 HELPED = 0.7  # of the mismatch (half of its energy) that makes a helper the explanation
 CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
-LEAST_MOTION = 20.0  # noise floors that the simulated channel must move: less shows no physics
 
 
 @dataclass(frozen=True)
@@ -141,16 +137,3 @@ def helped(problem: Problem, state: State, mismatch: float) -> bool:
     helpers = [act.id for act in state.acts if act not in problem.included and mechanisms()[act.id].helper]
     sizes = [float(np.std(form.effect(problem, state, id_)[: problem.rows])) for id_ in helpers]
     return max(sizes, default=0.0) > HELPED * mismatch
-
-
-def refuse_faint(found: Study, folder: Path) -> None:
-    """Raise BadInput where the motion hardly leaves the noise, so that any verdict would be a guess."""
-    problem, floor = found.problem, found.floor
-    moved = float(np.ptp(problem.simulate(found.nominal)[: problem.rows]))
-    if moved < LEAST_MOTION * floor:
-        unit = problem.drivers.units.reading
-        gap = f"should move by {size(moved, unit)} and has a noise of {size(floor, unit)}: nothing can be told from it"
-        mend = "record strokes over more turns, or with a finer sensor"
-        if problem.system.differentiates:
-            mend += "; or set a lower working_hz in its system"
-        raise BadInput(folder, problem.system.channel, gap, mend)

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 from pydantic import Field, field_validator
 
-from pipeline.diagnosis import calibrate, engine, library, order, outcome
+from pipeline.diagnosis import calibrate, engine, faint, library, order, outcome
 from pipeline.diagnosis.problem import State
 from pipeline.diagnosis.search import LARGEST, TRIED, apart
 from pipeline.errors import BadInput
@@ -121,7 +121,7 @@ def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
     run, samples = run_of(known), known[SAMPLES]
     try:
         found = engine.study(holed(run, samples, without))
-        outcome.refuse_faint(found, Path(run.run))
+        faint.refuse_faint(found, Path(run.run))
     except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
         base = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
         alone = (base.values.tolist(), float(base.zeros[0]))

@@ -15,9 +15,9 @@ def left(problem, state):
     return rms(problem.measured - problem.simulate(state))
 
 
-@pytest.mark.parametrize("seed", [2, 4, 5, 6])
+@pytest.mark.parametrize("seed", [2, 5, 6])
 def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
-    """Whole steps leave .50, .02, .89 and .89 V; the third is more than the nominal simulator leaves."""
+    """Whole steps leave .50, .89 and .89 V; the second is more than the nominal simulator leaves."""
     guess = np.exp(np.random.default_rng(seed).normal(0.0, 0.25, 6))
     run, samples = tanks.recorded(guess, seed)
     problem = make_problem([run], [samples])

@@ -194,7 +194,7 @@ def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, tmp_pa
     assert done.returncode == 2 and "simulation[0].id" in done.stderr
     assert "short: recording" in done.stderr and "record at least three strokes" in done.stderr
     assert "faint: displacement_mm" in done.stderr and "finer sensor" in done.stderr
-    assert re.search(r"should move by [0-9.]+ mm and has a noise of [0-9.]+ mm: nothing", done.stderr)
+    assert re.search(r"moves by [0-9.]+ mm and has a noise of [0-9.]+ mm: nothing", done.stderr)
     assert [path.name for path in (tmp_path / "out").iterdir()] == [good.name]
     done = command("pipeline.diagnose", short, "--out", tmp_path / "noted", "--note-refusals")
     assert done.returncode == 0 and [path.name for path in (tmp_path / "noted" / "short").iterdir()] == ["verdict.txt"]

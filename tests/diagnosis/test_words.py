@@ -13,7 +13,7 @@ from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.words import advice, effects, experiment, level, quantity, seen
+from pipeline.diagnosis.words import advice, certainty, effects, experiment, level, quantity, seen
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -159,7 +159,7 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     text = told(made)
     pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
     assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
-    assert "Hardly worth making: make it only if you need to know which is at work: creep or thermal; otherwise" in text
+    assert "Hardly worth making: you can skip it." in text
     assert "with the run it should be 4, and no other run" in text and "Noise alone can make that, so it does" in text
     made["next_run"]["parts"][0].append("wear")
     assert "at work: creep and wear, or thermal; otherwise report the best explanation as one of 5." in told(made)
@@ -803,7 +803,7 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
     assert "Here the best one alone has 99 %," in text and "That none" not in text
-    assert "creep: probability 0 (it lacks a third effect, which takes away much more); leaves" in text
+    assert "creep: probability 0 (with one more effect it is an explanation that leaves less); leaves" in text
 
 
 def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_none():
@@ -1109,3 +1109,14 @@ def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_fir
     said = "simulator calibrated is worse than the nominal one (1.1 mm against 0.31 mm)."
     assert first.startswith("nylon-3: ambiguous") and said in " ".join(first.split())
     assert "worse than the nominal" not in told(content()).split("\n\n")[0]
+
+
+@pytest.mark.parametrize(
+    ("loaded", "named", "said"), [(False, "creep", True), (True, "creep", False), (False, "jam", False)]
+)
+def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, named, said):
+    made = {"mechanisms": [{"id": "slack"}, {"id": named}], "evidence": {"loaded": loaded}}
+    lines = certainty.alike(made)
+    assert len(lines) == said
+    if said:
+        assert "creep may hide plastic_elongation, sensor_drift and wear, or stand in for them" in lines[0]

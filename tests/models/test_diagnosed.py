@@ -103,7 +103,7 @@ def test_too_few_points_for_a_diagnosis_are_calibrated_and_hardly_any_are_nomina
     np.testing.assert_array_equal(model.forward(points), Traditional().forward(points))
     model.fit(points.iloc[:40], 0)
     (simulator,) = model.simulators.values()
-    assert "decide nothing" in simulator.verdict and not simulator.acts
+    assert "cannot be told from what comes with the motion" in simulator.verdict and not simulator.acts
     seen = points.iloc[:40]
     error, nominal = (rmse(one.forward(seen) - seen["displacement_mm"]) for one in (model, Traditional()))
     assert error < 0.5 * nominal and np.isfinite(model.inverse(points)).all()

@@ -46,6 +46,14 @@ def test_tanks_that_overflow_are_told_from_tanks_that_do_not(tmp_path, diagnosed
     assert held_out(better)[1] < 0.2 * held_out(content)[1]
 
 
+def test_tanks_with_a_sample_every_four_seconds_are_diagnosed_like_faster_ones(tmp_path, diagnosed):
+    file = tmp_path / "dataBenchmark.csv"
+    benches.tanks(2, rim_cm=20.0).to_csv(file, index=False)  # told of as if it had run forty times as slowly
+    rig = {name: value / 40.0 for name, value in SMALL_TANKS["rig"].items()}
+    content = diagnosed(file, "cascaded_tanks", channels={"time_s": {"step_s": 4.0}}, rig=rig)
+    assert set(own(content)) == {"x_overflow"}
+
+
 SLOW_CIRCUIT = {  # a resonance at 30 Hz in place of the Silverbox's
     "file": {"rows": [0, 4000]},
     "rig": {"inertia_s2": 2.9e-5, "damping_s": 6.0e-4},

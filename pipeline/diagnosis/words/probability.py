@@ -24,7 +24,7 @@ def said(one: dict[str, Any]) -> str:
     if share is None:
         return ""
     if share == 0.0:
-        return "probability 0 (it lacks a third effect, which takes away much more)"
+        return "probability 0 (with one more effect it is an explanation that leaves less)"
     return f"probability {percent(share)}"
 
 

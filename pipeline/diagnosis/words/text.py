@@ -53,7 +53,16 @@ def verdict_text(
     words = Vocabulary.of(system)
     sections = [
         (headline(content, words), certainty.summary(content)),
-        (DOUBTS, [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *suspicious(content)]),
+        (
+            DOUBTS,
+            [
+                *doubts,
+                *adoption.cautions(content),
+                *unseen.cautions(content, words),
+                *certainty.alike(content),
+                *suspicious(content),
+            ],
+        ),
         (advice.HEADING, advice.lines(content, words, folders)),
         ("What is missing", missing(content, words)),
         (

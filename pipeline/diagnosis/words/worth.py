@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from pipeline.diagnosis.adopt import NO_USE
 from pipeline.diagnosis.words import probability, rivals, unseen
 from pipeline.diagnosis.words.quantity import listing, number, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -24,8 +25,8 @@ def purpose(content: dict[str, Any], words: Vocabulary) -> str:
     run = content["next_run"]
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
-    worth = "Worth making" if decides(run) else "Hardly worth making: make it only"
-    value = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}.{aside(content)}"
+    asked = f"Worth making if you need to know {question(content)}; otherwise {otherwise(content, words)}."
+    value = f"{asked if decides(run) else f'{NO_USE}: you can skip it.'}{aside(content)}"
     one, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""

@@ -1,0 +1,47 @@
+"""Recordings that hardly leave their noise, and so decide nothing: refused, with the size of both."""
+
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.diagnosis.flexible import foretold
+from pipeline.diagnosis.heldout import first_held_out
+from pipeline.diagnosis.outcome import Study, rms
+from pipeline.diagnosis.problem import Problem, State
+from pipeline.diagnosis.words.quantity import size
+from pipeline.errors import BadInput
+
+LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no physics
+
+
+def refuse_faint(found: Study, folder: Path) -> None:
+    """Raise BadInput where the reading hardly leaves the noise, so that any verdict would be a guess.
+
+    What was measured to move counts, or what should have moved where that is more. What a regression without physics
+    foretells of strokes that it has not seen is no noise, even if no mechanism explains it.
+    """
+    problem, floor = found.problem, found.floor
+    measured = float(np.subtract(*np.percentile(problem.measured[: problem.rows], [99.5, 0.5])))
+    moved = max(measured, float(np.ptp(problem.simulate(found.nominal)[: problem.rows])))
+    if moved < LEAST_MOTION * floor:
+        floor = min(floor, unforeseen(problem, found.base))
+    if moved < LEAST_MOTION * floor:
+        unit = problem.drivers.units.reading
+        gap = f"moves by {size(moved, unit)} and has a noise of {size(floor, unit)}: nothing can be told from it"
+        mend = "record strokes over more turns, or with a finer sensor"
+        if problem.system.differentiates:
+            mend += "; or set a lower working_hz in its system"
+        raise BadInput(folder, problem.system.channel, gap, mend)
+
+
+def unforeseen(problem: Problem, state: State) -> float:
+    """What a state, with a regression that saw the earlier strokes alone, leaves of the later ones, rms.
+
+    It is infinite where there are too few strokes to hold any out.
+    """
+    row = first_held_out(problem)
+    if row is None:
+        return float("inf")
+    unseen = np.arange(len(problem.record)) >= row
+    left = problem.measured - problem.simulate(state)
+    return rms((left - foretold(problem, problem, state, unseen).added)[unseen])
