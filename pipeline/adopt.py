@@ -14,7 +14,7 @@ from pipeline.diagnosis.adopt import adoptions, checked
 from pipeline.diagnosis.engine import at_own_rate
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.rivals import called
-from pipeline.diagnosis.words.text import wrapped
+from pipeline.diagnosis.words.sections import wrapped
 from pipeline.errors import program
 from pipeline.files import whole
 from pipeline.ingest import read_samples

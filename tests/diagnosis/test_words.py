@@ -161,6 +161,7 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
     assert "Hardly worth making: you can skip it." in text
     assert "with the run it should be 4, and no other run" in text and "Noise alone can make that, so it does" in text
+    made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
     made["next_run"]["parts"][0].append("wear")
     assert "at work: creep and wear, or thermal; otherwise report the best explanation as one of 5." in told(made)
     assert "The best explanation is neither of the two: it differs from both by at least as much." in told(made)

@@ -1,6 +1,5 @@
 """The content of `diagnosis.json` → `verdict.txt`: what is missing, what explains it, what next."""
 
-import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -28,14 +27,13 @@ from pipeline.diagnosis.words.dimensions import corrected, each_moved, remeasure
 from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
 from pipeline.diagnosis.words.places import EVERYWHERE, place
 from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
+from pipeline.diagnosis.words.sections import section
 from pipeline.diagnosis.words.spoken import whole
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.systems import System
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
-PROGRAM = "  python -m pipeline."
-WIDE = 112
 CHOSEN = (
     "diagnosis.json has the intervals of the other numbers. Those with `low` equal to `high` have none: they were "
     "chosen from a few values that were tried."
@@ -84,22 +82,6 @@ def verdict_text(
     ]
     text = "\n\n".join(section(head, lines) for head, lines in sections if lines or head is sections[0][0])
     return f"{text}\n\n{section(WORDS, explained_words.lines(content, text, words))}"
-
-
-def section(head: str, lines: list[str]) -> str:
-    """A heading with its lines, wrapped."""
-    return "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
-
-
-def wrapped(line: str, indent: str) -> list[str]:
-    """A line within the width of a page, indented; a command stays whole."""
-    if line.startswith(PROGRAM):
-        return [f"{indent}{line}"]
-    own = indent + " " * (len(line) - len(line.lstrip()))
-    return textwrap.wrap(
-        line.lstrip(), WIDE, initial_indent=own, subsequent_indent=f"{own}  ", break_long_words=False,
-        break_on_hyphens=False,
-    )  # fmt: skip
 
 
 def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
