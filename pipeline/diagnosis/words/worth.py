@@ -26,11 +26,11 @@ def purpose(content: dict[str, Any], words: Vocabulary) -> str:
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     asked = f"Worth making if you need to know {question(content)}; otherwise {otherwise(content, words)}."
-    value = f"{asked if decides(run) else f'{NO_USE}: you can skip it.'}{aside(content)}"
+    value = asked if decides(run) else f"{NO_USE}: you can skip it."
     one, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
-    return f"{value} It is to tell {one} from {other}{closest}. {gaps(run)}"
+    return f"{value} It is to tell {one} from {other}{closest}.{aside(content)} {gaps(run)}"
 
 
 def gaps(run: dict[str, Any]) -> str:
