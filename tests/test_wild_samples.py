@@ -17,7 +17,12 @@ from pipeline.wild_samples import without_wild
 ROOT = Path(__file__).parent.parent
 BLIND = sorted((ROOT / "tests" / "data" / "blind").rglob("recording.parquet"))
 FOREIGN = ROOT.parent / "shared" / "recordings"
-MAPPINGS = [path for path in sorted((ROOT / "pipeline" / "mappings").glob("*.yaml")) if path.stem != "emps_pulses"]
+KINDS = {"tsa": "tsa_haptic/*.csv.gz", "davinci": "davinci_tool/*.gz", "emps": "emps/*.mat"}  # that were downloaded
+MAPPINGS = [
+    path
+    for path in sorted((ROOT / "pipeline" / "mappings").glob("*.yaml"))
+    if path.stem.split("_")[0] in KINDS and path.stem != "emps_pulses"
+]
 GOOD = recording()
 
 
@@ -92,8 +97,7 @@ def test_noise_about_no_load_is_no_range(make_run):
 @pytest.mark.skipif(not FOREIGN.is_dir(), reason="the downloaded recordings are not here")
 @pytest.mark.parametrize("mapping", MAPPINGS, ids=lambda path: path.stem)
 def test_no_downloaded_recording_loses_a_sample(tmp_path, mapping):
-    kinds = {"tsa": "tsa_haptic/*.csv.gz", "davinci": "davinci_tool/*.gz", "emps": "emps/*.mat"}
-    for number, file in enumerate(sorted(FOREIGN.glob(kinds[mapping.stem.split("_")[0]]))):
+    for number, file in enumerate(sorted(FOREIGN.glob(KINDS[mapping.stem.split("_")[0]]))):
         import_run(file, mapping, f"a-{number}", tmp_path)
         run, samples = read_samples(tmp_path / f"a-{number}")
         assert without_wild(run, samples, file) == (samples, [])

@@ -1120,4 +1120,4 @@ def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, na
     lines = certainty.alike(made)
     assert len(lines) == said
     if said:
-        assert "creep may hide plastic_elongation, sensor_drift and wear, or stand in for them" in lines[0]
+        assert "creep may hide plastic_elongation, sensor_drift, stiffening and wear, or stand in for" in lines[0]

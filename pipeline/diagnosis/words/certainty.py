@@ -2,19 +2,22 @@
 
 from typing import Any
 
+from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.words import probability
 from pipeline.diagnosis.words.quantity import listing, percent
 
 SURE, PROBABLE = 0.8, 0.5
-SLOW = ("creep", "plastic_elongation", "sensor_drift", "wear")  # what goes on over a whole recording
+# drivers that go on over a whole recording
+SLOW = ("time under load", "absolute time", "worked strokes", "load x worked strokes", "travel")
 
 
 def alike(content: dict[str, Any]) -> list[str]:
     """That slow effects are hard to tell apart in a recording under one load, where one of them is named."""
-    there = [entry["id"] for entry in content["mechanisms"] if entry["id"] in SLOW]
+    slow = [id_ for id_, mechanism in mechanisms().items() if mechanism.driver in SLOW]
+    there = [entry["id"] for entry in content["mechanisms"] if entry["id"] in slow]
     if content["evidence"]["loaded"] or not there:
         return []
-    others = listing([id_ for id_ in SLOW if id_ not in there])
+    others = listing([id_ for id_ in slow if id_ not in there])
     return [f"Under one load slow effects look much alike: {listing(there)} may hide {others}, or stand in for them."]
 
 
