@@ -11,7 +11,7 @@ from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import Explanation
 from pipeline.kinematics import Array
 
-TAKEN_BACK = 110.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
+TAKEN_BACK = 1000.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
 STRAIGHT = 1e-3  # of a signal: what a line may leave of it
 LINES = {"twist": 1, "radius": 0, "length": 0}  # degree in the motion that a dimension could have, by port
 

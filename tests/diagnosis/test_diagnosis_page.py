@@ -65,7 +65,7 @@ def test_where_nothing_is_named_nothing_is_drawn_twice_and_no_legend_names_what_
         )
         assert panels.AFTER not in [line.get_color() for line in lines]
     assert [axes.get_title() for axes in maps.axes if axes.images] == [
-        f"mismatch, {name} (own scale)" for name in names
+        f"recording − simulation, {name} (own scale)" for name in names
     ]
     assert [text.get_text() for text in bottom.legends[0].get_texts()][:2] == names
     _, axes = plt.subplots()
