@@ -67,7 +67,6 @@ TERMS: dict[str, dict[str, str]] = {
         "x_clock": "the clocks of motor and displacement part; a stand-in, no physics of the library.",
         "x_cubic_spring": "the force of a spring grows with the cube of how far it is moved; on rigs without a string.",
         "x_overflow": "what rises past a rim runs over and is lost; on rigs without a string.",
-        "x_stribeck": "friction is larger at low speed than at high speed; on rigs without a string.",
         "x_swelling": "the radius changes with time, at rest too (damp air); a stand-in, no physics of the library.",
         "x_wave": "a steady oscillation in time, whatever the rig does; a stand-in, no physics of the library.",
     },

@@ -82,13 +82,8 @@ def servo(seed: int, rubs_nm: float = 0.0, seconds: float = 24.0) -> dict:
     return {"mass": 0.49, "length": 0.2, "kp": 32, "vin": 15.0, "entries": entries}
 
 
-def axis(
-    seed: int, coulomb_nm: float = 0.0, viscous_nm_s: float = 0.0, breakaway_nm: float = 0.0, seconds: float = 20.0
-) -> pd.DataFrame:
-    """Time, angle and torque of an upright axis on a finite Fourier path, as identification rides it.
-
-    `breakaway_nm` is what friction has more at the start than at speed; it fades as a bell of the speed.
-    """
+def axis(seed: int, coulomb_nm: float = 0.0, viscous_nm_s: float = 0.0, seconds: float = 20.0) -> pd.DataFrame:
+    """Time, angle and torque of an upright axis on a finite Fourier path, as identification rides it."""
     random = np.random.default_rng(seed)
     clock = np.arange(0.0, seconds, 0.004)
     place, pace, push = np.zeros(len(clock)), np.zeros(len(clock)), np.zeros(len(clock))
@@ -98,8 +93,7 @@ def axis(
         place += size * np.sin(turn * clock + start)
         pace += size * turn * np.cos(turn * clock + start)
         push -= size * turn * turn * np.sin(turn * clock + start)
-    gripped = coulomb_nm + breakaway_nm * np.exp(-((pace / 0.06) ** 2))
-    torque = 31.5 * push + gripped * np.clip(pace / 0.004, -1.0, 1.0) + viscous_nm_s * pace
+    torque = 31.5 * push + coulomb_nm * np.clip(pace / 0.004, -1.0, 1.0) + viscous_nm_s * pace
     torque += 0.8 * random.standard_normal(len(clock))
     place = np.round(place / 2e-6) * 2e-6
     return pd.DataFrame({"t": clock.round(4), "q1": place, "tau1": torque.round(3)})

@@ -107,17 +107,6 @@ def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, 
     assert held_out(content)[2] < 0.1 * held_out(content)[1]
 
 
-def test_an_axis_that_grips_harder_at_low_speed_has_that_named_beside_its_friction(tmp_path, diagnosed):
-    file = tmp_path / "axis.csv"
-    benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0, breakaway_nm=10.0).to_csv(file, index=False)
-    content = diagnosed(file, "robot_axis")
-    assert content["verdict"] in ("explained", "ambiguous")
-    found = named(content)
-    assert set(found) == {"friction_hysteresis", "viscous_loss", "x_stribeck"}
-    assert found["x_stribeck"]["parameters"]["extra_nm"]["value"] == pytest.approx(10.0, rel=0.25)
-    assert held_out(content)[2] < 0.1 * held_out(content)[1]
-
-
 def test_a_tendon_that_grips_its_sheath_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "tendon.csv"
     benches.sheath(1).to_csv(file, index=False)
