@@ -13,6 +13,7 @@ from pipeline import schemas
 from pipeline.complaint import key_name, short
 from pipeline.diagnosis.adopt import acts_from, is_number
 from pipeline.diagnosis.engine import at_own_rate
+from pipeline.diagnosis.outcome import rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import averaged, despiked, means, wild
 from pipeline.diagnosis.words.quantity import listing, size
@@ -110,8 +111,7 @@ def off(measured: Array, predicted: Array) -> tuple[float, float]:
     """
     residual = measured - predicted
     residual = residual[~wild(residual)[0]]
-    found = (float(np.sqrt(np.mean(np.square(residual - zero)))) for zero in (0.0, np.median(residual)))
-    return next(found), next(found)
+    return rms(residual), rms(residual - np.median(residual))
 
 
 def compared(run: Run, problem: Problem, predicted: Array) -> tuple[Array, Array]:

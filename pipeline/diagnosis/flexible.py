@@ -41,14 +41,13 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
 
     `fine` is the recording at its own rate, `unseen` the rows of `problem` that no fit saw.
     """
-    from sklearn.ensemble import HistGradientBoostingRegressor  # of seconds, and only where something is left
+    from pipeline.regression import boosted_trees  # seconds to import, and asked only where something is left
 
-    left = problem.measured - problem.simulate(state)
-    model = HistGradientBoostingRegressor(max_iter=300, learning_rate=0.05, early_stopping=False, random_state=SEED)
-    model.fit(signals(problem.drivers)[~unseen], left[~unseen])
-    added = model.predict(signals(problem.drivers))
+    left, told = problem.measured - problem.simulate(state), signals(problem.drivers)
+    predict = boosted_trees(told[~unseen], left[~unseen], SEED)
+    added = predict(told)
     return Foretold(
-        model.predict(signals(fine.drivers)),
+        added if fine is problem else predict(signals(fine.drivers)),
         locate.box(np.where(unseen, added - added[unseen].mean(), 0.0), problem),
         follows(problem.drivers, added),
     )

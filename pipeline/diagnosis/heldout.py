@@ -10,12 +10,12 @@ from pipeline.diagnosis.flexible import foretold
 from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
+from pipeline.diagnosis.words.unseen import WORSE
 from pipeline.kinematics import Array
 
 LAST = 0.3
 TARE_S = 1.0
 LEFT = 1.3  # times the noise, from which a regression without physics is asked what it would foretell
-WORSE = 1.02  # times the nominal error: less may be chance
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 
 
@@ -70,9 +70,9 @@ def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, St
     if errors["explained"] > LEFT * min(fine_floor(fine, found), quick(fine, found.state, unseen)):
         later = problem.record.time_s >= problem.record.time_s[row]
         states = [found.base] if found.state is found.base else [found.base, found.state]
-        tried = [(state, foretold(problem, fine, state, later)) for state in states]
-        sizes = [error(state, without.added) for state, without in tried]
-        without = tried[int(np.argmin(sizes))][1]
+        tried = [foretold(problem, fine, state, later) for state in states]
+        sizes = [error(state, without.added) for state, without in zip(states, tried, strict=True)]
+        without = tried[int(np.argmin(sizes))]
         errors["without_physics"] = min(sizes)
         errors["left"] = {"location": without.location, "driver": without.driver}
     return errors, found

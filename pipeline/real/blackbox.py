@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from sklearn.ensemble import HistGradientBoostingRegressor
 from sklearn.exceptions import ConvergenceWarning
 from sklearn.neural_network import MLPRegressor
 
@@ -19,7 +18,7 @@ from pipeline.files import write_text
 from pipeline.ingest import read_samples
 from pipeline.real.bring import usable
 from pipeline.real.features import Array, averaged, features, span_of
-from pipeline.regression import evenly, gaussian_process
+from pipeline.regression import boosted_trees, evenly, gaussian_process
 from pipeline.run_yaml import Run
 from pipeline.strokes import label
 
@@ -27,11 +26,6 @@ LAST, LEAST_TRAINING = 0.3, 0.4  # of the strokes, of the samples: the diagnosis
 POINTS, TUNED_ON, NETWORK_POINTS = 1000, 300, 5000
 SEEDS = (0, 1, 2)
 Predict = Callable[[Array], Array]
-
-
-def _trees(table: Array, values: Array, seed: int) -> Predict:
-    model = HistGradientBoostingRegressor(max_iter=300, learning_rate=0.05, early_stopping=False, random_state=seed)
-    return model.fit(table, values).predict
 
 
 def _process(table: Array, values: Array, seed: int) -> Predict:
@@ -49,7 +43,7 @@ def _network(table: Array, values: Array, seed: int) -> Predict:
 
 
 METHODS: dict[str, tuple[Callable[[Array, Array, int], Predict], tuple[int, ...]]] = {
-    "gradient_boosting": (_trees, SEEDS[:1]),
+    "gradient_boosting": (boosted_trees, SEEDS[:1]),
     "gaussian_process": (_process, SEEDS[:1]),
     "mlp": (_network, SEEDS),
 }

@@ -9,6 +9,20 @@ from scipy.io import savemat
 NOTHING = ("consistent", "parameters")
 
 
+def written(samples, file):
+    """The file with a recording in it."""
+    samples.to_csv(file, index=False)
+    return file
+
+
+def one_name(content, id_):
+    """Parameters of the one mechanism that a verdict names."""
+    assert content["verdict"] in ("explained", "ambiguous")
+    (only,) = content["mechanisms"]
+    assert only["id"] == id_
+    return only["parameters"]
+
+
 def named(content):
     """What a verdict names, by id."""
     return {one["id"]: one for one in content["mechanisms"]}
@@ -33,11 +47,9 @@ SMALL_TANKS = {  # of the benchmark's tanks, forty times as fast
 
 def test_tanks_that_overflow_are_told_from_tanks_that_do_not(tmp_path, diagnosed):
     file = tmp_path / "dataBenchmark.csv"
-    benches.tanks(1).to_csv(file, index=False)
-    content = diagnosed(file, "cascaded_tanks", **SMALL_TANKS)
+    content = diagnosed(written(benches.tanks(1), file), "cascaded_tanks", **SMALL_TANKS)
     assert content["verdict"] in NOTHING
-    benches.tanks(2, rim_cm=20.0).to_csv(file, index=False)
-    content = diagnosed(file, "cascaded_tanks", **SMALL_TANKS)
+    content = diagnosed(written(benches.tanks(2, rim_cm=20.0), file), "cascaded_tanks", **SMALL_TANKS)
     found = own(content)
     assert set(found) == {"x_overflow"}
     assert found["x_overflow"]["parameters"]["rim_v"]["value"] == pytest.approx(20.0 / 2.5 - 13.2 / 2.5, abs=0.15)
@@ -85,21 +97,17 @@ def test_a_servo_that_rubs_is_told_from_one_that_does_not(tmp_path, diagnosed):
     assert content["parameters"]["weight_v"]["value"] == pytest.approx(0.49 * 9.81 * 0.2 * 2.1 / 1.63, rel=0.03)
     file.write_text(json.dumps(benches.servo(2, rubs_nm=0.5)))
     content = diagnosed(file, "servo_pendulum")
-    assert content["verdict"] in ("explained", "ambiguous")
-    (rubs,) = named(content).values()
-    assert rubs["id"] == "friction_hysteresis"
-    assert rubs["parameters"]["half_loop_rad"]["value"] == pytest.approx(0.5 * 2.1 / 1.63 / 75.84, rel=0.1)
+    rubs = one_name(content, "friction_hysteresis")
+    assert rubs["half_loop_rad"]["value"] == pytest.approx(0.5 * 2.1 / 1.63 / 75.84, rel=0.1)
     assert held_out(content)[2] < 0.3 * held_out(content)[1]
 
 
 def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "axis.csv"
-    benches.axis(1).to_csv(file, index=False)
-    content = diagnosed(file, "robot_axis")
+    content = diagnosed(written(benches.axis(1), file), "robot_axis")
     assert content["verdict"] in NOTHING
     assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(31.5, rel=0.01)
-    benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0).to_csv(file, index=False)
-    content = diagnosed(file, "robot_axis")
+    content = diagnosed(written(benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0), file), "robot_axis")
     found = named(content)
     assert content["verdict"] in ("explained", "ambiguous") and set(found) == {"friction_hysteresis", "viscous_loss"}
     assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
@@ -109,26 +117,20 @@ def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, 
 
 def test_a_tendon_that_grips_its_sheath_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "tendon.csv"
-    benches.sheath(1).to_csv(file, index=False)
-    content = diagnosed(file, "tendon_sheath")
+    content = diagnosed(written(benches.sheath(1), file), "tendon_sheath")
     assert content["verdict"] in NOTHING
     assert content["parameters"]["pulley_radius_mm"]["value"] == pytest.approx(12.3, rel=0.01)
-    benches.sheath(2, grips_mm=2.5).to_csv(file, index=False)
-    content = diagnosed(file, "tendon_sheath")
+    content = diagnosed(written(benches.sheath(2, grips_mm=2.5), file), "tendon_sheath")
     assert content["verdict"] in ("explained", "ambiguous") and "friction_hysteresis" in named(content)
     assert held_out(content)[2] < 0.2 * held_out(content)[1]
 
 
 def test_a_cylinder_whose_seal_grips_the_more_the_higher_the_pressure_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "cylinder.csv"
-    benches.cylinder(1).to_csv(file, index=False)
-    content = diagnosed(file, "pneumatic_cylinder")
+    content = diagnosed(written(benches.cylinder(1), file), "pneumatic_cylinder")
     assert content["verdict"] in NOTHING
     assert content["parameters"]["bore_mm"]["value"] == pytest.approx(25.1, rel=0.001)
-    benches.cylinder(2, seal_n=6.0, seal_n_per_bar=4.0).to_csv(file, index=False)
-    content = diagnosed(file, "pneumatic_cylinder")
-    assert content["verdict"] in ("explained", "ambiguous")
-    (seal,) = named(content).values()
-    assert seal["id"] == "friction_hysteresis"
-    assert seal["parameters"]["half_loop_n_per_1_bar"]["value"] == pytest.approx(4.0, rel=0.1)
+    content = diagnosed(written(benches.cylinder(2, seal_n=6.0, seal_n_per_bar=4.0), file), "pneumatic_cylinder")
+    seal = one_name(content, "friction_hysteresis")
+    assert seal["half_loop_n_per_1_bar"]["value"] == pytest.approx(4.0, rel=0.1)
     assert held_out(content)[2] < 0.1 * held_out(content)[1]

@@ -80,9 +80,7 @@ def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:
     names = _far(content)
     if not names:
         return []
-    adopted = (
-        [one["diagnosis"] for one in content["adopted"] if one.get("diagnosis")][-1:] if "adopted" in content else []
-    )
+    adopted = [one["diagnosis"] for one in content.get("adopted", []) if one.get("diagnosis")][-1:]
     return [
         f"Measure {names} again. If a value changes, write it into run.yaml, take the adopted effects out, "
         "diagnose again and adopt anew: they were fitted together with the dimensions. If none changes, take them out "

@@ -8,7 +8,7 @@ from pipeline.diagnosis.words.quantity import size
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 BETTER = 2.0 / 3.0  # times the error of the verdict's simulator: a regression below finds what the physics misses
-NO_BETTER = 0.95  # times that error
+NO_BETTER = 0.95  # times the other error: who errs by more improves nothing
 METHOD = "A regression without physics (boosted trees over the motion, its rates, its memory and the other inputs)"
 
 

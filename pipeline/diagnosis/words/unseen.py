@@ -4,6 +4,7 @@ import math
 from typing import Any
 
 from pipeline.diagnosis.words import level, sight
+from pipeline.diagnosis.words.level import NO_BETTER
 from pipeline.diagnosis.words.quantity import duration, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 
@@ -14,7 +15,7 @@ ZERO = (
     "In a verdict the zero of the reading is fitted. pipeline.simulate sets it in the first second, so that its error "
     "is another one; pipeline.adopt prints both."
 )
-WORSE, NO_BETTER = 1.02, 0.95  # times the other error
+WORSE = 1.02  # times the other error: less may be chance
 
 
 def errors(content: dict[str, Any], words: Vocabulary) -> tuple[float, float, float] | None:
