@@ -51,6 +51,17 @@ def test_what_dimensions_do_as_well_is_no_name_and_what_they_may_not_is(problem)
     assert not disguise.only_calibration(radius + bump, dimensions)
 
 
+@pytest.mark.parametrize(("times", "is_calibration"), [(400.0, False), (2500.0, True)])
+def test_a_true_compaction_that_dimensions_take_back_but_for_a_400th_keeps_its_name(problem, times, is_calibration):
+    dimensions = Linear(problem, problem.nominal(), white(1.0), {})
+    columns = dimensions.table[dimensions.calibration].T
+    wave = np.sin(3.0 * problem.drivers.time_s)
+    own = wave - columns @ np.linalg.lstsq(columns, wave, rcond=1e-8)[0]  # what no dimension does
+    radius = dimensions.table[1] * dimensions.high[1]
+    size = np.sqrt(np.mean(radius**2) / np.mean(own**2)) / times
+    assert disguise.only_calibration(radius + size * own, dimensions) == is_calibration
+
+
 def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch):
     run, samples = read_samples(conceal("creep")[0])
     refine = calibrate.refine
