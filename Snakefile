@@ -10,8 +10,8 @@ from snakemake.utils import min_version, validate
 min_version("9.27")
 sys.path.insert(0, workflow.basedir)
 
-from pipeline.dag import SYNTHETIC_FILES, fits, recorded_files, stored
-from pipeline.fingerprint import fingerprint
+from pipeline.workflow.dag import SYNTHETIC_FILES, fits, recorded_files, stored
+from pipeline.ground.fingerprint import fingerprint
 from pipeline.report.summary import summary
 
 

@@ -16,7 +16,7 @@ from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.search import Search
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.interface import Asked, OutOfReach
-from pipeline.run_yaml import parse_run
+from pipeline.run.description import parse_run
 
 KAPPAS = (10.0, 5.0, 2.5)  # noise floors: the largest that the rig can show
 REFINED = 2  # times

@@ -20,7 +20,7 @@ from pipeline.proof.ask import JUDGES
 from pipeline.proof.teach.lesson import PROTOCOLS
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.interface import Asked, OutOfReach
-from pipeline.run_yaml import parse_run
+from pipeline.run.description import parse_run
 
 CHANGES: dict[str, tuple[Any, str, tuple[float, float]]] = {
     "judged.HELD": (judged, "HELD", (0.7, 0.9)),

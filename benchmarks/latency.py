@@ -24,10 +24,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from pipeline.errors import BadInput
 from pipeline.export.c_header import header
 from pipeline.export.onnx_model import GIVEN, graphs
 from pipeline.export.source import Beside, Source, opened
+from pipeline.ground.errors import BadInput
 
 MODELS = ("spline", "cinn", "inn")
 ROUNDS, C_ROUNDS, TABLE = 61, 501, 1000

@@ -39,8 +39,8 @@ OURS = {
 
 def dataset(path: Path) -> pd.DataFrame:
     """The paper's rig, recorded and made into a dataset; 5,000 training points in the split `within`."""
-    from pipeline.dataset import make_dataset
-    from pipeline.recorded_run import read
+    from pipeline.stages.dataset import make_dataset
+    from pipeline.string.from_raw import read
 
     if not path.is_file():
         folder = path.parent / "synthetic-01"
@@ -69,8 +69,8 @@ class Freia:
         from freia import papers_inn
         from torch.nn.functional import mse_loss
 
-        from pipeline.models.features import contraction_and_conditions, twist_and_conditions
-        from pipeline.models.scaling import Scaling
+        from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
+        from pipeline.models.parts.scaling import Scaling
 
         torch.set_num_threads(1)
         torch.manual_seed(seed)
@@ -102,13 +102,13 @@ class Freia:
 
     def forward(self, points: pd.DataFrame):
         """Contraction in mm."""
-        from pipeline.models.features import twist_and_conditions
+        from pipeline.models.parts.features import twist_and_conditions
 
         return self._mapped(twist_and_conditions(points), self.inputs, self.outputs, rev=False)
 
     def inverse(self, points: pd.DataFrame):
         """Twist in turns."""
-        from pipeline.models.features import contraction_and_conditions
+        from pipeline.models.parts.features import contraction_and_conditions
 
         return self._mapped(contraction_and_conditions(points), self.outputs, self.inputs, rev=True)
 

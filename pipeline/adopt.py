@@ -7,21 +7,21 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline import adopted_error
-from pipeline.adopted_block import KEY, ORIGIN, adopted, bare
-from pipeline.complaint import short
+from pipeline.adoption import before_after
+from pipeline.adoption.block import KEY, ORIGIN, adopted, bare
 from pipeline.diagnosis.adopt import adoptions, checked
 from pipeline.diagnosis.engine import at_own_rate
+from pipeline.diagnosis.simulation import read_diagnosis
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.rivals import called
 from pipeline.diagnosis.words.sections import wrapped
-from pipeline.errors import program
-from pipeline.files import whole
-from pipeline.ingest import read_samples
-from pipeline.regular_file import read_regular
-from pipeline.runs import RECORDINGS, read_run
-from pipeline.simulate import read_diagnosis
-from pipeline.strict_yaml import LARGEST, parse_yaml
+from pipeline.ground.complaint import short
+from pipeline.ground.errors import program
+from pipeline.ground.files import whole
+from pipeline.ground.regular_file import read_regular
+from pipeline.ground.strict_yaml import LARGEST, parse_yaml
+from pipeline.run.folder import RECORDINGS, read_run
+from pipeline.run.samples import read_samples
 
 MOST = 5  # explanations that are named
 
@@ -37,7 +37,7 @@ def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
         return []
     run, samples = read_samples(folder)
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-    return adopted_error.told(bare, run.run, run.simulation, content, source)
+    return before_after.told(bare, run.run, run.simulation, content, source)
 
 
 def write(path: Path, text: str) -> None:
@@ -90,7 +90,7 @@ def adopt(source: Path, folder: Path) -> None:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
     errors = check(content, source, folder)
-    if not adopted_error.is_of(content, run.run):
+    if not before_after.is_of(content, run.run):
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
         print(f"beware: {said}", file=sys.stderr)
     origin = adoptions(content, str(source))
@@ -105,7 +105,7 @@ def adopt(source: Path, folder: Path) -> None:
     if others:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely as well"
         told.append(f"{many}: {listing([called(ids) for ids in others[:MOST]], 'or')}.")
-    told += [*errors, adopted_error.why(content), adopted_error.NEXT]
+    told += [*errors, before_after.why(content), before_after.NEXT]
     told += [
         "To take the effects out of run.yaml again:",
         f"  python -m pipeline.adopt --remove {shlex.quote(str(folder))}",

@@ -10,17 +10,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.alone import each_alone
 from pipeline.diagnosis import engine, faint, figures, heldout, library, verdict
 from pipeline.diagnosis.adopt import adoptions, block
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.words.text import verdict_text
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
-from pipeline.ingest import read_samples
-from pipeline.outputs import folder_to_write
-from pipeline.run_yaml import Run
-from pipeline.zero_beside import jumps_into
+from pipeline.ground.alone import each_alone
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
+from pipeline.ground.outputs import folder_to_write
+from pipeline.run.description import Run
+from pipeline.run.samples import read_samples
+from pipeline.string.beside import jumps_into
 
 Result = TypeVar("Result")
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."

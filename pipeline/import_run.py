@@ -12,21 +12,21 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline import schemas
-from pipeline.errors import BadInput, program
-from pipeline.files import sha256, write_text
-from pipeline.folders import whole_folder
 from pipeline.foreign.axes import each_axis
 from pipeline.foreign.clock import check_mended, mend_time
 from pipeline.foreign.draft import draft
 from pipeline.formats import read_foreign
-from pipeline.ingest import check, check_finite, questions
-from pipeline.named_units import in_its_unit
-from pipeline.names import checked, own_material, run_name
-from pipeline.next_command import following
-from pipeline.recording import asked_columns, to_samples
-from pipeline.run_yaml import parse_run
-from pipeline.strict_yaml import read_yaml, write_yaml
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import sha256, write_text
+from pipeline.ground.folders import whole_folder
+from pipeline.ground.names import checked, own_material, run_name
+from pipeline.ground.strict_yaml import read_yaml, write_yaml
+from pipeline.run.description import parse_run
+from pipeline.run.named_units import in_its_unit
+from pipeline.run.next_command import following
+from pipeline.run.recording import asked_columns, to_samples
+from pipeline.run.samples import check, check_finite, questions
 from pipeline.systems import systems
 
 TAKEN = "choose another --run; runs are never overwritten"

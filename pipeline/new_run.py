@@ -11,19 +11,19 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
-from pipeline.folders import whole_folder
 from pipeline.formats.stored import read_table
-from pipeline.ingest import check, questions
-from pipeline.like_run import as_in, with_given
-from pipeline.names import checked, own_material, run_name
-from pipeline.next_command import following
-from pipeline.recording import read_recording, to_samples
-from pipeline.run_yaml import STRING_ACTUATORS, Run, parse_run
-from pipeline.runs import RECORDINGS, recording_path, unfinished
-from pipeline.same_string import string_id
-from pipeline.strict_yaml import parse_yaml, write_yaml
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
+from pipeline.ground.folders import whole_folder
+from pipeline.ground.names import checked, own_material, run_name
+from pipeline.ground.strict_yaml import parse_yaml, write_yaml
+from pipeline.run.description import STRING_ACTUATORS, Run, parse_run
+from pipeline.run.folder import RECORDINGS, recording_path, unfinished
+from pipeline.run.like import as_in, with_given
+from pipeline.run.next_command import following
+from pipeline.run.recording import read_recording, to_samples
+from pipeline.run.samples import check, questions
+from pipeline.string.same import string_id
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 KEY = re.compile(r"\b(channels|file)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend

@@ -1,8 +1,8 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`pipeline.models.intervals`). A question outside the range of what was recorded, or further ahead of the last recorded
-stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
+(`pipeline.models.parts.intervals`). A question outside the range of what was recorded, or further ahead of the last
+recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
 """
 
 import argparse
@@ -12,18 +12,18 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline import schemas
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
-from pipeline.jump_notes import NAME, read_jumps
-from pipeline.models.box import COLUMNS
-from pipeline.models.conditions import Conditions
-from pipeline.models.intervals import GIVEN, Intervals, TooFew
-from pipeline.models.settings import shown
-from pipeline.outputs import file_to_write
-from pipeline.question_table import question_table, refuse_cells
-from pipeline.tables import opened
-from pipeline.train import configured, fitting, seed
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
+from pipeline.ground.outputs import file_to_write
+from pipeline.ground.tables import opened
+from pipeline.models.parts.box import COLUMNS
+from pipeline.models.parts.conditions import Conditions
+from pipeline.models.parts.intervals import GIVEN, Intervals, TooFew
+from pipeline.models.parts.question_table import question_table, refuse_cells
+from pipeline.models.parts.settings import shown
+from pipeline.stages.train import configured, fitting, seed
+from pipeline.string.jump_notes import NAME, read_jumps
 
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell

@@ -1,129 +1,20 @@
 """The improved simulator alone: inputs and a diagnosis → predicted displacement; no measurement but for the tare."""
 
 import argparse
-import json
 import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from pipeline import schemas
-from pipeline.complaint import key_name, short
-from pipeline.diagnosis.adopt import acts_from, is_number
 from pipeline.diagnosis.engine import at_own_rate
-from pipeline.diagnosis.outcome import rms
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.record import averaged, despiked, means, wild
+from pipeline.diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
 from pipeline.diagnosis.words.quantity import listing, size
-from pipeline.errors import BadInput, program
-from pipeline.ingest import read_samples
-from pipeline.kinematics import Array
-from pipeline.outputs import file_to_write
-from pipeline.regular_file import read_regular
-from pipeline.run_yaml import Run
-
-TARE_S = 1.0
-LARGEST_DIAGNOSIS = 100_000_000  # bytes
-
-
-def state_of(content: dict[str, Any], problem: Problem, path: Path, run: str) -> State:
-    """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
-    values = [value_of(content, one.name, path, one.nominal) for one in problem.parameters]
-    together = content.get("run")
-    if isinstance(together, list) and run in together[1:]:  # the zero of its motor is its own
-        names = [one.name for one in problem.parameters]
-        own = f"{problem.system.homed}_{together.index(run) + 1}"
-        if problem.system.homed and own in content["parameters"]:
-            values[names.index(problem.system.homed)] += value_of(content, own, path, 0.0)
-    acts = acts_from(content["simulation"], problem.drivers, str(path))
-    return State(np.array(values), np.zeros(problem.runs), acts)
-
-
-def value_of(content: dict[str, Any], name: str, path: Path, otherwise: float) -> float:
-    """Value of a parameter in a diagnosis; raises BadInput when it is no number."""
-    entry = content["parameters"].get(name, {"value": otherwise})
-    value: Any = entry.get("value") if isinstance(entry, dict) else None
-    if not is_number(value):
-        problem = f"is {short(entry)}, without a value"
-        raise BadInput(path, f"parameters.{name}", problem, "give a diagnosis.json as it was made")
-    return float(value)
-
-
-def read_diagnosis(path: Path) -> dict[str, Any]:
-    """Content of a `diagnosis.json`; raises BadInput for anything else."""
-    try:
-        content = json.loads(read_regular(path, LARGEST_DIAGNOSIS))
-    except (ValueError, RecursionError) as error:
-        raise BadInput(path, "file", f"cannot be read ({short(str(error))})", "give a diagnosis.json") from None
-    for field, kind in (("parameters", dict), ("simulation", list)):
-        if not isinstance(content, dict) or not isinstance(content.get(field), kind):
-            raise BadInput(path, field, "is missing or is not what a diagnosis gives", "give a diagnosis.json")
-    together = content.get("run", "")
-    if not isinstance(together, str) and not (isinstance(together, list) and together):
-        raise BadInput(path, "run", f"is {short(together)}, no run and no list of runs", "give a diagnosis.json")
-    return dict(content)
-
-
-def of_run(run: Run) -> dict[str, Any]:
-    """What a run's own `run.yaml` simulates, as a diagnosis would say it: its dimensions, and what it has adopted."""
-    return {"run": run.run, "parameters": {}, "simulation": run.simulation}
-
-
-def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample."""
-    state = state_of(content, problem, path, run)
-    try:
-        with np.errstate(all="ignore"):
-            predicted = problem.simulate(state)
-    except (ArithmeticError, LookupError, ValueError) as error:
-        said, predicted = f" ({type(error).__name__}: {short(str(error))})", np.full(1, np.nan)
-    else:
-        said = ""
-    if not np.isfinite(predicted).all():
-        field = "simulation" if state.acts else "parameters"
-        raise BadInput(path, field, f"gives no number at some samples{said}", "give a diagnosis.json as it was made")
-    return predicted
-
-
-def tare(predicted: Array, measured: Array, time_s: Array) -> float:
-    """What to add so that prediction and measurement agree on the first second."""
-    start = time_s - time_s[0] <= TARE_S
-    return float(np.median((measured - predicted)[start]))
-
-
-def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does."""
-    predicted = simulated(problem, content, path, run)
-    unit = problem.system.channel.rpartition("_")[2]
-    if content.get("run") == run and f"zero_{unit}" in content["parameters"]:
-        return predicted + value_of(content, f"zero_{unit}", path, 0.0)
-    return (
-        predicted + tare(predicted, problem.measured, problem.record.time_s) if problem.system.free_zero else predicted
-    )
-
-
-def off(measured: Array, predicted: Array) -> tuple[float, float]:
-    """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and about its median.
-
-    The median is the zero that a verdict gives the nominal simulator.
-    """
-    residual = measured - predicted
-    residual = residual[~wild(residual)[0]]
-    return rms(residual), rms(residual - np.median(residual))
-
-
-def compared(run: Run, problem: Problem, predicted: Array) -> tuple[Array, Array]:
-    """Measured and predicted as a diagnosis compares them: where derivatives are followed, in means at a working rate.
-
-    What is predicted is predicted at the recording's own rate: between means, a jump of a force would be a ramp.
-    """
-    time_s = problem.record.time_s
-    width = averaged(run.system, pd.DataFrame({"time_s": time_s})) if run.system.differentiates else 1
-    if width == 1:
-        return problem.measured, predicted
-    return means(time_s, despiked(problem.measured), width), means(time_s, predicted, width)
+from pipeline.ground import schemas
+from pipeline.ground.complaint import key_name
+from pipeline.ground.errors import program
+from pipeline.ground.outputs import file_to_write
+from pipeline.run.samples import read_samples
 
 
 @program

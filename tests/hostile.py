@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.errors import program
+from pipeline.ground.errors import program
 
 NAMES = (
     "", ".", "..", "../x", "/", "/dev/full", "/dev/null", "/proc/self/mem", "a" * 300, "x/" * 2000 + "x",

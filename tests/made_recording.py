@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import Array, Geometry
+from pipeline.ground.kinematics import Array, Geometry
 
 BASE = Geometry("separator", 0.4, 400.0, 15.0, 150.0, 8.0)
 

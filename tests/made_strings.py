@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 
 from pipeline.campaign.points import SCHEMA, labelled
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 
 NOISE_MM = 0.05
 TOP_TURNS, LOAD_N = 20.0, 15.0

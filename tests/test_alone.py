@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from pipeline.alone import each_alone
+from pipeline.ground.alone import each_alone
 
 
 def told(item: int, more: int) -> tuple[int, int]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.fingerprint import fingerprint
+from pipeline.ground.fingerprint import fingerprint
 
 ROOT = Path(__file__).parent.parent
 RECORDINGS = ROOT / "tests" / "data" / "blind" / "round-1"

@@ -10,10 +10,10 @@ from made_recording import content
 from snakemake.exceptions import WorkflowError
 from snakemake.utils import update_config, validate
 
-from pipeline.dag import fits, make_plan, recorded_files, table_order
-from pipeline.errors import BadInput
-from pipeline.fingerprint import fingerprint, reachable
-from pipeline.left_out import LeftOut
+from pipeline.ground.errors import BadInput
+from pipeline.ground.fingerprint import fingerprint, reachable
+from pipeline.run.left_out import LeftOut
+from pipeline.workflow.dag import fits, make_plan, recorded_files, table_order
 
 ROOT = Path(__file__).parent.parent
 
@@ -157,7 +157,7 @@ def test_fingerprints_follow_imports_and_nothing_else():
     names = {path.name for path in reachable("pipeline.report.tables")}
     assert {"tables.py", "paper.py", "schemas.py", "files.py", "errors.py"} <= names
     assert not names & {"strokes.py", "dataset.py", "inn.py"}
-    trained = {path.name for path in reachable("pipeline.train", "pipeline.models.traditional")}
+    trained = {path.name for path in reachable("pipeline.stages.train", "pipeline.models.traditional")}
     assert "traditional.py" in trained and not trained & {"inn.py", "mlp.py", "strokes.py"}
     rig = {path.name for path in reachable("pipeline.rig.*")}
     assert {"__main__.py", "device.py", "creep.py", "paper.yaml", "kinematics.py"} <= rig  # found by name at run time
@@ -177,7 +177,7 @@ def test_a_models_fingerprint_covers_what_it_finds_by_name_at_run_time():
 
 
 def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
-    import pipeline.fingerprint as module
+    import pipeline.ground.fingerprint as module
 
     (tmp_path / "pipeline").mkdir()
     (tmp_path / "pipeline" / "__init__.py").touch()
@@ -200,7 +200,7 @@ def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
 
 
 def test_mappings_are_runs_without_a_name():
-    from pipeline.run_yaml import parse_run
+    from pipeline.run.description import parse_run
 
     for path in sorted((Path(__file__).parent.parent / "pipeline" / "mappings").glob("*.yaml")):
         mapping = yaml.safe_load(path.read_text())

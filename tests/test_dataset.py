@@ -5,11 +5,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from made_recording import BASE, content, recording
 
-from pipeline import schemas
-from pipeline.dataset import HELD_OUT_POINTS, blocks_from_top, held_out, make_dataset
-from pipeline.recorded import Recorded, in_order, tare_mm
-from pipeline.run_yaml import parse_run
-from pipeline.strokes import segment
+from pipeline.ground import schemas
+from pipeline.run.description import parse_run
+from pipeline.run.strokes import segment
+from pipeline.stages.dataset import HELD_OUT_POINTS, blocks_from_top, held_out, make_dataset
+from pipeline.string.history import Recorded, in_order, tare_mm
 
 
 def recorded(name="a-01", started_utc="", samples=None, **changes):

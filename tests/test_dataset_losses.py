@@ -9,10 +9,10 @@ import pandas as pd
 import pytest
 from made_recording import content, recording
 
-from pipeline import schemas
-from pipeline.dataset import touched
-from pipeline.left_out import from_json
-from pipeline.strokes import segment
+from pipeline.ground import schemas
+from pipeline.run.left_out import from_json
+from pipeline.run.strokes import segment
+from pipeline.stages.dataset import touched
 
 ROOT = Path(__file__).parent.parent
 STROKES = pd.DataFrame(
@@ -50,7 +50,16 @@ def test_gaps_that_are_no_longer_listed_may_be_anywhere_later():
 
 def made(folder, processed, out, *options):
     folders = [str(one) for one in (folder if isinstance(folder, list) else [folder])]
-    command = [sys.executable, "-m", "pipeline.dataset", *folders, "--processed", str(processed), "--out", str(out)]
+    command = [
+        sys.executable,
+        "-m",
+        "pipeline.stages.dataset",
+        *folders,
+        "--processed",
+        str(processed),
+        "--out",
+        str(out),
+    ]
     done = subprocess.run([*command, *options], capture_output=True, text=True)
     return done, schemas.read(out, schemas.DATASET) if done.returncode == 0 else None
 
@@ -110,4 +119,4 @@ def test_the_configuration_says_whether_they_are_kept(tmp_path, value, kept, sta
     said = done.stdout + done.stderr
     assert done.returncode == status, said
     assert ("--keep-lossy" in said) == kept
-    assert ("pipeline.dataset raw/synthetic-01" in said) == (status == 0)
+    assert ("pipeline.stages.dataset raw/synthetic-01" in said) == (status == 0)

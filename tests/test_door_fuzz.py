@@ -14,10 +14,10 @@ import yaml
 from made_damage import YAML, damaged, twisted
 from made_recording import content, recording
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
-from pipeline.ingest import read_samples
-from pipeline.runs import read_run
+from pipeline.run.folder import read_run
+from pipeline.run.samples import read_samples
 from pipeline.wire import Channel, Hello, Kind, encode
 from pipeline.wire.frames import END
 

@@ -2,10 +2,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline import schemas
-from pipeline.errors import BadInput
-from pipeline.evaluate import angle_bands, evaluate
-from pipeline.kinematics import point_contraction_mm, point_motor_turns
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import point_contraction_mm, point_motor_turns
+from pipeline.stages.evaluate import angle_bands, evaluate
 
 
 @pytest.fixture(scope="module")

@@ -9,9 +9,9 @@ import pandas as pd
 import pytest
 from models.made_dataset import made_dataset
 
-from pipeline import schemas, seal
-from pipeline.errors import BadInput
-from pipeline.files import whole, write_text
+from pipeline.ground import schemas, seal
+from pipeline.ground.errors import BadInput
+from pipeline.ground.files import whole, write_text
 from pipeline.models.interface import make_model
 
 

@@ -4,9 +4,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline import schemas
-from pipeline.evaluate import evaluate
-from pipeline.floor import FLOORS, noise, predictions, residuals
+from pipeline.ground import schemas
+from pipeline.stages.evaluate import evaluate
+from pipeline.stages.floor import FLOORS, noise, predictions, residuals
 
 NOISE_MM, SLOPE_MM_PER_TURN, TOP_TURNS = 0.03, 0.5, 20.0
 

@@ -14,10 +14,10 @@ from hostile import NAMES, NUMBERS, damaged, ended
 from made_recording import content, recording
 from models.made_dataset import made_dataset
 
-from pipeline import schemas, seal
-from pipeline.errors import BadInput
+from pipeline.ground import schemas, seal
+from pipeline.ground.errors import BadInput
 from pipeline.models.interface import make_model, settings_of
-from pipeline.train import configured
+from pipeline.stages.train import configured
 
 HURTS, COMMANDS, SETTINGS = 130, 170, 900  # of each kind of model, of each program, of all models
 STRANGE = [
@@ -198,7 +198,7 @@ def test_nothing_that_is_read_and_no_recording_is_ever_written_over(
 ) -> None:
     shutil.copytree(place, tmp_path, dirs_exist_ok=True)
     (tmp_path / "linked.parquet").symlink_to("dataset.parquet")
-    assert ended("pipeline.ingest", ["raw/a-1", "--out", "samples.parquet"], tmp_path)[0] == 0
+    assert ended("pipeline.stages.ingest", ["raw/a-1", "--out", "samples.parquet"], tmp_path)[0] == 0
     (tmp_path / "processed" / "a-1").mkdir(parents=True)
     shutil.copy(tmp_path / "samples.parquet", tmp_path / "processed" / "a-1")
     before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
@@ -263,5 +263,7 @@ def test_a_fit_that_runs_away_is_refused_and_names_the_model(place: Path) -> Non
     schemas.write(points, schemas.DATASET, place / "huge.parquet")
     for model, settings in (("mlp", '{"epochs": 1, "width": 4}'), ("spline", "{}")):
         words = ["huge.parquet", "--model", model, "--split", "within", "--settings", settings]
-        code, complaint = ended("pipeline.train", [*words, "--out-model", "m", "--out-predictions", "p.parquet"], place)
+        code, complaint = ended(
+            "pipeline.stages.train", [*words, "--out-model", "m", "--out-predictions", "p.parquet"], place
+        )
         assert code == 2 and f"--model: {model}: cannot be fitted" in complaint and not (place / "m").exists()

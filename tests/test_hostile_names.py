@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.errors import program as command
+from pipeline.ground.errors import program as command
 
 ROOT = Path(__file__).parent.parent
 PROGRAMS = sorted(

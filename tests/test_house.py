@@ -58,7 +58,7 @@ def test_the_ground_stands_on_nothing_but_the_ground():
             assert {part(name) for name in imports(module)} <= GROUND, module
     for bottom in ("errors", "kinematics"):
         assert not imports(f"pipeline.{bottom}")
-    assert imports("pipeline.files") == {"pipeline.errors"}
+    assert imports("pipeline.ground.files") == {"pipeline.ground.errors"}
     assert {part(name) for module in MODULES if part(module) == "wire" for name in imports(module)} <= {"wire"}
 
 
@@ -122,7 +122,7 @@ def author_of(module):
 
 
 def test_an_author_of_concealed_physics_knows_nobody_of_us():
-    shared = {"pipeline.kinematics", "pipeline.errors", INTERFACE}
+    shared = {"pipeline.ground.kinematics", "pipeline.ground.errors", INTERFACE}
     for module in filter(author_of, MODULES):
         own = {name for name in imports(module) if author_of(name) == author_of(module)}
         assert imports(module) - own <= shared, module

@@ -9,9 +9,9 @@ import pandas as pd
 import pytest
 import scipy.io
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
 RECORDINGS = Path(__file__).parent.parent.parent / "shared" / "recordings"

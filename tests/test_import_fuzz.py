@@ -13,7 +13,7 @@ from made_recording import content
 from test_import_nested import CHANNELS, SERIES, struct_of
 from test_import_workbook import workbook
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
 
 TRIES = 60

@@ -14,7 +14,7 @@ import scipy.io
 from made_recording import recording
 from test_import_workbook import workbook
 
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parents[1]
 GOOD = recording()

@@ -11,7 +11,7 @@ import scipy.io
 import yaml
 from made_recording import content, recording
 
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 GOOD = recording()
 SERIES = {"time_cont": GOOD["time_s"], "theta": GOOD["motor_turns"] * 360, "weg": GOOD["displacement_mm"] / 10}

@@ -14,10 +14,10 @@ import scipy.io
 from made_recording import recording
 from test_import_workbook import workbook
 
-from pipeline.ingest import read_samples
-from pipeline.run_yaml import Channel, Run, String
+from pipeline.ground.text_file import TextFile
+from pipeline.run.description import Channel, Run, String
+from pipeline.run.samples import read_samples
 from pipeline.systems import systems
-from pipeline.text_file import TextFile
 
 ROOT = Path(__file__).parents[1]
 PAGE = (ROOT / "docs" / "import.md").read_text(encoding="utf-8")

@@ -9,12 +9,12 @@ import pytest
 import yaml
 from made_recording import content, recording
 
-from pipeline.errors import BadInput
 from pipeline.foreign.clock import mend_time
 from pipeline.formats.stored import read_table
+from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
-from pipeline.ingest import read_samples
 from pipeline.new_run import make_run as new_run
+from pipeline.run.samples import read_samples
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
 HAPTIC = Path(__file__).parent.parent.parent / "shared" / "recordings" / "tsa_haptic"

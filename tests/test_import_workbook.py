@@ -8,7 +8,7 @@ import pytest
 from made_recording import recording
 from test_import_nested import imported, read_back, refused
 
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 GOOD = recording()
 NAMES = ["time", "angle", "weg"]

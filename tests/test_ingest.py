@@ -10,9 +10,9 @@ import pandas as pd
 import pytest
 from made_recording import recording
 
-from pipeline import schemas
-from pipeline.errors import BadInput
-from pipeline.ingest import SLOWEST_S, check_clock, questions, read_samples
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.run.samples import SLOWEST_S, check_clock, questions, read_samples
 
 GOOD = recording()
 
@@ -71,7 +71,7 @@ def test_what_cannot_be_is_refused_and_nothing_written(make_run, tmp_path, sampl
     assert error.value.field == field
     assert str(folder) in str(error.value)
     out = tmp_path / "processed" / "samples.parquet"
-    command = [sys.executable, "-m", "pipeline.ingest", str(folder), "--out", str(out)]
+    command = [sys.executable, "-m", "pipeline.stages.ingest", str(folder), "--out", str(out)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 2
     assert done.stderr.startswith("error: ") and "Mend: " in done.stderr and "Traceback" not in done.stderr
@@ -187,7 +187,7 @@ def test_the_load_channel_wins_over_the_rigs_load(make_run):
 
 def test_samples_carry_units(make_run, tmp_path):
     folder, out = make_run("a-01"), tmp_path / "out" / "samples.parquet"
-    subprocess.run([sys.executable, "-m", "pipeline.ingest", str(folder), "--out", str(out)], check=True)
+    subprocess.run([sys.executable, "-m", "pipeline.stages.ingest", str(folder), "--out", str(out)], check=True)
     assert list(schemas.read(out).columns) == list(GOOD.columns)
     import pyarrow.parquet as pq
 
@@ -287,7 +287,7 @@ def test_every_mend_that_names_a_unit_was_tried(make_run, tmp_path):
 )
 def test_a_twist_that_does_not_start_near_0_is_questioned(make_run, tmp_path, change, says):
     folder = make_run("a-01", spoiled("motor_turns", change))
-    command = [sys.executable, "-m", "pipeline.ingest", str(folder), "--out", str(tmp_path / "samples.parquet")]
+    command = [sys.executable, "-m", "pipeline.stages.ingest", str(folder), "--out", str(tmp_path / "samples.parquet")]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0 and re.search(f"warning: .*motor_turns: {says}", done.stderr)
     assert not questions(*read_samples(make_run("b-01")), folder)
@@ -359,7 +359,8 @@ def test_reading_text_takes_little_more_than_the_text(make_run):
     many["time_s"] = np.arange(len(many)) / 100
     many.to_csv(folder / "recording.csv", index=False)
     program = (
-        "import resource, sys\nfrom pipeline.formats.text import read_text\nfrom pipeline.text_file import TextFile\n"
+        "import resource, sys\nfrom pipeline.formats.text import read_text\n"
+        "from pipeline.ground.text_file import TextFile\n"
         "from pathlib import Path\npeak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\nbefore = peak()\n"
         "read_text(Path(sys.argv[1]), TextFile.model_validate({}))\nprint(1024 * (peak() - before))"
     )

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline import kinematics as k
+from pipeline.ground import kinematics as k
 
 TURNS = np.linspace(0.0, 27.2, 200)
 SEPARATOR = k.Geometry("separator", 0.40, 400.0, 15.0, 150.0, 8.0)

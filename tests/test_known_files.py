@@ -4,8 +4,9 @@ import time
 import pandas as pd
 import pytest
 
-from pipeline import known_files, schemas
-from pipeline.known_files import KnownFiles
+from pipeline.ground import schemas
+from pipeline.workflow import known_files
+from pipeline.workflow.known_files import KnownFiles
 
 
 @pytest.fixture

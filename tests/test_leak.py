@@ -7,11 +7,11 @@ import pytest
 import torch
 from models.made_dataset import made_dataset
 
-from pipeline import schemas
-from pipeline.leak import decomposed, leak, main
+from pipeline.ground import schemas
 from pipeline.models.coupling import product
-from pipeline.models.features import contraction_and_conditions
 from pipeline.models.inn import Inn
+from pipeline.models.parts.features import contraction_and_conditions
+from pipeline.stages.leak import decomposed, leak, main
 
 TINY = {"blocks": 4, "width": 16, "layers": 1, "epochs": 4, "batch": 60}
 UNTRAINED = {"blocks": 3, "width": 4, "layers": 1, "epochs": 1, "rates": (0.0,)}

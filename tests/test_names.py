@@ -2,8 +2,8 @@
 
 import pytest
 
-from pipeline import names
-from pipeline.errors import BadInput
+from pipeline.ground import names
+from pipeline.ground.errors import BadInput
 
 HOSTILE = [
     "", ".", "..", "../../x", "/etc/passwd", "a/b", "a\\b", "..\\x", "-rf", ".hidden", "a\0b", "a\nb", "a\rb", "a\tb",

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from made_recording import content, recording
 
-from pipeline.ingest import read_samples
+from pipeline.ground.strict_yaml import read_yaml
 from pipeline.new_run import main
 from pipeline.new_run import make_run as new_folder
-from pipeline.runs import read_run
-from pipeline.strict_yaml import read_yaml
+from pipeline.run.folder import read_run
+from pipeline.run.samples import read_samples
 
 GOOD = recording()
 SIZES = ["--radius-mm", "0.4", "--length-mm", "400", "--torsion-zone-mm", "150", "--separator-mm", "8"]

@@ -90,9 +90,9 @@ def test_a_run_goes_through_the_stages_there(make_run, tmp_path):
     processed = tmp_path / "processed"
     folder = processed / run.name
     for module, *arguments in (
-        ("pipeline.ingest", run, "--out", folder / "samples.parquet"),
-        ("pipeline.strokes", folder / "samples.parquet", "--out", folder / "strokes.parquet"),
-        ("pipeline.dataset", run, "--processed", processed, "--out", processed / "dataset.parquet"),
+        ("pipeline.stages.ingest", run, "--out", folder / "samples.parquet"),
+        ("pipeline.stages.strokes", folder / "samples.parquet", "--out", folder / "strokes.parquet"),
+        ("pipeline.stages.dataset", run, "--processed", processed, "--out", processed / "dataset.parquet"),
     ):
         done = poorly(code, module, *arguments, TWISTBENCH_PARENT=str(os.getpid()))
         assert done.returncode == 0 and arguments[-1].exists(), done.stderr
@@ -102,7 +102,7 @@ def test_a_run_goes_through_the_stages_there(make_run, tmp_path):
 @pytest.mark.parametrize("rich", [True, False])
 def test_a_program_ends_with_its_parent_with_and_without_prctl(tmp_path, rich):
     """The parent is killed; the program writes its place in a file for as long as it lives."""
-    child = "import os, time\nfrom pipeline.errors import program\n"
+    child = "import os, time\nfrom pipeline.ground.errors import program\n"
     child += "@program\ndef main():\n    while True:\n"
     child += "        print(os.getpid(), flush=True)\n        time.sleep(0.05)\nmain()\n"
     parent = "import os, subprocess, sys, time; "

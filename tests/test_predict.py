@@ -10,8 +10,8 @@ import pandas as pd
 import pytest
 from models.made_dataset import made_dataset
 
-from pipeline import schemas
-from pipeline.errors import BadInput
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
 from pipeline.predict import read_questions
 
 ROOT = Path(__file__).parent.parent

@@ -13,8 +13,8 @@ import pytest
 from made_recording import recording
 from models.made_dataset import made_dataset
 
-from pipeline import progress, schemas
-from pipeline.progress import steps
+from pipeline.ground import progress, schemas
+from pipeline.ground.progress import steps
 
 ROOT = Path(__file__).parent.parent
 

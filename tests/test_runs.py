@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from made_recording import content
 
-from pipeline.errors import BadInput
-from pipeline.ingest import read_samples
-from pipeline.run_yaml import parse_run
-from pipeline.runs import find_runs, read_run, recording_path
+from pipeline.ground.errors import BadInput
+from pipeline.run.description import parse_run
+from pipeline.run.folder import find_runs, read_run, recording_path
+from pipeline.run.samples import read_samples
 
 PLACE = Path("raw/a-01/run.yaml")
 
@@ -215,7 +215,7 @@ def test_losses_that_were_edited_are_refused(make_run, tmp_path, field, edited):
 
 def test_a_program_whose_reader_left_ends_quietly(make_run):
     folder = make_run("a-01")
-    words = ["pipeline.ingest", str(folder), "--out", str(folder.parent / "samples.parquet")]
+    words = ["pipeline.stages.ingest", str(folder), "--out", str(folder.parent / "samples.parquet")]
     reads, writes = os.pipe()
     os.close(reads)  # as `| true` does
     done = subprocess.run([sys.executable, "-m", *words], stdout=writes, stderr=subprocess.PIPE, text=True)

@@ -5,8 +5,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_recording import motion, recording
 
-from pipeline.errors import BadInput
-from pipeline.strokes import label, segment, turning_points
+from pipeline.ground.errors import BadInput
+from pipeline.run.strokes import label, segment, turning_points
 
 
 def sampled(corners, rate_hz=50.0, noise_turns=0.0, seed=0):

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipeline.schemas import unit_of
+from pipeline.ground.schemas import unit_of
 from pipeline.systems import systems
 from pipeline.systems.interface import PORTS
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from made_recording import recording
 
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 GOOD = recording()
 SIZES = ["--radius-mm", "0.4", "--length-mm", "400", "--torsion-zone-mm", "150", "--separator-mm", "8"]

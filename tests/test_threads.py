@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from models.made_dataset import made_dataset
 
-from pipeline import ONE_THREAD, schemas
+from pipeline import ONE_THREAD
+from pipeline.ground import schemas
 
 ROOT = Path(__file__).parent.parent
 COUNT = "from threadpoolctl import threadpool_info; print({one['num_threads'] for one in threadpool_info()})"
@@ -45,6 +46,6 @@ def test_a_trained_model_has_the_same_bytes_whatever_the_variable(tmp_path: Path
         for threads in (None, "1", "4"):
             out = tmp_path / str(threads)
             words = ("--model", model, "--settings", settings, "--split", "within", "--out-model", out / "model")
-            run("-m", "pipeline.train", dataset, *words, "--out-predictions", out / "p.parquet", threads=threads)
+            run("-m", "pipeline.stages.train", dataset, *words, "--out-predictions", out / "p.parquet", threads=threads)
             made.add(((out / "model").read_bytes(), (out / "p.parquet").read_bytes()))
         assert len(made) == 1, model

@@ -8,11 +8,11 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline import schemas
-from pipeline.errors import BadInput
-from pipeline.kinematics import Geometry
-from pipeline.models.saved import read_bytes, read_json
-from pipeline.train import configured, divided, main, predictions
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import Geometry
+from pipeline.models.parts.saved import read_bytes, read_json
+from pipeline.stages.train import configured, divided, main, predictions
 
 
 def table(points: int = 40) -> pd.DataFrame:
@@ -44,7 +44,7 @@ def words(dataset: Path, model: str, *more: str, split: str = "within") -> list[
 
 def program(arguments: list[str]) -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
-        [sys.executable, "-m", "pipeline.train", *arguments], capture_output=True, text=True, check=False
+        [sys.executable, "-m", "pipeline.stages.train", *arguments], capture_output=True, text=True, check=False
     )
 
 

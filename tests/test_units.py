@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from pipeline.units import conversion
+from pipeline.ground.units import conversion
 
 
 @pytest.mark.parametrize(

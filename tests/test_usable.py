@@ -5,8 +5,8 @@ import sys
 import pytest
 from made_recording import recording
 
-from pipeline import usable
-from pipeline.usable import answers, refusals
+from pipeline.workflow import usable
+from pipeline.workflow.usable import answers, refusals
 
 
 def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_run, tmp_path, capsys, monkeypatch):

@@ -9,10 +9,10 @@ import pandas as pd
 import pytest
 from made_recording import recording
 
-from pipeline import schemas
+from pipeline.ground import schemas
 from pipeline.import_run import import_run
-from pipeline.ingest import read_samples
-from pipeline.wild_samples import without_wild
+from pipeline.run.samples import read_samples
+from pipeline.run.wild_samples import without_wild
 
 ROOT = Path(__file__).parent.parent
 BLIND = sorted((ROOT / "tests" / "data" / "blind").rglob("recording.parquet"))
@@ -27,7 +27,7 @@ GOOD = recording()
 
 
 def ingested(folder, out):
-    command = [sys.executable, "-m", "pipeline.ingest", str(folder), "--out", str(out)]
+    command = [sys.executable, "-m", "pipeline.stages.ingest", str(folder), "--out", str(out)]
     return subprocess.run(command, capture_output=True, text=True)
 
 

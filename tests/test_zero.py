@@ -12,15 +12,15 @@ import pytest
 from made_recording import content, recording
 from test_dataset import recorded, string
 
-from pipeline import schemas
-from pipeline.dataset import make_dataset
-from pipeline.errors import BadInput
-from pipeline.jump_notes import read_jumps
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
 from pipeline.lifespan.gather import strings
-from pipeline.recorded import Recorded
-from pipeline.strokes import segment
-from pipeline.zero import jumps, offsets_mm
-from pipeline.zero_beside import jumps_into
+from pipeline.run.strokes import segment
+from pipeline.stages.dataset import make_dataset
+from pipeline.string.beside import jumps_into
+from pipeline.string.history import Recorded
+from pipeline.string.jump_notes import read_jumps
+from pipeline.string.zero import jumps, offsets_mm
 
 ROOT = Path(__file__).parent.parent
 CUT_S, JUMP_MM = 121.0, 0.58  # amid the rest after the fourth of eight strokes; 29 times the noise
@@ -154,7 +154,7 @@ def test_a_note_of_jumps_that_is_none_is_refused(tmp_path: Path) -> None:
 
 
 def test_another_tare_is_refused(make_run) -> None:
-    from pipeline.runs import read_run
+    from pipeline.run.folder import read_run
 
     with pytest.raises(BadInput, match="tare"):
         read_run(make_run("b-1", tare="always"))
@@ -178,7 +178,7 @@ def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
 
 
 def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Path) -> None:
-    from pipeline.ingest import read_samples
+    from pipeline.run.samples import read_samples
 
     one, two = folders(tmp_path, JUMP_MM)
     (tmp_path / "broken").mkdir()

@@ -6,9 +6,9 @@ from pathlib import Path
 import pandas as pd
 
 from pipeline.campaign.points import SCHEMA
-from pipeline.outputs import file_to_write
-from pipeline.tables import opened
-from pipeline.train import configured, seed
+from pipeline.ground.outputs import file_to_write
+from pipeline.ground.tables import opened
+from pipeline.stages.train import configured, seed
 
 
 def parser(doc: str | None) -> argparse.ArgumentParser:

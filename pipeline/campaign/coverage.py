@@ -5,14 +5,14 @@ import json
 import numpy as np
 import pandas as pd
 
-from pipeline import schemas
 from pipeline.campaign.asked import parser, points_of
 from pipeline.campaign.tables import COVERAGE
-from pipeline.errors import BadInput, program
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.progress import steps
 from pipeline.models.interface import make_model
-from pipeline.models.intervals import Intervals, TooFew
-from pipeline.progress import steps
-from pipeline.train import fitting
+from pipeline.models.parts.intervals import Intervals, TooFew
+from pipeline.stages.train import fitting
 
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline import schemas
 from pipeline.campaign.fewshot import asked_and_shown
 from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import FLOOR
-from pipeline.errors import program
-from pipeline.floor import FLOORS, residuals
-from pipeline.outputs import file_to_write
-from pipeline.progress import steps
-from pipeline.tables import opened
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
+from pipeline.ground.outputs import file_to_write
+from pipeline.ground.progress import steps
+from pipeline.ground.tables import opened
+from pipeline.stages.floor import FLOORS, residuals
 
 
 def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:

@@ -16,8 +16,8 @@ from pipeline.capture.port import Port
 from pipeline.capture.printed import await_header, follow, tell_lines
 from pipeline.capture.stream import record
 from pipeline.capture.table import commit_lines, recover_lines
-from pipeline.errors import BadInput, program
-from pipeline.runs import read_run
+from pipeline.ground.errors import BadInput, program
+from pipeline.run.folder import read_run
 
 GAPS_TOLD = 5
 CLOCK = "time_s"

@@ -11,9 +11,9 @@ from typing import Any
 from pipeline.capture.log import NAME, in_use, sync_folder
 from pipeline.capture.losses import locate
 from pipeline.capture.stream import Outcome
-from pipeline.errors import BadInput
-from pipeline.files import write_text
-from pipeline.runs import capture_info
+from pipeline.ground.errors import BadInput
+from pipeline.ground.files import write_text
+from pipeline.run.folder import capture_info
 from pipeline.wire import Account, Hello, Reason, read_account
 
 SCHEMA = 1

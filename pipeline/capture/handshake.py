@@ -4,7 +4,7 @@ import time
 
 from pipeline.capture.guess import guess
 from pipeline.capture.port import Port, Unplugged
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.wire import Decoder, Frame, Hello, Kind, encode
 from pipeline.wire.check import VERSIONS
 

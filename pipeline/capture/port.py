@@ -7,7 +7,7 @@ from types import TracebackType
 
 import serial
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 
 try:
     import termios

@@ -12,7 +12,7 @@ from pipeline.capture.log import Log
 from pipeline.capture.port import Port, Unplugged
 from pipeline.capture.screen import Screen, clock
 from pipeline.capture.stream import PERSON, Outcome
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 
 HEADER_S = 5.0  # a board that was reset by opening its port needs some of them
 SILENCE_S = 3.0

@@ -12,8 +12,8 @@ from pipeline.capture.fields import names
 from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.log import LINES, in_use
 from pipeline.capture.stream import Outcome
-from pipeline.errors import BadInput
-from pipeline.files import sha256, whole
+from pipeline.ground.errors import BadInput
+from pipeline.ground.files import sha256, whole
 
 CSV = "recording.csv"
 

@@ -9,7 +9,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import Explanation
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 TAKEN_BACK = 1000.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
 STRAIGHT = 1e-3  # of a signal: what a line may leave of it

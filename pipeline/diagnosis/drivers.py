@@ -10,8 +10,8 @@ from scipy.ndimage import gaussian_filter1d
 from pipeline.diagnosis.naming import Units
 from pipeline.diagnosis.record import Record
 from pipeline.diagnosis.recursions import play
-from pipeline.kinematics import Array
-from pipeline.run_yaml import Run
+from pipeline.ground.kinematics import Array
+from pipeline.run.description import Run
 from pipeline.systems import System
 
 SMOOTH_S = 0.12

@@ -20,8 +20,8 @@ from pipeline.diagnosis.outcome import Study, bare, cancels, decide, rms
 from pipeline.diagnosis.problem import Problem, State, placed
 from pipeline.diagnosis.record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 from pipeline.diagnosis.search import Explanation, Search
-from pipeline.errors import BadInput
-from pipeline.run_yaml import Run
+from pipeline.ground.errors import BadInput
+from pipeline.run.description import Run
 from pipeline.systems import Parameter, System
 from pipeline.systems.interface import PORTS
 

@@ -13,7 +13,7 @@ from pipeline.diagnosis.compare import price
 from pipeline.diagnosis.outcome import Study, cancels, rms
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.search import Explanation, Search
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 T = TypeVar("T")
 LISTED = 11  # explanations

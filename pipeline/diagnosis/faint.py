@@ -9,7 +9,7 @@ from pipeline.diagnosis.heldout import first_held_out
 from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.words.quantity import size
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 
 LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no physics
 

@@ -19,7 +19,7 @@ from pipeline.diagnosis.panels import AFTER, SHADES
 from pipeline.diagnosis.words.sight import heading, included
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.files import whole
+from pipeline.ground.files import whole
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within

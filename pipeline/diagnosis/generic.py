@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 
 def hats(signal: Array, count: int) -> Array:

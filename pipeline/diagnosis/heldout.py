@@ -11,7 +11,7 @@ from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
 from pipeline.diagnosis.words.unseen import WORSE
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 LAST = 0.3
 TARE_S = 1.0

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from pipeline.diagnosis.drivers import Drivers
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 Port = Literal["twist", "radius", "length", "resistance", "sensor"]
 Shape = dict[str, float]

@@ -9,7 +9,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Key, Linear
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 Z90 = 1.6448536269514722
 FORM_SCALES = np.geomspace(0.01, 3.0, 24)  # noise floors: candidates of the random effect's size per column

@@ -10,7 +10,7 @@ from pipeline.diagnosis.judge import Weighed
 from pipeline.diagnosis.problem import State
 from pipeline.diagnosis.search import Explanation, Search
 from pipeline.diagnosis.weigh import weighed
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 HELD = 0.8  # of the probability of all explanations, that the sets of a verdict have together at least
 TAUGHT = 2  # effects in a lesson at most

@@ -16,7 +16,7 @@ from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.problem import Act, Problem, State
 from pipeline.diagnosis.products import Products
 from pipeline.diagnosis.recursions import boxed, fitted, scan
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
 ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true

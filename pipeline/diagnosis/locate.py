@@ -7,7 +7,7 @@ from numba import njit
 
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.record import PHASES
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 SHARE = 0.8
 TURN_BINS, STROKE_BINS = 48, 60

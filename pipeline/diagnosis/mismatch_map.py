@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.panels import BINS, MOTION, ways
 from pipeline.diagnosis.record import PHASES
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 
 def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:

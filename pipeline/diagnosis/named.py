@@ -12,7 +12,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
 from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
 Shapes = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval

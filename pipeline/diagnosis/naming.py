@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 
-from pipeline.schemas import unit_of
+from pipeline.ground.schemas import unit_of
 from pipeline.systems import System
 
 

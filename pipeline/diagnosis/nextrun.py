@@ -12,8 +12,8 @@ from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.protocol import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
 from pipeline.diagnosis.record import PHASES, Record
 from pipeline.diagnosis.search import Explanation, Search
-from pipeline.kinematics import Array
-from pipeline.run_yaml import Run
+from pipeline.ground.kinematics import Array
+from pipeline.run.description import Run
 
 MOST_STEPS = 4000
 Gap = tuple[float, tuple[str, ...], tuple[str, ...]]  # misfit, and the two explanations that it parts

@@ -7,7 +7,7 @@ from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
 from scipy.signal import lfilter
 
 from pipeline.diagnosis.recursions import whiten
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 MEMORY_S, FEWEST, MOST = 1.2, 6, 30
 FADING = 0.98  # a lag

@@ -9,7 +9,7 @@ from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.judge import Judge, judge
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.record import Record
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.systems import Parameter, System
 
 REMEMBERED = 64  # terms of shapes: those of whatever acts are asked for again and again

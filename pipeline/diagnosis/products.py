@@ -8,7 +8,7 @@ from scipy.linalg.blas import dsyrk
 
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.recursions import whiten
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 STRETCH = 2048  # samples: a whitened copy of all of them at once would be as large as the table
 

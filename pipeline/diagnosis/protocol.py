@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.diagnosis.record import Record
-from pipeline.run_yaml import Run
+from pipeline.run.description import Run
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
 LAST = 50  # samples that tell the load at the end

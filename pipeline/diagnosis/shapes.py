@@ -4,7 +4,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Shape
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
 WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third

@@ -21,9 +21,9 @@ from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import Study, rms
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.words.spoken import spoken
-from pipeline.fingerprint import fingerprint
-from pipeline.kinematics import Array
-from pipeline.run_yaml import Run
+from pipeline.ground.fingerprint import fingerprint
+from pipeline.ground.kinematics import Array
+from pipeline.run.description import Run
 
 HELD_OUT = ("nominal", "calibrated", "explained", "without_physics")
 DIGITS = 5  # more of them would be rounding, which processors do each in their own way

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pipeline.errors import BadInput, program
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
-from pipeline.files import whole, write_text
-from pipeline.outputs import file_to_write, folder_to_write
-from pipeline.train import SPLITS
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import whole, write_text
+from pipeline.ground.outputs import file_to_write, folder_to_write
+from pipeline.stages.train import SPLITS
 
 LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 

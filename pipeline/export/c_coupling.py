@@ -7,7 +7,7 @@ from pipeline.export.c_physics import paper_conditions
 from pipeline.export.c_text import Body, function, real
 from pipeline.export.source import Source
 from pipeline.export.weights import Blocks, blocks
-from pipeline.models.scaling import Scaling
+from pipeline.models.parts.scaling import Scaling
 
 CHAIN = """\
 /* The s and t of a block's half, from the other half and the conditions: s bounded softly, as exp(s). */

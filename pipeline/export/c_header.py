@@ -4,7 +4,7 @@ from pipeline.export import c_cinn, c_coupling, c_dense, c_physics, c_polynomial
 from pipeline.export.c_text import Body, function, real, renamed
 from pipeline.export.inputs import MEANING, Field, Inputs
 from pipeline.export.source import Source
-from pipeline.models.box import COLUMNS
+from pipeline.models.parts.box import COLUMNS
 
 BODIES = {
     "spline": c_spline.body,

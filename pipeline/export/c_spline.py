@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from pipeline.errors import BadInput
 from pipeline.export.c_curve import CURVE, PREPARED, QUERIES
 from pipeline.export.c_physics import physics, standardised, zone
 from pipeline.export.c_text import Body, function, real
 from pipeline.export.source import Source
+from pipeline.ground.errors import BadInput
 from pipeline.models.spline import MOST
 
 LAWS = {

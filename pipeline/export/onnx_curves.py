@@ -6,7 +6,7 @@ from onnx import TensorProto
 from pipeline.export.graph import Graph
 from pipeline.export.onnx_query import Query
 from pipeline.export.source import Source
-from pipeline.models.growth import Law
+from pipeline.models.parts.growth import Law
 from pipeline.models.spline import MOST
 
 

@@ -11,7 +11,7 @@ from pipeline.export.onnx_curves import analytic, polynomial, spline
 from pipeline.export.onnx_networks import coupling, pair_of_mlps
 from pipeline.export.onnx_query import Query
 from pipeline.export.source import Source
-from pipeline.schemas import unit_of
+from pipeline.ground.schemas import unit_of
 
 ANSWERS = {
     "spline": (spline, np.float64),

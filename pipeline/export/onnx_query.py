@@ -5,7 +5,7 @@ from typing import Any
 from pipeline.export.graph import Graph
 from pipeline.export.inputs import Inputs
 from pipeline.export.source import Source
-from pipeline.kinematics import RAD_PER_TURN, Array, loaded_radius
+from pipeline.ground.kinematics import RAD_PER_TURN, Array, loaded_radius
 
 
 class Query:

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline import schemas
-from pipeline.errors import BadInput
 from pipeline.export.inputs import Inputs
-from pipeline.models.box import Box
-from pipeline.models.conditions import MEASURED
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.ground.tables import opened as opened_table
 from pipeline.models.interface import make_model
-from pipeline.models.saved import read_bytes
-from pipeline.tables import opened as opened_table
-from pipeline.train import SPLITS, divided
+from pipeline.models.parts.box import Box
+from pipeline.models.parts.conditions import MEASURED
+from pipeline.models.parts.saved import read_bytes
+from pipeline.stages.train import SPLITS, divided
 
 PAPER = ("separator_mm", "length_mm", "radius_mm")
 READS = {  # the measured columns that a model reads whether or not they vary; conditions come on top

@@ -6,17 +6,17 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.complaint import key_name
-from pipeline.errors import BadInput
 from pipeline.foreign.layout_guess import guess_layout
 from pipeline.foreign.roles import Role, find_roles, numbers
 from pipeline.formats import format_of, read_foreign
-from pipeline.kinematics import Array
-from pipeline.run_yaml import String
-from pipeline.strict_yaml import write_yaml
+from pipeline.ground.complaint import key_name
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import Array
+from pipeline.ground.strict_yaml import write_yaml
+from pipeline.ground.text_file import TextFile
+from pipeline.ground.units import conversion
+from pipeline.run.description import String
 from pipeline.systems import System, systems
-from pipeline.text_file import TextFile
-from pipeline.units import conversion
 
 SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
 UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, cm or m"}

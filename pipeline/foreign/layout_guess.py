@@ -9,8 +9,8 @@ from typing import Any
 from pipeline.formats import format_of, workbook
 from pipeline.formats.text_layout import DECIMAL_COMMA, NUMBER, cells
 from pipeline.formats.unpacked import GZIP
-from pipeline.regular_file import open_regular
-from pipeline.text_file import TextFile
+from pipeline.ground.regular_file import open_regular
+from pipeline.ground.text_file import TextFile
 
 LOOK_BYTES, LOOK_ROWS, MOST_ABOVE = 1_000_000, 300, 5
 DELIMITERS = ("\t", ";", "|", ",", " ")  # the first that parts most rows

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.complaint import short
-from pipeline.errors import BadInput
 from pipeline.formats.interface import Format
 from pipeline.formats.nested import table_of
-from pipeline.regular_file import open_regular
-from pipeline.text_file import TextFile
+from pipeline.ground.complaint import short
+from pipeline.ground.errors import BadInput
+from pipeline.ground.regular_file import open_regular
+from pipeline.ground.text_file import TextFile
 
 __all__ = ["format_of", "formats", "read_foreign"]
 HELPERS = ("interface", "matlab_child", "nested", "stored", "text_layout", "unpacked")

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import BadInput
 from pipeline.formats.interface import Columns, Format
 from pipeline.formats.nested import DEEPEST, MOST_PARTS, columns_of
 from pipeline.formats.unpacked import IS_IT, NO_READINGS, is_bomb
-from pipeline.regular_file import open_regular
-from pipeline.text_file import TextFile
+from pipeline.ground.errors import BadInput
+from pipeline.ground.regular_file import open_regular
+from pipeline.ground.text_file import TextFile
 
 MOST_BYTES = 8_000_000_000  # of all data sets, unpacked: a day of ten channels at 10 kHz
 OBJECTS = "#subsystem#"  # where MATLAB puts its tables and timeseries

@@ -7,12 +7,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline.complaint import short
-from pipeline.errors import BadInput
 from pipeline.formats.interface import Columns, Format
 from pipeline.formats.nested import columns_of, records
 from pipeline.formats.unpacked import unpacked
-from pipeline.text_file import TextFile
+from pipeline.ground.complaint import short
+from pipeline.ground.errors import BadInput
+from pipeline.ground.text_file import TextFile
 
 LARGEST = 200_000_000  # bytes: Python needs some ten times as much to hold them as values
 SMALLER = "save it as CSV or Parquet, or cut it into runs"

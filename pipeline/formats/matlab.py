@@ -4,12 +4,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pipeline.errors import BadInput
 from pipeline.formats.hdf5 import OBJECT_MEND
 from pipeline.formats.interface import Columns, Format
 from pipeline.formats.matlab_child import TOLD, unpack
-from pipeline.regular_file import open_regular
-from pipeline.text_file import TextFile
+from pipeline.ground.errors import BadInput
+from pipeline.ground.regular_file import open_regular
+from pipeline.ground.text_file import TextFile
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -6,7 +6,7 @@ import pandas as pd
 
 from pipeline.formats.parquet import read_parquet
 from pipeline.formats.text import read_text
-from pipeline.text_file import TextFile
+from pipeline.ground.text_file import TextFile
 
 
 def read_table(path: Path, layout: TextFile) -> pd.DataFrame:

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline.complaint import short
-from pipeline.errors import BadInput
-from pipeline.text_file import TextFile
+from pipeline.ground.complaint import short
+from pipeline.ground.errors import BadInput
+from pipeline.ground.text_file import TextFile
 
 DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan", re.IGNORECASE)

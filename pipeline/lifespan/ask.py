@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.lifespan.health import Health
 from pipeline.lifespan.indicators import REFERENCE
 from pipeline.lifespan.left import Left, strokes_left

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from pipeline.files import whole
+from pipeline.ground.files import whole
 from pipeline.lifespan.ask import Answer
 from pipeline.lifespan.health import Health
 from pipeline.lifespan.indicators import REFERENCE

@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 from scipy.special import ndtr, ndtri
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.lifespan.laws import Law
 
 FINER, SETTLED = 3, 0.5  # grids laid within each other while one shape takes most of the weight

@@ -3,11 +3,11 @@
 import os
 from pathlib import Path
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
+from pipeline.ground.progress import steps
 from pipeline.lifespan.health import Health, health
-from pipeline.progress import steps
-from pipeline.recorded import Recorded
-from pipeline.recorded_run import read
+from pipeline.string.from_raw import read
+from pipeline.string.history import Recorded
 
 
 def strings(folders: list[Path]) -> list[Health]:

@@ -5,15 +5,15 @@ from dataclasses import dataclass, field
 import numpy as np
 import pandas as pd
 
-from pipeline.errors import BadInput
-from pipeline.ingest import geometry
+from pipeline.ground.errors import BadInput
 from pipeline.lifespan.anew import runs_anew
 from pipeline.lifespan.indicators import REFERENCE, ends_mm, loop, model_errors
 from pipeline.lifespan.readings import Stroke, readings
 from pipeline.lifespan.stiffness import stiffness
-from pipeline.recorded import Recorded, in_order
-from pipeline.run_yaml import STRING_ACTUATORS
-from pipeline.zero import Jump, jumps, offsets_mm
+from pipeline.run.description import STRING_ACTUATORS
+from pipeline.run.samples import geometry
+from pipeline.string.history import Recorded, in_order
+from pipeline.string.zero import Jump, jumps, offsets_mm
 
 SAME_RANGE = 0.05  # of the reference's range by which a stroke's ends may differ from the reference's
 INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_error_mm")

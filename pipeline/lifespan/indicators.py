@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.lifespan.readings import Stroke
 
 REFERENCE = 3  # first complete strokes: what later ones are compared with

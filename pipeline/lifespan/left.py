@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.lifespan.choose import Choice, choose
 
 LEAST_STROKES = 12  # 3 set the reference, 6 are fitted at least, 3 are left out at least

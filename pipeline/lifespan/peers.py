@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.lifespan.fit import fit
 from pipeline.lifespan.laws import LAWS, Law
 from pipeline.lifespan.left import FUTURES, HORIZON, STEPS, Left, passages

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ingest import geometry
-from pipeline.kinematics import Array
-from pipeline.recorded import Recorded
+from pipeline.ground.kinematics import Array
+from pipeline.run.samples import geometry
+from pipeline.string.history import Recorded
 
 Readings = tuple[Array, Array]  # twist in turns, what the nominal model leaves in mm
 

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.errors import BadInput, program
-from pipeline.files import whole, write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import whole, write_text
+from pipeline.ground.outputs import folder_to_write
+from pipeline.ground.progress import steps
 from pipeline.lifespan.ask import Answer, model_error, stroke_loss
 from pipeline.lifespan.health import Health, health
 from pipeline.lifespan.indicators import REFERENCE
@@ -18,9 +20,7 @@ from pipeline.lifespan.left import LEAST_STROKES, Left, first_passed
 from pipeline.lifespan.peers import PEERS, peer
 from pipeline.lifespan.scorefigure import page
 from pipeline.lifespan.scoretable import words
-from pipeline.outputs import folder_to_write
-from pipeline.progress import steps
-from pipeline.recorded_run import read
+from pipeline.string.from_raw import read
 
 SHARES = (0.25, 0.5, 0.75)  # of the strokes to the limit
 NUMBERS = (15, 30, 60)  # strokes

@@ -10,7 +10,7 @@ from pipeline.lifespan.left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
 from pipeline.lifespan.measured import measured
 from pipeline.lifespan.percent import of_100, percent, tail
 from pipeline.lifespan.whole import at_least, at_most, strokes
-from pipeline.zero import Jump
+from pipeline.string.zero import Jump
 
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "

@@ -8,7 +8,7 @@ from typing import Protocol
 
 import pandas as pd
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 
 class Model(Protocol):

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import program
-from pipeline.kinematics import Array
+from pipeline.ground.errors import program
+from pipeline.ground.kinematics import Array
 from pipeline.proof.case import Case
 from pipeline.proof.conceal import write_run
 from pipeline.proof.conceal_batch import drawn

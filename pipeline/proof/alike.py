@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from scipy.optimize import nnls
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.bench import Bench
 from pipeline.proof.case import Case
 from pipeline.proof.draws import EITHER_SIGN, NAMED, Parameters, draw_effect

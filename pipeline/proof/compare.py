@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pipeline.errors import program
+from pipeline.ground.errors import program
 
 
 @program

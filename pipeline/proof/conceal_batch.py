@@ -6,8 +6,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, cast
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
 from pipeline.proof import authored
 from pipeline.proof.case import Case, Stratum, answer, draw_case, performed
 from pipeline.proof.conceal import plain, write_run

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array
+from pipeline.ground.kinematics import RAD_PER_TURN, Array
 from pipeline.proof.bench import Bench
 from pipeline.proof.protocol import Protocol
 from pipeline.proof.wander import WANDERS, wander

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.perform import Performed
 
 SHARE = 0.80

@@ -5,8 +5,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import program
-from pipeline.files import write_text
+from pipeline.ground.errors import program
+from pipeline.ground.files import write_text
 from pipeline.proof.alike import copies, left_over
 from pipeline.proof.conceal_batch import drawn
 from pipeline.proof.draws import NAMED

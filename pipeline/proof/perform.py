@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.kinematics import Array, Geometry
+from pipeline.ground.kinematics import Array, Geometry
 from pipeline.proof.bench import Bench
 from pipeline.proof.protocol import STEPS_PER_SAMPLE, Protocol, phases
 from pipeline.rig import effects

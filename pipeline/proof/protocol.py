@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.bench import Bench
 from pipeline.rig.motion import Commands, Motion, commands
 

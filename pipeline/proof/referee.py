@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.bench import Bench
 from pipeline.proof.protocol import Protocol
 from pipeline.rig import effects

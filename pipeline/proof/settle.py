@@ -4,8 +4,8 @@ import argparse
 import json
 from pathlib import Path
 
-from pipeline.errors import program
-from pipeline.files import write_text
+from pipeline.ground.errors import program
+from pipeline.ground.files import write_text
 from pipeline.proof.ask import ask
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.bench import Bench
 from pipeline.proof.calibration import Calibrated, calibrate
 from pipeline.proof.draws import Parameters, Strength

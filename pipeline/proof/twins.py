@@ -14,16 +14,16 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.search import Search
-from pipeline.errors import program
-from pipeline.files import write_text
-from pipeline.kinematics import Array
+from pipeline.ground.errors import program
+from pipeline.ground.files import write_text
+from pipeline.ground.kinematics import Array
 from pipeline.proof.baselines.frozen import frozen
 from pipeline.proof.case import Case, draw_case
 from pipeline.proof.draws import NAMED
 from pipeline.proof.perform import perform
 from pipeline.proof.protocol import Kind
 from pipeline.proof.size import OutOfReach, rms
-from pipeline.run_yaml import parse_run
+from pipeline.run.description import parse_run
 
 LEAST = 0.03  # of an effect's rms, which the library must leave of each
 SEEDS = 3

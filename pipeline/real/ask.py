@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 
 from pipeline.diagnose import diagnose
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
 from pipeline.real.bring import REFUSED, usable
 
 

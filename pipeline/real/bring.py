@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
 from pipeline.import_run import import_run
 
 REFUSED = "refused.txt"

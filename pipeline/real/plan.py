@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.real.rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2

@@ -8,16 +8,16 @@ import numpy as np
 import pandas as pd
 
 from pipeline.diagnosis.engine import at_own_rate
-from pipeline.errors import BadInput, program
-from pipeline.files import whole
-from pipeline.ingest import read_samples
+from pipeline.diagnosis.simulation import read_diagnosis, state_of, tare
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import whole
 from pipeline.real.ask import ask
 from pipeline.real.blackbox import METHODS, Asked, Learnt, learn
 from pipeline.real.bring import usable
 from pipeline.real.features import Array, span_of
 from pipeline.real.plan import ALL_OTHERS
-from pipeline.run_yaml import Run
-from pipeline.simulate import read_diagnosis, state_of, tare
+from pipeline.run.description import Run
+from pipeline.run.samples import read_samples
 
 COLUMNS = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]
 LEAST_OTHERS = 2

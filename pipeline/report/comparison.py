@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline import schemas
-from pipeline.errors import program
-from pipeline.names import SYNTHETIC
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
+from pipeline.ground.names import SYNTHETIC
 from pipeline.report import paper
 from pipeline.report.agreement import agreement
 from pipeline.report.marks import add_mark, mark_from, write_page

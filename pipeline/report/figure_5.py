@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.report import paper
 from pipeline.report.drawing import MILLIMETRES, TURNS, name
 from pipeline.report.strokes_there import drawn

@@ -6,8 +6,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from pipeline import schemas
-from pipeline.errors import program
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
 from pipeline.report.drawing import STYLE, save
 from pipeline.report.figure_4 import figure_4
 from pipeline.report.figure_5 import figure_5

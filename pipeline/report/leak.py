@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from pipeline import schemas
-from pipeline.errors import program
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
 from pipeline.report.drawing import COLOURS, STYLE, save
 from pipeline.report.marks import add_mark, mark_from
 

@@ -3,9 +3,9 @@
 import argparse
 from pathlib import Path
 
-from pipeline.errors import BadInput
-from pipeline.files import write_text
-from pipeline.made_by import MadeBy, unpacked
+from pipeline.ground.errors import BadInput
+from pipeline.ground.files import write_text
+from pipeline.report.made_by import MadeBy, unpacked
 from pipeline.report.plain import note
 from pipeline.report.web.markdown import web_page
 

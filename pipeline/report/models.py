@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline import schemas
-from pipeline.errors import program
-from pipeline.files import write_text
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
+from pipeline.ground.files import write_text
 from pipeline.report import paper
 from pipeline.report.comparison import line
 from pipeline.report.marks import add_mark, mark_from, write_page

@@ -4,8 +4,8 @@ import argparse
 import csv
 from pathlib import Path
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
 from pipeline.report.marks import add_mark, mark_from
 from pipeline.report.plain import note
 from pipeline.report.sidecar import Column, describe

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from types import FrameType
 
-from pipeline.errors import program
+from pipeline.ground.errors import program
 from pipeline.rig.device import Device
 from pipeline.rig.line import line, serve
 from pipeline.rig.options import command, free_name

@@ -7,10 +7,10 @@ from typing import Any
 import pandas as pd
 import yaml
 
-from pipeline import schemas
-from pipeline.files import write_text
-from pipeline.folders import whole_folder
-from pipeline.run_yaml import parse_run
+from pipeline.ground import schemas
+from pipeline.ground.files import write_text
+from pipeline.ground.folders import whole_folder
+from pipeline.run.description import parse_run
 
 
 def whole_recordings(folder: Path) -> AbstractContextManager[Path]:

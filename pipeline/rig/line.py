@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device
 
 try:

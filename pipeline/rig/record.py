@@ -10,8 +10,8 @@ from pathlib import Path
 
 import yaml
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
 from pipeline.rig.setup import SetUp, described, names, read_setup
 
 PATIENCE_S = 30.0  # for the rig to be there, and to be gone

@@ -5,8 +5,8 @@ from typing import Annotated
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.kinematics import Array
-from pipeline.schemas import unit_of
+from pipeline.ground.kinematics import Array
+from pipeline.ground.schemas import unit_of
 from pipeline.wire.hello import INTEGERS, Channel
 
 

@@ -6,12 +6,12 @@ from typing import Annotated, Any
 import yaml
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from pipeline.errors import BadInput
-from pipeline.kinematics import Geometry
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig import effects
 from pipeline.rig.motion import Motion
 from pipeline.rig.sensors import Sensor
-from pipeline.run_yaml import Run, parse_run
+from pipeline.run.description import Run, parse_run
 
 SHIPPED = Path(__file__).parent / "setups"
 CHANNELS = ("motor_turns", "displacement_mm", "load_n")

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig import effects, sensors
 from pipeline.rig.motion import commands
 from pipeline.rig.setup import SetUp, described, dimensions

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array, Geometry, loaded_radius, separator_contraction
+from pipeline.ground.kinematics import RAD_PER_TURN, Array, Geometry, loaded_radius, separator_contraction
 from pipeline.rig.effect import ActsOn, Effect, Lived
 
 ROOM_C = 22.0

@@ -123,10 +123,10 @@ rule campaign:
         titles=[f"{model}={title_of(model)}" for model in CAMPAIGN["models"]],
         model=title_of(CAMPAIGN["coverage"]["model"]),
         made_by=mark_of("campaign"),
-        code=fingerprint("pipeline.report.campaign", "pipeline.report.web.*"),
+        code=fingerprint("pipeline.report.campaign.page", "pipeline.report.web.*"),
     message:
         "write the page of the campaign"
     shell:
-        "exec python -m pipeline.report.campaign {input.points:q} --few-shot {input.few_shot:q} --floor {input.floor:q}"
+        "exec python -m pipeline.report.campaign.page {input.points:q} --few-shot {input.few_shot:q} --floor {input.floor:q}"
         " --coverage {input.coverage:q} --titles {params.titles:q} --intervals-of {params.model:q}"
         " --made-by {params.made_by:q} --out-dir reports/campaign > {log:q} 2>&1"

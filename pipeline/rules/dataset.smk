@@ -30,9 +30,9 @@ rule dataset:
     params:
         runs=folders_of_runs,
         lossy="--keep-lossy" if config["keep_lossy"] else "",
-        code=fingerprint("pipeline.dataset"),
+        code=fingerprint("pipeline.stages.dataset"),
     message:
         "make the dataset of {wildcards.material}"
     shell:
-        "exec python -m pipeline.dataset {params.runs:q} --processed processed --out {output.dataset:q}"
+        "exec python -m pipeline.stages.dataset {params.runs:q} --processed processed --out {output.dataset:q}"
         " --out-left-out {output.left_out:q} --out-jumps {output.jumps:q} {params.lossy:q} $NOTE_REFUSALS > {log:q} 2>&1"

@@ -12,9 +12,9 @@ rule evaluate:
     log:
         "processed/logs/evaluate-{material}.log",
     params:
-        code=fingerprint("pipeline.evaluate"),
+        code=fingerprint("pipeline.stages.evaluate"),
     message:
         "evaluate the models of {wildcards.material}"
     shell:
-        "exec python -m pipeline.evaluate {input.dataset:q} {input.predictions:q} {input.floors:q}"
+        "exec python -m pipeline.stages.evaluate {input.dataset:q} {input.predictions:q} {input.floors:q}"
         " --out {output:q} > {log:q} 2>&1"

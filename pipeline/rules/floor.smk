@@ -9,8 +9,8 @@ rule floor:
     log:
         "processed/logs/floor-{material}.log",
     params:
-        code=fingerprint("pipeline.floor"),
+        code=fingerprint("pipeline.stages.floor"),
     message:
         "ask what no model of {wildcards.material} can beat"
     shell:
-        "exec python -m pipeline.floor {input:q} --out-dir processed/{wildcards.material:q} > {log:q} 2>&1"
+        "exec python -m pipeline.stages.floor {input:q} --out-dir processed/{wildcards.material:q} > {log:q} 2>&1"

@@ -19,8 +19,8 @@ rule ingest:
         "processed/logs/ingest-{run}.log",
     params:
         content=content,
-        code=fingerprint("pipeline.ingest"),
+        code=fingerprint("pipeline.stages.ingest"),
     message:
         "ingest {wildcards.run}"
     shell:
-        "exec python -m pipeline.ingest raw/{wildcards.run:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"
+        "exec python -m pipeline.stages.ingest raw/{wildcards.run:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"

@@ -29,11 +29,11 @@ rule leak_fit:
     threads: 1
     params:
         settings=settings_of_leaking,
-        code=fingerprint("pipeline.train", "pipeline.models.inn"),
+        code=fingerprint("pipeline.stages.train", "pipeline.models.inn"),
     message:
         "train the INN on {wildcards.material} as {wildcards.variant}, permutation {wildcards.seed}"
     shell:
-        "exec python -m pipeline.train {input:q} --model inn --split within --seed {wildcards.seed:q}"
+        "exec python -m pipeline.stages.train {input:q} --model inn --split within --seed {wildcards.seed:q}"
         " --settings {params.settings:q} --out-model {output.model:q} --out-predictions {output.predictions:q}"
         " > {log:q} 2>&1"
 
@@ -50,11 +50,11 @@ rule leak:
     log:
         "processed/logs/leak-{material}.log",
     params:
-        code=fingerprint("pipeline.leak"),
+        code=fingerprint("pipeline.stages.leak"),
     message:
         "take the INN's inverse errors on {wildcards.material} apart"
     shell:
-        "exec python -m pipeline.leak {input.dataset:q} {input.variants:q} {input.tabled:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.stages.leak {input.dataset:q} {input.variants:q} {input.tabled:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule leak_figure:

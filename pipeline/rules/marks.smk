@@ -1,5 +1,5 @@
-from pipeline.made_by import NOT_HASHED, called, made_by, unpacked
-from pipeline.names import SYNTHETIC as SYNTHETIC_MATERIAL
+from pipeline.report.made_by import NOT_HASHED, called, made_by, unpacked
+from pipeline.ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from pipeline.report.plain import note
 
 # Which configuration made what: a mark that every page, table and figure carries.

@@ -136,11 +136,11 @@ rule real_page:
     log:
         "processed/logs/real-page-{rig}.log",
     params:
-        code=fingerprint("pipeline.report.real"),
+        code=fingerprint("pipeline.report.real.page"),
     message:
         "write the page of {wildcards.rig}"
     shell:
-        "exec python -m pipeline.report.real {wildcards.rig:q} --verdicts {input.verdicts:q}"
+        "exec python -m pipeline.report.real.page {wildcards.rig:q} --verdicts {input.verdicts:q}"
         " --together {input.together:q} --black-boxes {input.black_boxes:q} --transfer {input.transfer:q}"
         " --out {output.page:q} --figure {output.figure:q} --table {output.table:q} > {log:q} 2>&1"
 
@@ -154,10 +154,10 @@ rule real:
     log:
         "processed/logs/real.log",
     params:
-        code=fingerprint("pipeline.report.real_index"),
+        code=fingerprint("pipeline.report.real.index"),
         passed_over=REAL.shown,
     message:
         "write the table over all public rigs"
     shell:
-        "exec python -m pipeline.report.real_index {input:q} --out {output.page:q} --table {output.table:q}"
+        "exec python -m pipeline.report.real.index {input:q} --out {output.page:q} --table {output.table:q}"
         " --passed-over {params.passed_over:q} > {log:q} 2>&1"

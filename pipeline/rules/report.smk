@@ -1,4 +1,4 @@
-from pipeline.left_out import to_json
+from pipeline.run.left_out import to_json
 
 
 # Functions, whose words Snakemake leaves as they are: a folder's name may look like a wildcard.

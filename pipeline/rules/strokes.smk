@@ -6,8 +6,8 @@ rule strokes:
     log:
         "processed/logs/strokes-{run}.log",
     params:
-        code=fingerprint("pipeline.strokes"),
+        code=fingerprint("pipeline.stages.strokes"),
     message:
         "cut {wildcards.run} into strokes"
     shell:
-        "exec python -m pipeline.strokes {input:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"
+        "exec python -m pipeline.stages.strokes {input:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"

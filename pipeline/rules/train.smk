@@ -7,7 +7,7 @@ FOUND_BY_NAME = {"diagnosed": ("pipeline.diagnosis.*", "pipeline.systems.*")}  #
 
 def code_of_model(wildcards):
     found = FOUND_BY_NAME.get(wildcards.model, ())
-    return fingerprint("pipeline.train", f"pipeline.models.{wildcards.model}", *found)
+    return fingerprint("pipeline.stages.train", f"pipeline.models.{wildcards.model}", *found)
 
 
 rule train:
@@ -27,6 +27,6 @@ rule train:
     message:
         "train {wildcards.model} on {wildcards.material}, split {wildcards.split}, seed {wildcards.seed}"
     shell:
-        "exec python -m pipeline.train {input:q} --model {wildcards.model:q} --split {wildcards.split:q}"
+        "exec python -m pipeline.stages.train {input:q} --model {wildcards.model:q} --split {wildcards.split:q}"
         " --seed {wildcards.seed:q} --settings {params.settings:q}"
         " --out-model {output.model:q} --out-predictions {output.predictions:q} > {log:q} 2>&1"

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numba import njit
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
 
 

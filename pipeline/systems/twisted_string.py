@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, UNKNOWN_STIFFNESS, Array, loaded_radius, usual_stiffness
+from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, UNKNOWN_STIFFNESS, Array, loaded_radius, usual_stiffness
 from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
 
 LOAD_UNIT_N = 10.0

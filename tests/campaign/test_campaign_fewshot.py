@@ -4,7 +4,6 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline import schemas
 from pipeline.campaign import coverage, fewshot, floor
 from pipeline.campaign.adapt import Adaptation
 from pipeline.campaign.coverage import LEFT_OUT, LEVELS, of_string
@@ -12,7 +11,8 @@ from pipeline.campaign.fewshot import ALONE, ASKED_AFTER, SHOTS, asked_and_shown
 from pipeline.campaign.floor import floors
 from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import COVERAGE, FEW_SHOT
-from pipeline.errors import BadInput
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
 from pipeline.models.interface import make_model
 
 

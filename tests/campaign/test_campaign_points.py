@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 import yaml
 
-from pipeline import schemas
 from pipeline.campaign.points import MOST_POINTS, SCHEMA, campaign_points, labelled, string_points
-from pipeline.dataset import points_of
-from pipeline.errors import BadInput
-from pipeline.ingest import read_samples
-from pipeline.recorded import Recorded, tare_mm
-from pipeline.strokes import segment
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.run.samples import read_samples
+from pipeline.run.strokes import segment
+from pipeline.stages.dataset import points_of
+from pipeline.string.history import Recorded, tare_mm
 
 ROOT = Path(__file__).parents[2]
 

@@ -22,7 +22,7 @@ from pipeline.capture.__main__ import plain, tell_frames
 from pipeline.capture.commit import Read, account
 from pipeline.capture.handshake import check_rate
 from pipeline.capture.stream import Outcome
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate

@@ -17,7 +17,7 @@ import tty
 import pytest
 
 from pipeline.capture.log import LINES, NAME, Log
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 
 LONG_S = 120
 HEADER = b"alpha,beta\r\n"  # names that no rig is known by: the program waits some seconds for better ones

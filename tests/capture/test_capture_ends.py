@@ -10,13 +10,13 @@ from faults.scripted_device import SAMPLES, frames, hello
 from pipeline.capture import stream
 from pipeline.capture.commit import recover
 from pipeline.capture.stream import Outcome, record
-from pipeline.captured import read_frames
-from pipeline.errors import BadInput
-from pipeline.ingest import read_samples
+from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device
 from pipeline.rig.record import describe
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
+from pipeline.run.captured import read_frames
+from pipeline.run.samples import read_samples
 from pipeline.wire import Decoder, Kind, encode
 
 
@@ -112,7 +112,7 @@ def test_one_bad_stamp_does_not_cost_the_run(small, tmp_path):
     assert info["exit_status"] == "complete" and info["recovered"]
     assert (info["samples"]["backward_time_stamps"], info["samples"]["repeated_time_stamps"]) == (1, 1)
     out = tmp_path / "samples.parquet"
-    command = [sys.executable, "-m", "pipeline.ingest", str(bad), "--out", str(out)]
+    command = [sys.executable, "-m", "pipeline.stages.ingest", str(bad), "--out", str(out)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert "recording.frames: mended 1 backward time stamps, 1 repeated time stamps" in done.stderr

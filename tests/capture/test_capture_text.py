@@ -21,9 +21,9 @@ from pipeline.capture.fields import MAX_LINE, fields, names
 from pipeline.capture.holes import Steps, find
 from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.table import recover_lines
-from pipeline.errors import BadInput
-from pipeline.recording import check_lines, read_recording
-from pipeline.run_yaml import parse_run
+from pipeline.ground.errors import BadInput
+from pipeline.run.description import parse_run
+from pipeline.run.recording import check_lines, read_recording
 
 HEADER = b"time_ms,motor_turns,displacement_mm\r\n"
 

@@ -8,7 +8,7 @@ import pytest
 
 from pipeline.capture.holes import MOST
 from pipeline.capture.table import recover_lines
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 
 HEADER = "time_ms,motor_turns,displacement_mm\n"
 LINES = "".join(f"{20 * number},{number},{number / 10}\n" for number in range(50))

@@ -4,7 +4,7 @@ import otherhand
 import pytest
 
 from pipeline.diagnosis.engine import make_problem
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 
 @pytest.fixture(scope="session")

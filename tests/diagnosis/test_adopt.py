@@ -13,13 +13,13 @@ import pandas as pd
 import pytest
 import yaml
 
-from pipeline import adopted_error
-from pipeline.adopted_block import adopted, bare, with_block, without_block
+from pipeline.adoption import before_after
+from pipeline.adoption.block import adopted, bare, with_block, without_block
 from pipeline.diagnose import described
 from pipeline.diagnosis.words import commands
-from pipeline.errors import BadInput
-from pipeline.runs import read_run
-from pipeline.strict_yaml import parse_yaml
+from pipeline.ground.errors import BadInput
+from pipeline.ground.strict_yaml import parse_yaml
+from pipeline.run.folder import read_run
 
 ROOT = Path(__file__).resolve().parents[2]
 LAG = [{"id": "sensor_lag", "parameters": {"late_s": 0.02}}, {"id": "backlash", "parameters": {"width": 1e-07}}]
@@ -191,8 +191,8 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     assert free[:2] == pytest.approx([before_fitted, fitted()], rel=0.05) and second.startswith("zero fitted to the wh")
     assert f"as by pipeline.simulate --simulation {diagnosis}" in flat(done)
     assert "Do not predict" not in done.stdout and free[1] < 2.0 * free[2]
-    assert adopted_error.distrust(0.99, 0.5, diagnosis) == []
-    (warned,) = adopted_error.distrust(0.99, 0.034, diagnosis)
+    assert before_after.distrust(0.99, 0.5, diagnosis) == []
+    (warned,) = before_after.distrust(0.99, 0.034, diagnosis)
     assert "errs 29 times as much as with the dim" in warned and f"simulate --simulation {diagnosis}" in warned
     assert "If a value changes: write it into run.yaml, take the effects out, diagnose again and adopt anew." in warned
     assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in flat(done)

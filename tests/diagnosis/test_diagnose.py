@@ -21,9 +21,9 @@ from pipeline import diagnose
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.noise import resolution
-from pipeline.errors import BadInput
-from pipeline.ingest import read_samples
-from pipeline.simulate import read_diagnosis, state_of
+from pipeline.diagnosis.simulation import read_diagnosis, state_of
+from pipeline.ground.errors import BadInput
+from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).resolve().parents[2]
 

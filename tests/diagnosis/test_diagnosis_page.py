@@ -16,7 +16,7 @@ from pipeline.diagnosis.words.quantity import percent
 from pipeline.diagnosis.words.sight import heading
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
 

@@ -12,7 +12,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Act
 from pipeline.diagnosis.shapes import hinge
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 SLACK = {"take_up_turns": 14.5, "stop": 0.0, "softness": 0.05}
 

@@ -6,7 +6,7 @@ import pytest
 from pipeline.diagnosis import nextrun
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.search import Search
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 
 def verdict(folder) -> tuple[str, tuple[str, ...]]:

@@ -8,7 +8,7 @@ import pytest
 
 from pipeline.diagnosis.engine import study
 from pipeline.diagnosis.faint import refuse_faint, unforeseen
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from pipeline.diagnosis.engine import make_problem
 from pipeline.diagnosis.flexible import foretold
 from pipeline.diagnosis.heldout import first_held_out, quick
 from pipeline.diagnosis.outcome import rms
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 DIRECTED = ("friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip", "x_clock", "load_swing")
 

@@ -9,7 +9,7 @@ from pipeline.diagnosis import locate
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.diagnosis.words.text import verdict_text
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 
 def test_box_of_a_patch(problem) -> None:

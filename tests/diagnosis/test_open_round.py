@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.diagnosis.engine import make_problem, study
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 ROUND = Path(__file__).parent.parent / "data" / "blind" / "round-1"
 EXACT, HELD, PAIRS_HELD = (

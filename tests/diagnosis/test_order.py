@@ -6,9 +6,9 @@ import pytest
 
 from pipeline.diagnosis import order
 from pipeline.diagnosis.engine import make_problem, study
-from pipeline.ingest import read_samples
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
+from pipeline.run.samples import read_samples
 
 
 def sets(*names):

@@ -10,7 +10,7 @@ from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.evidence import explanations
 from pipeline.diagnosis.judge import Weighed, judge
 from pipeline.diagnosis.words.reasons import SAID, reason, why
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "wear")]
 

@@ -20,9 +20,9 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.naming import Units
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.record import derivatives
-from pipeline.ingest import read_samples
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
+from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 from pipeline.systems.moving_mass import MovingMass
 

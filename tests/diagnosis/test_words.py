@@ -17,7 +17,7 @@ from pipeline.diagnosis.words import advice, certainty, effects, experiment, lev
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.glossary import MEANING
+from pipeline.ground.glossary import MEANING
 from pipeline.systems import systems
 
 SYSTEMS = {"mm": systems()["separator"], "deg": systems()["cable_drive"], "n": systems()["moving_mass"]}

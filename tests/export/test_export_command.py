@@ -19,14 +19,14 @@ from compiled import ROOT
 from made_models import saved
 from models.made_dataset import STRING, made_dataset, pair_dataset
 
-from pipeline import schemas
-from pipeline.errors import program
 from pipeline.export.__main__ import arguments, main
 from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
-from pipeline.kinematics import usual_stiffness
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
+from pipeline.ground.kinematics import usual_stiffness
 from pipeline.models.interface import make_model
-from pipeline.models.saved import read_json, write_bytes, write_json
+from pipeline.models.parts.saved import read_json, write_bytes, write_json
 
 
 @dataclass

@@ -11,8 +11,8 @@ import pytest
 from bench import Bench, Row, check, complete, refused, row
 from scripted_device import MARKS, frames, link
 
-from pipeline.errors import BadInput
-from pipeline.recording import read_frames
+from pipeline.ground.errors import BadInput
+from pipeline.run.recording import read_frames
 from pipeline.wire import Kind
 
 DAY_S = 86_400

@@ -15,7 +15,7 @@ import pytest
 import yaml
 from firmware.builds import FIRMWARE, SMALL, for_the_uno, for_this_computer, running, simulator
 
-from pipeline import schemas
+from pipeline.ground import schemas
 from pipeline.wire import Decoder, Event, Kind, Reason, Recording, encode, read_recording
 from pipeline.wire.frames import END, EVENT
 

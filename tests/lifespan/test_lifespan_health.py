@@ -5,13 +5,13 @@ import pandas as pd
 import pytest
 from made_life import folder, samples
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.lifespan.ask import model_error, stroke_loss
 from pipeline.lifespan.gather import strings
 from pipeline.lifespan.health import INDICATORS, health
 from pipeline.lifespan.stiffness import stiffness
-from pipeline.recorded_run import read
-from pipeline.strokes import segment
+from pipeline.run.strokes import segment
+from pipeline.string.from_raw import read
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ import pytest
 from made_life import folder, samples
 from made_recording import content
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.advice import advice, recalibrate_after
 from pipeline.lifespan.ask import Answer, first, model_error, stroke_loss

@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import Array, Geometry
-from pipeline.schemas import DATASET
+from pipeline.ground.kinematics import Array, Geometry
+from pipeline.ground.schemas import DATASET
 
 TOP_TURNS = 27.2
 PLAY_TURNS = 0.1  # half width of the loop: the string's twist follows the motor's this much behind

@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from made_dataset import LOAD_N, STRING, ZONE
 
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.models.calibrated import Calibrated, sigma_mm
 from pipeline.models.traditional import Traditional
 

@@ -7,8 +7,8 @@ import pandas as pd
 import pytest
 from made_dataset import made_dataset
 
-from pipeline.models.conditions import Conditions
 from pipeline.models.interface import make_model
+from pipeline.models.parts.conditions import Conditions
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pipeline.models.coupling import Coupling, InvertibleNet, mixing_layers, product
-from pipeline.models.training import repeatable
+from pipeline.models.parts.training import repeatable
 
 
 def shaken(module: torch.nn.Module) -> torch.nn.Module:

@@ -7,11 +7,11 @@ import pandas as pd
 import pytest
 from made_dataset import LOAD_N, STRING, ZONE, made_dataset
 
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.models.diagnosed import Diagnosed
 from pipeline.models.interface import make_model
-from pipeline.models.motion import Motion, one_way
-from pipeline.models.saved import read_json
+from pipeline.models.parts.motion import Motion, one_way
+from pipeline.models.parts.saved import read_json
 from pipeline.models.traditional import Traditional
 
 NOISE_MM = 0.03  # of made_dataset

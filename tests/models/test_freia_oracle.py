@@ -6,7 +6,7 @@ import pytest
 import torch
 
 from pipeline.models.coupling import Coupling, InvertibleNet, relu_net
-from pipeline.models.training import repeatable
+from pipeline.models.parts.training import repeatable
 
 freia = pytest.importorskip("FrEIA.modules")
 # FrEIA bounds s by clamp · 0.636 · atan, we by clamp · (2/π) · atan, of which 0.636 is the rounded value.

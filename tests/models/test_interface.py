@@ -159,7 +159,7 @@ def test_a_pair_without_separator_is_fine(name: str, pair_points: pd.DataFrame) 
 
 @pytest.mark.parametrize("name", WITHOUT_TORCH)
 def test_the_analytic_models_do_not_import_torch(name: str) -> None:
-    program = f"import sys, pipeline.train, pipeline.models.{name}; sys.exit('torch' in sys.modules)"
+    program = f"import sys, pipeline.stages.train, pipeline.models.{name}; sys.exit('torch' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
 
 

@@ -6,7 +6,7 @@ import pytest
 from made_strings import NOISE_MM, made_string
 
 from pipeline.models.interface import make_model
-from pipeline.models.intervals import AHEAD, Intervals, TooFew, _parts
+from pipeline.models.parts.intervals import AHEAD, Intervals, TooFew, _parts
 
 STRINGS, KNOWN, LEVEL = 48, 7, 0.9
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}

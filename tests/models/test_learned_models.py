@@ -8,13 +8,13 @@ import pytest
 import torch
 from made_dataset import made_dataset
 
-from pipeline import progress
+from pipeline.ground import progress
 from pipeline.models.coupling import mixing_layers, product
-from pipeline.models.features import contraction_and_conditions, twist_and_conditions
 from pipeline.models.inn import Inn
 from pipeline.models.mlp import Mlp
-from pipeline.models.scaling import Scaling
-from pipeline.models.training import minimise, tensor
+from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
+from pipeline.models.parts.scaling import Scaling
+from pipeline.models.parts.training import minimise, tensor
 
 SMALL = {"width": 32, "layers": 2, "epochs": 24, "batch": 60, "rates": (4e-3, 2e-3, 5e-4, 2e-4)}
 

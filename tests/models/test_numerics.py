@@ -5,8 +5,8 @@ import pandas as pd
 import pytest
 from made_dataset import made_dataset
 
-from pipeline.models.box import Box
 from pipeline.models.interface import Model, make_model
+from pipeline.models.parts.box import Box
 
 ON_DATA_TURNS, IN_BOX_TURNS = 1e-4, 1e-3
 

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import optimize
 
-from pipeline.models import rational
-from pipeline.models.growth import CANDIDATES, early_and_late
 from pipeline.models.interface import make_model
-from pipeline.models.marquardt import least_squares
+from pipeline.models.parts import rational
+from pipeline.models.parts.growth import CANDIDATES, early_and_late
+from pipeline.models.parts.marquardt import least_squares
 from pipeline.models.spline import Spline
 
 

@@ -9,7 +9,7 @@ import pytest
 from pipeline.proof.addon import Continued, Leg, described, gone_on, proposed, same_again
 from pipeline.proof.case import draw_case
 from pipeline.proof.perform import perform
-from pipeline.run_yaml import parse_run
+from pipeline.run.description import parse_run
 
 LEGS = (Leg(10.0, 12.0, 20.0), Leg(60.0, 12.0, 20.0), Leg(10.0, 0.0, 20.0))
 

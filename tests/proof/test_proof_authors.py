@@ -5,7 +5,7 @@ import json
 import pandas as pd
 import pytest
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.proof import authored
 from pipeline.proof.conceal_batch import concealed
 from pipeline.proof.plan import Planned, batches, plan, read, written

@@ -10,7 +10,6 @@ import pytest
 from pipeline.diagnosis.engine import at_own_rate, make_problem, rms
 from pipeline.diagnosis.heldout import first_held_out
 from pipeline.diagnosis.library import mechanisms
-from pipeline.ingest import read_samples
 from pipeline.proof.baselines import __main__ as command
 from pipeline.proof.baselines.features import products
 from pipeline.proof.baselines.frozen import frozen
@@ -18,6 +17,7 @@ from pipeline.proof.baselines.learnt import Calibrated, Learnt, calibrated, held
 from pipeline.proof.baselines.residual_sindy import SIGNED, STANDS_FOR
 from pipeline.proof.case import draw_case, performed
 from pipeline.proof.conceal import write_run
+from pipeline.run.samples import read_samples
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import lsq_linear
 
 import pipeline.proof
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.proof import referee
 from pipeline.proof.alike import copies, left_over
 from pipeline.proof.bench import draw_bench, mismeasure
@@ -21,7 +21,7 @@ from pipeline.proof.protocol import draw_protocol
 from pipeline.proof.referee import CLAIMS, rule
 from pipeline.proof.size import OutOfReach, measure
 from pipeline.rig import effects
-from pipeline.strokes import label
+from pipeline.run.strokes import label
 
 
 @cache
@@ -172,8 +172,14 @@ def test_the_same_seed_makes_the_same_case():
 
 
 def test_the_generator_and_the_score_know_nothing_of_what_must_explain_it():
-    allowed = ("pipeline.proof", "pipeline.rig", "pipeline.kinematics", "pipeline.schemas", "pipeline.run")
-    allowed += ("pipeline.files", "pipeline.errors", "pipeline.strokes")
+    allowed = (
+        "pipeline.proof",
+        "pipeline.rig",
+        "pipeline.ground.kinematics",
+        "pipeline.ground.schemas",
+        "pipeline.run",
+    )
+    allowed += ("pipeline.ground.files", "pipeline.ground.errors", "pipeline.run.strokes")
     compare = ("pipeline.proof.baselines", "pipeline.proof.twins", "pipeline.proof.teach")  # it is their purpose
     folder = Path(pipeline.proof.__file__).parent
     for path in folder.rglob("*.py"):

@@ -7,8 +7,8 @@ import sys
 import pytest
 
 from pipeline.proof.plan import Planned, written
-from pipeline.recording import read_recording
-from pipeline.runs import read_run
+from pipeline.run.folder import read_run
+from pipeline.run.recording import read_recording
 
 
 def conceal(place, *arguments):

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.proof.draws import NAMED, OPEN_SET
 from pipeline.proof.plan import batches, effect_names, plan, read, written
 

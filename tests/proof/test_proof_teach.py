@@ -11,7 +11,7 @@ import pytest
 
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.judged import held
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.proof import ask
 from pipeline.proof.teach import across, fit
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written

@@ -9,11 +9,11 @@ from made_recording import recording
 
 from pipeline.diagnosis import heldout
 from pipeline.diagnosis.engine import make_problem
-from pipeline.ingest import read_samples
 from pipeline.real import transfer
 from pipeline.real.blackbox import METHODS, Asked, first_held_out, held_out
 from pipeline.real.features import averaged, features, low_pass, memory, span_of
 from pipeline.real.plan import ALL_OTHERS
+from pipeline.run.samples import read_samples
 
 
 @pytest.fixture

@@ -8,9 +8,9 @@ import pytest
 import yaml
 from made_recording import content, recording
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
+from pipeline.ground.names import run_name
 from pipeline.import_run import read_mapping
-from pipeline.names import run_name
 from pipeline.real.ask import ask
 from pipeline.real.bring import REFUSED, bring, usable
 from pipeline.real.plan import RealPlan, make_real_plan, plan_of

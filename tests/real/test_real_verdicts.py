@@ -8,7 +8,7 @@ import pytest
 from pipeline.diagnosis import engine, heldout
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
-from pipeline.ingest import read_samples
+from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parent.parent.parent
 RECORDINGS = ROOT.parent / "shared" / "recordings"

@@ -7,12 +7,12 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
-from pipeline import schemas
 from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
-from pipeline.report import campaign, campaign_figures
-from pipeline.report.campaign_results import pooled
-from pipeline.report.campaign_words import CALLED, leaders, nearest, untold, without_others
+from pipeline.ground import schemas
+from pipeline.report.campaign import figures, page
+from pipeline.report.campaign.results import pooled
+from pipeline.report.campaign.words import CALLED, leaders, nearest, untold, without_others
 
 TITLES = {"inn": "INN model", "spline": "Spline model", "calibrated": "Calibrated model"}
 STRINGS = ["a", "b", "c", "d"]
@@ -131,7 +131,7 @@ def written(few_shot, floor, coverage, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("sys.argv", arguments)
     with pytest.raises(SystemExit) as status:
-        campaign.main()
+        page.main()
     assert status.value.code == 0
     return tmp_path
 
@@ -166,12 +166,12 @@ def test_the_page_counts_strings_and_gives_every_cell(written):
 
 
 def test_figures_have_a_line_for_every_way_to_learn_and_the_floor(few_shot, floor, coverage):
-    figure = campaign_figures.few_shot(few_shot, floor, TITLES)
+    figure = figures.few_shot(few_shot, floor, TITLES)
     for axes in figure.axes:
         named = [one for one in axes.get_lines() if not one.get_label().startswith("_")]
         assert len(named) == len(KNOWN) + 1
         assert {one.get_linestyle() for one in named} == {"-", "--", ":"} and axes.get_yscale() == "log"
     plt.close(figure)
-    figure = campaign_figures.coverage(coverage)
+    figure = figures.coverage(coverage)
     assert len(figure.axes) == 3 and "4 strings" in figure.get_suptitle()
     plt.close(figure)

@@ -6,12 +6,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline import schemas
-from pipeline.made_by import MadeBy
+from pipeline.ground import schemas
 from pipeline.report.drawing import save
 from pipeline.report.figure_4 import figure_4
 from pipeline.report.figure_5 import by_range, figure_5
 from pipeline.report.figures import best_other
+from pipeline.report.made_by import MadeBy
 from pipeline.report.winding import with_median, with_nominal
 
 TITLES = {"inn": "INN model", "spline": "Spline model", "mlp": "MLP model", "traditional": "Traditional model"}

@@ -15,12 +15,12 @@ from test_diagnoses import FINE, TIED
 from test_models_page import TITLES, made_metrics
 from test_tables import made_metrics as made_table_metrics
 
-from pipeline import schemas
-from pipeline.left_out import LeftOut, to_json
-from pipeline.made_by import MadeBy
+from pipeline.ground import schemas
 from pipeline.report.glance import best, shortened
 from pipeline.report.index import page
+from pipeline.report.made_by import MadeBy
 from pipeline.report.summary import summary
+from pipeline.run.left_out import LeftOut, to_json
 
 HOSTILE = "<img src=x onerror=alert(1)>"
 SMALL = MadeBy(f"{HOSTILE}.yaml", "abc1234", "small", f"{HOSTILE} 2 seeds", ())

@@ -10,12 +10,13 @@ import pandas as pd
 import pytest
 from made_recording import recording
 
-from pipeline import jump_notes, schemas
-from pipeline.dag import Plan, stored
-from pipeline.errors import BadInput
-from pipeline.known_files import KnownFiles
-from pipeline.left_out import LeftOut, from_json, noted, to_json
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
 from pipeline.report import ended, left_out
+from pipeline.run.left_out import LeftOut, from_json, noted, to_json
+from pipeline.string import jump_notes
+from pipeline.workflow.dag import Plan, stored
+from pipeline.workflow.known_files import KnownFiles
 
 ONE = LeftOut("a-01", "nylon", "raw/a-01/run.yaml", "<b>", "is 'x' & \n\x1b[31m", "write it")
 

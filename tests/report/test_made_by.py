@@ -9,7 +9,7 @@ import pytest
 import yaml
 from snakemake.utils import update_config
 
-from pipeline.made_by import MadeBy, called, made_by, sentence, unpacked, warning
+from pipeline.report.made_by import MadeBy, called, made_by, sentence, unpacked, warning
 from pipeline.report.plain import note, plain
 from pipeline.report.sidecar import describe
 

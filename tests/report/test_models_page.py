@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
-from pipeline import schemas
+from pipeline.ground import schemas
 from pipeline.report.drawing import STYLE
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw

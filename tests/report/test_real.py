@@ -11,9 +11,9 @@ import pytest
 from made_verdict import made_verdict
 
 from pipeline.real.rigs import Answer, Expected, read_rigs
-from pipeline.report import real, real_index
-from pipeline.report.real_doubts import doubt, found_answer
-from pipeline.report.real_results import read_results
+from pipeline.report.real import index, page
+from pipeline.report.real.doubts import doubt, found_answer
+from pipeline.report.real.results import read_results
 
 HYSTERESIS = Expected(names=[["friction_hysteresis", "backlash"]], never=["axial_elasticity"], said="a loop is missing")
 OPEN = Expected(said="nobody knows")
@@ -108,9 +108,9 @@ def run(tmp_path, verdicts, together, boxes, transfer):
     words = ["tsa_haptic", "--verdicts", *verdicts, "--together", *together, "--black-boxes", *boxes]
     words += ["--transfer", *transfer, "--out", out / "tsa_haptic.html", "--figure", out / "tsa_haptic.png"]
     words += ["--table", tmp_path / "rows.csv"]
-    command = [sys.executable, "-m", "pipeline.report.real", *map(str, words)]
+    command = [sys.executable, "-m", "pipeline.report.real.page", *map(str, words)]
     subprocess.run(command, check=True, capture_output=True)
-    command = [sys.executable, "-m", "pipeline.report.real_index", str(tmp_path / "rows.csv")]
+    command = [sys.executable, "-m", "pipeline.report.real.index", str(tmp_path / "rows.csv")]
     command += ["--out", str(out / "index.html"), "--table", str(out / "table.csv")]
     command += ["--passed-over", "./data/<b>.txt"]
     subprocess.run(command, check=True, capture_output=True)
@@ -164,7 +164,7 @@ def test_a_rig_with_one_recording_and_no_verdict_has_its_page_all_the_same(made,
 
 def test_the_smallest_error_is_the_bold_one(made):
     verdicts, _, boxes, transfer = made
-    assert real.sizes({"nominal": 2.0, "mlp": 0.5}, ["nominal", "explained", "mlp"]) == [
+    assert page.sizes({"nominal": 2.0, "mlp": 0.5}, ["nominal", "explained", "mlp"]) == [
         "2", "", "<span class=best>0.5</span>",
     ]  # fmt: skip
     a, b, c = read_results(verdicts, [], boxes, pd.read_csv(transfer))
@@ -172,7 +172,7 @@ def test_the_smallest_error_is_the_bold_one(made):
                          "gaussian_process": 0.5, "mlp": 0.6}  # fmt: skip
     assert c.heldout == {} and b.group == "module-1"
     rows = pd.DataFrame([{"rig": "tsa_haptic", **one.row(read_rigs()["tsa_haptic"])} for one in (a, b, c)])
-    said = real_index.beaten(rows)
+    said = index.beaten(rows)
     assert (
         said.count("better on 1 of 1") == 2
         and "learnt from all others the best of the three black boxes is better on 0" in said

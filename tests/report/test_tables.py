@@ -5,10 +5,10 @@ import json
 import pandas as pd
 import pytest
 
-from pipeline import schemas
-from pipeline.made_by import MadeBy
+from pipeline.ground import schemas
 from pipeline.report import paper
 from pipeline.report.comparison import comparison
+from pipeline.report.made_by import MadeBy
 from pipeline.report.table_forms import from_markdown, to_csv, to_latex, to_markdown
 from pipeline.report.tables import rows, write
 

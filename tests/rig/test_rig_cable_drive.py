@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from pipeline.ingest import read_samples
 from pipeline.rig.others import cable_drive, cable_parts
 from pipeline.rig.others.cable_plan import TIME_S
 from pipeline.rig.others.capstan import Capstans
 from pipeline.rig.others.chance import stream, wander
 from pipeline.rig.others.made import write_run
-from pipeline.run_yaml import parse_run
+from pipeline.run.description import parse_run
+from pipeline.run.samples import read_samples
 
 ALL = {
     "friction_hysteresis": 1.5,

@@ -8,13 +8,13 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.errors import BadInput
-from pipeline.ingest import geometry, read_samples
-from pipeline.kinematics import RAD_PER_TURN
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import RAD_PER_TURN
 from pipeline.rig.campaign.plan import plan
 from pipeline.rig.campaign.specimen import SIGMA, Bands, draw_specimen, materials
 from pipeline.rig.folder import whole_recordings
-from pipeline.strokes import segment
+from pipeline.run.samples import geometry, read_samples
+from pipeline.run.strokes import segment
 
 ROOT = Path(__file__).parents[2]
 MANY = [planned.specimen for planned in plan(3, 100, 9)]

@@ -9,8 +9,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.ingest import geometry, read_samples
-from pipeline.kinematics import RAD_PER_TURN, Geometry
+from pipeline.ground.kinematics import RAD_PER_TURN, Geometry
 from pipeline.rig.effects import friction_hysteresis
 from pipeline.rig.endurance import x_fatigue, x_galling
 from pipeline.rig.endurance.ageing import made
@@ -18,7 +17,8 @@ from pipeline.rig.endurance.life import ENOUGH_LOST, live
 from pipeline.rig.endurance.plan import MOST_STROKES, plan
 from pipeline.rig.motion import Motion, commands
 from pipeline.rig.string import String
-from pipeline.strokes import segment
+from pipeline.run.samples import geometry, read_samples
+from pipeline.run.strokes import segment
 
 ROOT = Path(__file__).parents[2]
 GEOMETRY = Geometry("separator", 0.5, 400.0, 15.0, 130.0, 8.0)

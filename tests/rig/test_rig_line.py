@@ -14,7 +14,7 @@ from pipeline.new_run import main as new_run
 from pipeline.rig.options import command, free_name
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
-from pipeline.runs import read_run
+from pipeline.run.folder import read_run
 
 ROOT = Path(__file__).parents[2]
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import yaml
 
-from pipeline.errors import BadInput
+from pipeline.ground.errors import BadInput
 from pipeline.rig.motion import Motion, commands
 from pipeline.rig.setup import SHIPPED, names, read_setup
 

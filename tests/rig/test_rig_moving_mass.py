@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy.signal import butter, sosfiltfilt
 
-from pipeline.ingest import read_samples
 from pipeline.rig.others import moving_mass
 from pipeline.rig.others.made import write_run
 from pipeline.rig.others.mass_plan import PLANS, STEP_S, told
-from pipeline.run_yaml import parse_run
-from pipeline.strokes import segment
+from pipeline.run.description import parse_run
+from pipeline.run.samples import read_samples
+from pipeline.run.strokes import segment
 
 ALL = {
     "viscous_loss": 200.0,

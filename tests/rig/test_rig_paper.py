@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.dataset import blocks_from_top, held_out
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.motion import commands
 from pipeline.rig.setup import described, dimensions, read_setup
 from pipeline.rig.simulate import simulate
-from pipeline.strokes import label
+from pipeline.run.strokes import label
+from pipeline.stages.dataset import blocks_from_top, held_out
 
 LOAD_N = 20.0
 # Traditional model at n = 1, 5, 9: forward mean, maximum, RMSE in mm, then inverse mean, maximum, RMSE in turns.

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import pipeline.rig
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig import effects
 from pipeline.rig.motion import Motion, commands
 from pipeline.rig.setup import described, dimensions, read_setup

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig import effects
 from pipeline.rig.string import String
 

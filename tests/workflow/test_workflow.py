@@ -290,7 +290,7 @@ def test_a_killed_snakemake_leaves_no_job_behind(project):
 
 def jobs_in(folder):
     """Training programs at work in a folder."""
-    done = subprocess.run(["pgrep", "-f", "pipeline.train"], capture_output=True, text=True)
+    done = subprocess.run(["pgrep", "-f", "pipeline.stages.train"], capture_output=True, text=True)
     places = []
     for pid in done.stdout.split():
         try:

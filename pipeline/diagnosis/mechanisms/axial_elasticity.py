@@ -4,7 +4,7 @@ import numpy as np
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 TOE_LOADS = (0.15, 0.5)  # of 10 N
 

@@ -5,7 +5,7 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.shapes import jump_mark, slipped, slips, slips_seen
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

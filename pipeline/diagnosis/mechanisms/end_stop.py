@@ -5,7 +5,7 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.shapes import hinge
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins

@@ -6,7 +6,7 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import play
 from pipeline.diagnosis.shapes import grid
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop

@@ -7,7 +7,7 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.noise import resolution
 from pipeline.diagnosis.recursions import sticking
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate

@@ -6,7 +6,7 @@ from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.recursions import lowpass
 from pipeline.diagnosis.shapes import time_constants, within
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)
 LEAST_RANGE_K = 0.3

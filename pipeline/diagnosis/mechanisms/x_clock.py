@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
 from pipeline.diagnosis.shapes import half_waves
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 WAVES = 8.0  # half waves over the recording, at most
 MOST_S = 2.0  # of delay that comes or goes

@@ -5,7 +5,7 @@ from scipy.ndimage import median_filter
 
 from pipeline.diagnosis.drivers import Drivers
 from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 LEAST_PERIODS = 3
 AROUND = 61  # bins of the spectrum that make the background of a line

@@ -8,7 +8,7 @@ from pipeline.diagnosis.bounds import BOUND, at_bound
 from pipeline.diagnosis.words.headline import LITTLE
 from pipeline.diagnosis.words.quantity import listing, number, quantity, said_unit, size, times
 from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.schemas import unit_of
+from pipeline.ground.schemas import unit_of
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was

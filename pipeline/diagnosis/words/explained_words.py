@@ -5,7 +5,7 @@ from typing import Any
 
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.glossary import MEANING
+from pipeline.ground.glossary import MEANING
 
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
 

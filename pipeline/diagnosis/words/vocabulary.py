@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from pipeline.schemas import unit_of
+from pipeline.ground.schemas import unit_of
 from pipeline.systems import System
 
 ANGLES = ("deg", "rad", "turns")

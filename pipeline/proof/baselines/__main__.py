@@ -10,10 +10,10 @@ from typing import Any
 from threadpoolctl import threadpool_limits
 
 from pipeline.diagnosis import engine
-from pipeline.errors import program
-from pipeline.files import write_text
-from pipeline.ingest import read_samples
+from pipeline.ground.errors import program
+from pipeline.ground.files import write_text
 from pipeline.proof.baselines.learnt import Method, calibrated, held_out_mm
+from pipeline.run.samples import read_samples
 
 METHODS = ("residual_sindy", "frozen_fit", "gradient_boosting", "gaussian_process")
 

@@ -6,7 +6,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.search import LEAST_GAIN, Search
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.baselines.frozen import frozen
 from pipeline.proof.baselines.learnt import Calibrated, Learnt
 

@@ -3,7 +3,7 @@
 from sklearn.ensemble import HistGradientBoostingRegressor
 
 from pipeline.diagnosis.problem import Problem
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.baselines.features import plain, standard, table
 from pipeline.proof.baselines.learnt import Calibrated, Learnt
 

@@ -11,7 +11,7 @@ from pipeline.diagnosis.engine import rms
 from pipeline.diagnosis.heldout import first_held_out
 from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.record import wild
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 
 @dataclass(frozen=True)

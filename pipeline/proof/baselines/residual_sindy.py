@@ -6,7 +6,7 @@ import numpy as np
 from pysindy import STLSQ, IdentityLibrary, SINDy
 
 from pipeline.diagnosis.problem import Problem
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.proof.baselines.features import products, standard, table
 from pipeline.proof.baselines.learnt import Calibrated, Learnt
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.errors import program
-from pipeline.files import write_text
+from pipeline.ground.errors import program
+from pipeline.ground.files import write_text
 from pipeline.proof.score import beside
 from pipeline.proof.score.authors import by_author, by_law
 from pipeline.proof.score.cases import OWN, gather

@@ -5,9 +5,9 @@ import json
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
-from pipeline.progress import steps
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
+from pipeline.ground.progress import steps
 from pipeline.proof.teach import across, fit
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written
 from pipeline.rig.authors import names

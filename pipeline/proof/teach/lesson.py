@@ -11,7 +11,7 @@ from pipeline.diagnosis.judge import Weighed
 from pipeline.diagnosis.weigh import weighed
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, OutOfReach, Protocol
-from pipeline.run_yaml import parse_run
+from pipeline.run.description import parse_run
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
 SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm

@@ -2,7 +2,7 @@
 
 from markupsafe import Markup
 
-from pipeline.glossary import MEANING, TERMS
+from pipeline.ground.glossary import MEANING, TERMS
 from pipeline.report.web.page import folded, together
 
 

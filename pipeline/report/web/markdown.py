@@ -9,7 +9,7 @@ from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 from markupsafe import Markup
 
-from pipeline.made_by import MadeBy
+from pipeline.report.made_by import MadeBy
 from pipeline.report.web.page import anchor, document
 
 INDEX = Markup('<a href="../index.html">All reports</a>')

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from pipeline.errors import program
+from pipeline.ground.errors import program
 from pipeline.rig.campaign.plan import plan
 from pipeline.rig.folder import whole_recordings, write_run
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig import sensors
 from pipeline.rig.campaign.specimen import Specimen
 from pipeline.rig.effect import Effect

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.errors import program
-from pipeline.files import whole
+from pipeline.ground.errors import program
+from pipeline.ground.files import whole
 from pipeline.rig.endurance.life import live
 from pipeline.rig.endurance.plan import plan
 from pipeline.rig.folder import whole_recordings, write_run

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.campaign.recorded import STEPS_PER_SAMPLE, sampled
 from pipeline.rig.endurance.ageing import made
 from pipeline.rig.endurance.plan import Planned

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array
+from pipeline.ground.kinematics import RAD_PER_TURN, Array
 from pipeline.rig.effect import Lived
 from pipeline.rig.effects import friction_hysteresis
 

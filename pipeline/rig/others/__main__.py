@@ -4,8 +4,8 @@ import argparse
 import json
 from pathlib import Path
 
-from pipeline.errors import BadInput, program
-from pipeline.files import write_text
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import write_text
 from pipeline.rig.others.cases import CASES, make
 from pipeline.rig.others.made import NOISES, write_run
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.others import cable_parts as parts
 from pipeline.rig.others.cable_plan import STEP_S, TIME_S, Told, told
 from pipeline.rig.others.capstan import Capstans

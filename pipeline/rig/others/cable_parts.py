@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.effect import compiled
 
 FULL_NM = 0.05  # the torque at which stretch and creep are told

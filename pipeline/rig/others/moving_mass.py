@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 from scipy.signal import butter, sosfiltfilt
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.others.chance import coloured, counted, stream, wander
 from pipeline.rig.others.made import Kind, Made, check
 from pipeline.rig.others.made import told as truth_of

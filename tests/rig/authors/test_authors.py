@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.ingest import read_samples
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.interface import Asked
+from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parents[3]
 CONTRACT = {

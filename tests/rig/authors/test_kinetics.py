@@ -8,14 +8,14 @@ import pytest
 import yaml
 from scipy.optimize import least_squares
 
-from pipeline.ingest import read_samples
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig.authors.interface import Asked, OutOfReach
 from pipeline.rig.authors.kinetics import LAWS, make
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.reading import Hidden, displacement
 from pipeline.rig.authors.kinetics.recording import recorded
 from pipeline.rig.authors.kinetics.register import BY_EFFECT
+from pipeline.run.samples import read_samples
 
 EVERY = [(effect, law) for effect, laws in LAWS.items() for law in laws]
 SIZES = {"radius_compaction": 0.05, "wear": 0.05, "sensor_lag": 0.08, "x_clocks": 0.2, "thermal": 0.5, "jam": 0.1}

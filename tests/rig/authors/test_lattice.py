@@ -8,8 +8,7 @@ import pytest
 import yaml
 from scipy.optimize import least_squares
 
-from pipeline.ingest import read_samples
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig.authors.interface import Asked, OutOfReach
 from pipeline.rig.authors.lattice import LAWS, make
 from pipeline.rig.authors.lattice.catalogue import ALL, BY_EFFECT
@@ -18,6 +17,7 @@ from pipeline.rig.authors.lattice.instruments import sampling
 from pipeline.rig.authors.lattice.recording import made_with
 from pipeline.rig.authors.lattice.session import session
 from pipeline.rig.authors.lattice.size import Ruler, strength_for
+from pipeline.run.samples import read_samples
 
 SEED = 3  # a short session without outliers
 KAPPA = 4.0

@@ -10,12 +10,12 @@ import pytest
 import yaml
 from scipy.optimize import least_squares
 
-from pipeline.ingest import read_samples
-from pipeline.kinematics import TOLERANCE, Geometry, usual_stiffness
+from pipeline.ground.kinematics import TOLERANCE, Geometry, usual_stiffness
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, OutOfReach
 from pipeline.rig.authors.mechanics import LAWS, engine, make
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
+from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parents[3]
 ONE_EACH = [(effect, place % len(writers)) for place, (effect, writers) in enumerate(WRITERS.items())]

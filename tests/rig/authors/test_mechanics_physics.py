@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig.authors.mechanics import bench, coil, drive, friction, load, sensor, slips, string
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
 from pipeline.rig.authors.mechanics.motion import Plan, driven

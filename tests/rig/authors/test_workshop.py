@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 import yaml
 
-from pipeline.ingest import read_samples
-from pipeline.kinematics import Geometry
+from pipeline.ground.kinematics import Geometry
 from pipeline.rig.authors.interface import Asked, OutOfReach
 from pipeline.rig.authors.workshop import LAWS, make
 from pipeline.rig.authors.workshop.bench import Bench
@@ -18,6 +17,7 @@ from pipeline.rig.authors.workshop.curves import drawn_curve, wander
 from pipeline.rig.authors.workshop.instruments import drawn_instruments
 from pipeline.rig.authors.workshop.sizing import kappa_of, left_over, sized
 from pipeline.rig.authors.workshop.specimen import drawn_specimen
+from pipeline.run.samples import read_samples
 
 TICK_S = 0.05
 EVERY = [(effect, law) for effect, laws in LAWS.items() for law in laws]

@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array, Geometry
+from pipeline.ground.kinematics import RAD_PER_TURN, Array, Geometry
 
 STEP_S = 0.01
 

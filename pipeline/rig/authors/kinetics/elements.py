@@ -3,7 +3,7 @@
 import numpy as np
 from numba import njit
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 
 @njit(cache=True)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import Bench
 from pipeline.rig.authors.kinetics.elements import relays, sliders
 from pipeline.rig.authors.kinetics.law import Law, Parameters, crowd

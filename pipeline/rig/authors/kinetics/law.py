@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import Bench
 
 # twist in turns, radius as a share of the true one, elongation in mm, contraction in mm, reading in mm

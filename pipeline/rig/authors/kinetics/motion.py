@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.signal.windows import hann
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import Protocol
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.populations import wandering

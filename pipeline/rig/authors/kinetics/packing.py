@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.special import expit
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import Bench
 from pipeline.rig.authors.kinetics.law import Law, Parameters, crowd
 from pipeline.rig.authors.kinetics.populations import lognormal, turned_over

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.stats import norm
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import Bench
 from pipeline.rig.authors.kinetics.elements import sliders
 from pipeline.rig.authors.kinetics.law import Law, Parameters

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.signal import lfilter
 from scipy.stats import norm
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import STEP_S
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import Bench
 from pipeline.rig.authors.kinetics.law import STAGES, Law, Parameters
 from pipeline.rig.authors.kinetics.populations import wandering

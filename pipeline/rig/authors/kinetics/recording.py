@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import PROTOCOLS, Asked, Made, OutOfReach
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.logger import Logger, logger, with_outliers

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from pipeline.kinematics import TOLERANCE, Array
+from pipeline.ground.kinematics import TOLERANCE, Array
 from pipeline.rig.authors.interface import OutOfReach
 from pipeline.rig.authors.kinetics.bench import Bench
 from pipeline.rig.authors.kinetics.reading import Hidden, displacement

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.special import expit
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.elements import slipping
 from pipeline.rig.authors.kinetics.law import Law, Parameters, crowd

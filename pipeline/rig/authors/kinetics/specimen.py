@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
+from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
 
 MATERIALS = {"UHMWPE": (25.0, 60.0), "Vectran": (30.0, 70.0), "Nylon": (3.0, 12.0), "Aramid": (25.0, 60.0)}
 

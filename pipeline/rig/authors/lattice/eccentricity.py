@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN
+from pipeline.ground.kinematics import RAD_PER_TURN
 from pipeline.rig.authors.lattice.kernels import Array
 from pipeline.rig.authors.lattice.law import Law, Params, Rng
 from pipeline.rig.authors.lattice.world import World

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from pipeline.kinematics import TOLERANCE, Geometry
+from pipeline.ground.kinematics import TOLERANCE, Geometry
 from pipeline.rig.authors.interface import OutOfReach
 from pipeline.rig.authors.lattice.instruments import Sampling
 from pipeline.rig.authors.lattice.session import Session

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, TOLERANCE
+from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE
 from pipeline.rig.authors.lattice.world import Dimensions
 
 Rng = np.random.Generator

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.kinematics import RAD_PER_TURN, loaded_radius, separator_contraction
+from pipeline.ground.kinematics import RAD_PER_TURN, loaded_radius, separator_contraction
 
 Array = NDArray[np.float64]
 

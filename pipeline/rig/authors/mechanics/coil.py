@@ -2,13 +2,7 @@
 
 import numpy as np
 
-from pipeline.rig.authors.mechanics.engine import (
-    HARD_SOLREF,
-    following,
-    model_text,
-    simulated,
-    spring_drive,
-)
+from pipeline.rig.authors.mechanics.engine import HARD_SOLREF, following, model_text, simulated, spring_drive
 from pipeline.rig.authors.mechanics.scene import STEP_S, Law, Scene, proportional
 
 PULSE = 2.0 * np.pi * 6.0  # of a coil that springs open, in rad/s

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.mechanics.engine import (
     STICKS,
     STOPS,

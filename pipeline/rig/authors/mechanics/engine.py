@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import BadInput
-from pipeline.kinematics import Array
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import OutOfReach
 
 GRAVITY_MM_PER_S2 = 9810.0

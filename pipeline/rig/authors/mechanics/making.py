@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import Asked, Made
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
 from pipeline.rig.authors.mechanics.motion import driven, planned

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array, Geometry
+from pipeline.ground.kinematics import RAD_PER_TURN, Array, Geometry
 
 STEP_S = 0.005
 LEAST_CHANGE = 1e-4  # of a shape over its own size

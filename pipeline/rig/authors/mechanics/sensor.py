@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array
+from pipeline.ground.kinematics import RAD_PER_TURN, Array
 from pipeline.rig.authors.mechanics.engine import model_text, mujoco_and_rollout, simulated, slider
 from pipeline.rig.authors.mechanics.scene import STEP_S, Law, Scene
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from pipeline.kinematics import TOLERANCE, Array, Geometry
+from pipeline.ground.kinematics import TOLERANCE, Array, Geometry
 from pipeline.rig.authors.interface import OutOfReach
 
 BOUND_SIGMA = 3.0

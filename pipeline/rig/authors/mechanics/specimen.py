@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
+from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
 
 MODULI_MPA = {"UHMWPE": 11e3, "Vectran": 9.5e3, "nylon": 3.7e3, "polyester": 6e3}  # of a braided line, voids and all
 SOFT = "nylon"

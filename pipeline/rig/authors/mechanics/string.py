@@ -2,15 +2,8 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
-from pipeline.rig.authors.mechanics.engine import (
-    HARD_SOLREF,
-    STICKS,
-    model_text,
-    push,
-    simulated,
-    slider,
-)
+from pipeline.ground.kinematics import Array
+from pipeline.rig.authors.mechanics.engine import HARD_SOLREF, STICKS, model_text, push, simulated, slider
 from pipeline.rig.authors.mechanics.scene import STEP_S, Law, Scene, proportional
 
 SLOW = 8  # steps of the scene in one step of what takes seconds

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array, Geometry
+from pipeline.ground.kinematics import RAD_PER_TURN, Array, Geometry
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part
 from pipeline.rig.authors.workshop.curves import drawn_curve, unit
 from pipeline.rig.authors.workshop.memory import heading

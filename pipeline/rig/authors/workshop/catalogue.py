@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part
 from pipeline.rig.authors.workshop.bundle import COMPACTION, WEAR
 from pipeline.rig.authors.workshop.clamp_and_weight import CLAMP_SLIP, LOAD_SWING

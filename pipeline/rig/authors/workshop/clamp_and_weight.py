@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, Array
+from pipeline.ground.kinematics import RAD_PER_TURN, Array
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part, added
 from pipeline.rig.authors.workshop.curves import eased
 from pipeline.rig.authors.workshop.events import strained_instants

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part, added
 from pipeline.rig.authors.workshop.curves import drawn_curve
 from pipeline.rig.authors.workshop.kernels import Response, after_steps

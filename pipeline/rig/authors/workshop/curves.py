@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from pipeline.kinematics import Array, Values
+from pipeline.ground.kinematics import Array, Values
 
 Curve = Callable[[Values], Array]
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part, added
 from pipeline.rig.authors.workshop.curves import drawn_curve, histogram_draws
 from pipeline.rig.authors.workshop.memory import relay, reversal_curves

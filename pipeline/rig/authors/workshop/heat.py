@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.signal import lfilter
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import OutOfReach
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part, added
 from pipeline.rig.authors.workshop.curves import drawn_curve, unit

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.signal import fftconvolve
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 
 Response = Callable[[Array], Array]
 

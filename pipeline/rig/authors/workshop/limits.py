@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.workshop.bench import Bench, Law, Part
 from pipeline.rig.authors.workshop.curves import drawn_curve, histogram_draws
 from pipeline.rig.authors.workshop.memory import ceiling_play, relay

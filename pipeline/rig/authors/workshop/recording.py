@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import Array
+from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import Asked, Made, OutOfReach
 from pipeline.rig.authors.workshop.bench import Bench, Part
 from pipeline.rig.authors.workshop.catalogue import LAWS, part_of, stream_of

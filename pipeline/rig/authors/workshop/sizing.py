@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import brentq, lsq_linear
 
-from pipeline.kinematics import TOLERANCE, Array, Geometry
+from pipeline.ground.kinematics import TOLERANCE, Array, Geometry
 from pipeline.rig.authors.interface import OutOfReach
 from pipeline.rig.authors.workshop.bench import Bench, Part
 from pipeline.rig.authors.workshop.chain import reading

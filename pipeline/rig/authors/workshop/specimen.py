@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.kinematics import RAD_PER_TURN, TOLERANCE, Array, Geometry, usual_stiffness
+from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Array, Geometry, usual_stiffness
 from pipeline.rig.authors.interface import Protocol
 from pipeline.rig.authors.workshop.bench import Bench
 from pipeline.rig.authors.workshop.motion import cam_sheet, laid_out, least_moving_s

@@ -1,0 +1,80 @@
+"""How far the simulator of a run is off its recording before and after it adopts a diagnosis, in words."""
+
+from pathlib import Path
+from typing import Any
+
+from pipeline.diagnosis.adopt import is_number
+from pipeline.diagnosis.problem import Problem
+from pipeline.diagnosis.simulation import off, tared
+from pipeline.diagnosis.words.dimensions import name_of
+from pipeline.diagnosis.words.error_table import aligned
+from pipeline.diagnosis.words.quantity import listing, size, times
+
+WHY = (
+    "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured. The effects were fitted "
+    "together with the calibrated dimensions, so the simulator may err by more than the verdict says."
+)
+NEXT = (
+    "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator. Give it another "
+    "--out: in the same folder the verdict that was adopted is replaced."
+)
+WORSE = 2.0  # times the error with the dimensions of the verdict: more is no simulator to predict with
+CALIBRATED = "now, calibrated"
+FAR, MOST = 1.0, 8  # sigma from which a dimension is measured again; dimensions that are named
+
+
+def why(content: dict[str, Any]) -> str:
+    """Why the simulator may err by more than the verdict says, and which dimensions to measure again, by name."""
+    evidence = content.get("evidence")
+    sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
+    found = sigmas.items() if isinstance(sigmas, dict) else []
+    far = {name: abs(sigma) for name, sigma in found if is_number(sigma) and abs(sigma) >= FAR}
+    named = sorted(far, key=lambda name: -far[name])[:MOST]
+    if not named:
+        return WHY
+    moved = listing([f"the {name_of(name)} ({times(far[name])} times its tolerance)" for name in named])
+    return f"{WHY} Calibration moved {moved}: measure again, and write what you measured, not the calibrated values."
+
+
+def is_of(content: dict[str, Any], run: str) -> bool:
+    """Whether a diagnosis is of a run; one that names none is taken to be."""
+    of = content.get("run", run)
+    return run in (of if isinstance(of, list) else [of])
+
+
+def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any], path: Path) -> list[str]:
+    """What `pipeline.simulate` errs by on a run's own recording: before, from now on, and with the diagnosis itself.
+
+    `problem` is the run's without any effect, `before` what its run.yaml had adopted. Raises BadInput.
+    """
+    unit = problem.drivers.units.reading
+    plain: dict[str, Any] = {"run": run, "parameters": {}}
+    columns = {"before": {**plain, "simulation": before}, "now": {**plain, "simulation": content["simulation"]}}
+    if content["parameters"] and is_of(content, run):
+        columns[CALIBRATED] = content
+    errors = [off(problem.measured, tared(problem, one, path, run)) for one in columns.values()]
+    rows = [["error on this recording, rms of single samples", *columns]]
+    if problem.system.free_zero:
+        rows.append(["zero set in the first second, as pipeline.simulate does"])
+        rows.append(["zero fitted to the whole recording, as in a verdict"])
+    else:
+        rows.append(["as pipeline.simulate RUN_DIR errs"])
+    for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
+        row += [size(error, unit) for error in found]
+    said = aligned(rows)
+    if CALIBRATED not in columns:
+        return said
+    said.append(f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}")
+    return [*distrust(errors[1][0], errors[2][0], path), *said]
+
+
+def distrust(now: float, calibrated: float, path: Path) -> list[str]:
+    """That nobody should predict with the adopted simulator where it errs far more than the verdict at `path`."""
+    if now <= WORSE * calibrated:
+        return []
+    return [
+        f"Beware: do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as with "
+        "the dimensions of the verdict. Measure the dimensions again. If a value changes: write it into run.yaml, "
+        "take the effects out, diagnose again and adopt anew. If none changes: take the effects out, and predict with "
+        f"pipeline.simulate --simulation {path}"
+    ]

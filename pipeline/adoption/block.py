@@ -1,0 +1,113 @@
+"""The keys that adopting writes into the text of a `run.yaml`: put in, and taken out again; all other text stays."""
+
+import json
+import textwrap
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from pipeline.diagnosis.adopt import block
+from pipeline.ground.errors import BadInput
+from pipeline.ground.strict_yaml import parse_yaml
+from pipeline.run.description import parse_run
+
+KEY, ORIGIN = "simulation", "adopted"
+
+
+def with_block(text: str, entries: list[dict[str, Any]], named: str = KEY) -> str:
+    """Text of a `run.yaml` with the key `named` replaced, or added after the last key; all other text is kept.
+
+    `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
+    """
+    root: Any = yaml.compose(text, Loader=yaml.SafeLoader)
+    there = next(((key, value) for key, value in root.value if key.value == named), None)
+    if root.flow_style:  # a run.yaml written as JSON
+        said = json.dumps(entries, ensure_ascii=False)
+        if there:
+            return text[: there[1].start_mark.index] + said + text[there[1].end_mark.index :]
+        first = root.start_mark.index + 1
+        return f'{text[:first]}"{named}": {said}, {text[first:]}'
+    newline = "\r\n" if "\r\n" in text else "\n"
+    indent = " " * root.value[0][0].start_mark.column
+    lines = textwrap.indent(block(entries, named).rstrip("\n"), indent).replace("\n", newline)
+    if there:
+        return text[: there[0].start_mark.index] + lines.lstrip() + text[_end(there[1]) :]
+    end = _end(root.value[-1][1])
+    if not text[:end].endswith("\n"):
+        end = text.find("\n", end) + 1 or len(text)
+    if not text[:end].endswith("\n"):  # the last line ends without one, and so does what comes after it
+        return text[:end] + newline + lines
+    return text[:end] + lines + newline + text[end:]
+
+
+def _end(node: yaml.Node) -> int:
+    """Where the text of a node ends, without the comments and empty lines after it."""
+    if isinstance(node, yaml.CollectionNode) and not node.flow_style and node.value:
+        last = node.value[-1]
+        return _end(last[1] if isinstance(last, tuple) else last)
+    return int(node.end_mark.index)
+
+
+def adopted(text: str, entries: list[dict[str, Any]], path: Path, origin: list[dict[str, Any]] | None = None) -> str:
+    """The text with the entries, parsed to see that it says just that and else what it said; raises BadInput.
+
+    `origin` is where they came from, as the run.yaml shall say it; an empty one replaces an older one only.
+    """
+    there = parse_yaml(text, path)
+    keep = origin or (origin is not None and ORIGIN in there)
+    wanted = {**there, KEY: entries, **({ORIGIN: origin} if keep else {})}
+
+    def make() -> str:
+        made = with_block(text, entries)
+        return with_block(made, origin or [], ORIGIN) if keep else made
+
+    mend = f"put the block of simulation.yaml beside the diagnosis in its place by hand, under the key {KEY}"
+    return _checked(make, wanted, path, "replaced", mend)
+
+
+def without_block(text: str, named: str) -> str:
+    """Text of a `run.yaml` without the key `named` and its value; text without that key is given back as it is.
+
+    `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
+    """
+    root: Any = yaml.compose(text, Loader=yaml.SafeLoader)
+    place = next((place for place, (key, _) in enumerate(root.value) if key.value == named), None)
+    if place is None:
+        return text
+    key, value = root.value[place]
+    start, end = key.start_mark.index, _end(value)
+    if root.flow_style:
+        if place + 1 < len(root.value):
+            return text[:start] + text[root.value[place + 1][0].start_mark.index :]
+        before = _end(root.value[place - 1][1]) if place else start
+        return text[:before] + text[end:]
+    start -= key.start_mark.column
+    line, newline, rest = text[end:].partition("\n")
+    if line.strip():  # a comment of somebody
+        return text[:start] + line + newline + rest
+    if newline or not start:
+        return text[:start] + rest
+    return text[:start].removesuffix("\n").removesuffix("\r")  # as before it: the last line ends without one
+
+
+def bare(text: str, path: Path) -> str:
+    """The text without what was adopted, parsed to see that it says all else as it did; raises BadInput."""
+    there = parse_yaml(text, path)
+    wanted = {key: value for key, value in there.items() if key not in (KEY, ORIGIN)}
+    mend = f"take the keys {KEY} and {ORIGIN} out by hand"
+    return _checked(lambda: without_block(without_block(text, ORIGIN), KEY), wanted, path, "taken out", mend)
+
+
+def _checked(make: Callable[[], str], wanted: dict[str, Any], path: Path, done: str, mend: str) -> str:
+    """The text that `make` gives where it says what is wanted, and that is a run; else raises BadInput."""
+    try:
+        made = make()
+        right = parse_yaml(made, path) == wanted
+    except (BadInput, yaml.YAMLError):
+        right = False
+    if not right:
+        raise BadInput(path, KEY, f"stands where it cannot be {done} without changing other text", mend)
+    parse_run(wanted, path)
+    return made

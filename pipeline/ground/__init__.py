@@ -1,0 +1,1 @@
+"""What all the house stands on: errors, files, tables that pass a door, units, the paper's equations."""

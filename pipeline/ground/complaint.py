@@ -1,0 +1,91 @@
+"""The first of what pydantic has against a file, as file, field and mend."""
+
+import difflib
+import re
+import reprlib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from pipeline.ground.errors import BadInput
+from pipeline.ground.units import ending_of
+
+LONGEST = 60
+JSON_KEY = re.compile(r'^[ \t\[{]*"[^"\n]*"[ \t]*:', re.MULTILINE)
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = LONGEST
+_SHORT.maxlevel = 2
+
+
+def short(value: Any) -> str:
+    """A value on one line of bounded length, however large, deep or odd it is."""
+    return _SHORT.repr(value)
+
+
+def key_name(key: Any) -> str:
+    """A key as it stands, or in quotes and cut where it is long or cannot be printed."""
+    text = str(key)
+    return text if text.strip() and text.isprintable() and len(text) <= LONGEST else short(text)
+
+
+def meant(key: str, known: Iterable[str]) -> str:
+    """The known key that a misspelt one is nearest to, or all of them, as a mend."""
+    close = difflib.get_close_matches(key[:LONGEST], list(known), n=1)
+    return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(known)}"
+
+
+def _as_keys(where: tuple[Any, ...], given: Any, section: type[BaseModel]) -> str:
+    """How to write what was given as keys and values, ready to be copied where a column's name was given alone."""
+    if where[0] == "channels" and len(where) == 2 and isinstance(given, str | int) and not isinstance(given, bool):
+        unit = ending_of(str(given), str(where[1]))
+        return f"write {key_name(where[1])}: {{column: {key_name(given)}, unit: {unit}}}"
+    return f"write {key_name(where[-1])}: {{{', '.join(f'{key}: …' for key in section.model_fields)}}}"
+
+
+def bad_section(
+    path: Path, error: ValidationError, whole: type[BaseModel], sections: Mapping[str, type[BaseModel]]
+) -> BadInput:
+    """First complaint about a file that `whole` describes, whose keys hold the sections."""
+    complaints = error.errors(include_url=False)
+    # A misspelt key is one mistake but two complaints: the unknown key says more than the missing one.
+    complaint = next((one for one in complaints if one["type"] == "extra_forbidden"), complaints[0])
+    where, kind, given = complaint["loc"], complaint["type"], complaint["input"]
+    said = complaint["msg"].removeprefix("Value error, ")
+    if not where:  # a check over several keys, whose message names its field
+        field, _, rest = said.partition(": ")
+        problem, _, mend = rest.partition("; ")
+        return BadInput(path, field, problem, mend)
+    if "column" in where[2:]:  # after it pydantic names the types that it tried
+        where = where[:3]
+    field = ".".join(key_name(part) for part in where if part != "[key]")
+    section = sections.get(str(where[0]), whole) if len(where) > 1 else whole
+    if kind == "extra_forbidden":
+        return BadInput(path, field, "is not a known key", meant(str(where[-1]), section.model_fields))
+    info = section.model_fields.get(str(where[-1]))
+    hint = f" ({info.description})" if info is not None and info.description else ""
+    if kind in ("model_type", "dict_type"):
+        return BadInput(
+            path, field, f"is {short(given)}, where keys and values belong", _as_keys(where, given, section)
+        )
+    if kind == "missing":
+        return BadInput(path, field, "is missing", f"add it{hint}")
+    if kind == "value_error" and "; " in said:
+        problem, _, mend = said.rpartition("; ")
+        return BadInput(path, field, problem, mend)
+    if given is None:
+        return BadInput(path, field, "is empty", f"fill it in{hint}")
+    if kind == "string_type" and isinstance(given, int | float):
+        return BadInput(path, field, f"is the number {short(given)}, not text", f"put it in quotes{hint}")
+    return BadInput(path, field, f"is {short(given)}: {said}", f"correct it{hint}")
+
+
+def syntax_mend(text: str) -> str:
+    """How to mend text that is no YAML: what a piece of JSON pasted into it needs, if there seems to be one."""
+    if text.lstrip().startswith("{") or not JSON_KEY.search(text):
+        return "check its indentation, colons and quotes"
+    return (
+        'JSON within YAML is the value of a key: write `"key": [...]` from the left margin, indent the lines after it, '
+        "and put no comma after its last bracket; for a diagnosis.json let python -m pipeline.adopt do it"
+    )

@@ -1,0 +1,62 @@
+"""Files that are either whole or not there: every stage writes to a temporary name, then renames; and check sums."""
+
+import errno
+import hashlib
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pipeline.ground.errors import BadInput
+
+
+@contextmanager
+def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
+    """Yield a temporary path beside `path`; on success rename it to `path`, on failure remove it.
+
+    The temporary name keeps the suffix (writers go by it) and carries the process id, so that an orphan of a
+    killed run and its successor never share a half-written file. Raises BadInput where no file can be written, or
+    where something stands that is none: renaming would replace a device for everybody. With `new` an earlier file
+    is never replaced: FileExistsError.
+    """
+    path = Path(path)
+    mend = "give the name of a file in a folder in which you may write"
+    try:
+        if not path.name or (path.exists() and not path.is_file()):
+            raise BadInput(path, "--out", "is a folder, a device or a pipe, not a file", mend)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+        temporary.touch()
+    except (OSError, ValueError) as error:
+        said = getattr(error, "strerror", None) or error
+        raise BadInput(ascii(str(path))[1:-1], "--out", f"cannot be written ({said})", mend) from None
+    try:
+        yield temporary
+        with open(temporary, "rb") as file:
+            os.fsync(file.fileno())
+        _place(temporary, path, new)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _place(temporary: Path, path: Path, new: bool) -> None:
+    if new:
+        try:
+            os.link(temporary, path)
+            return
+        except OSError:  # a file is there, or the file system has no links
+            if os.path.lexists(path):
+                raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
+    os.replace(temporary, path)
+
+
+def write_text(path: Path | str, text: str, new: bool = False) -> None:
+    """Write `text` as UTF-8, whole or not at all; with `new` FileExistsError where a file is there."""
+    with whole(path, new) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def sha256(path: Path) -> str:
+    """Check sum of a file's bytes, in hexadecimal digits."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -1,0 +1,77 @@
+"""A fingerprint of the Python behind a rule, so that Snakemake sees when that Python changes."""
+
+import ast
+import hashlib
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+SOURCES = (".py", ".yaml", ".json")
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def _file(module: str) -> Path | None:
+    """Source file of a module of ours, or None for anything else."""
+    base = ROOT.joinpath(*module.split("."))
+    candidates = (base.with_suffix(".py"), base / "__init__.py")
+    return next((path for path in candidates if path.is_file()), None)
+
+
+def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
+    """Statements, and those inside them; no expression holds one."""
+    for node in body:
+        yield node
+        for field in ("body", "orelse", "finalbody", "handlers", "cases"):
+            yield from _statements(getattr(node, field, []))
+
+
+@cache
+def _imports(path: Path) -> frozenset[str]:
+    """Modules of ours that a source file imports, at any depth of its code, parents included."""
+    names: set[str] = set()
+    for node in _statements(ast.parse(path.read_text(encoding="utf-8")).body):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names.add(node.module)
+            names.update(f"{node.module}.{alias.name}" for alias in node.names)
+    parts = [name.split(".") for name in names if name.split(".")[0] == "pipeline"]
+    return frozenset(".".join(part[:end]) for part in parts for end in range(1, len(part) + 1))
+
+
+def reachable(*modules: str) -> list[Path]:
+    """Source files, sorted, of modules and of all of ours that they import, directly or not.
+
+    `package.*` stands for every file of a package, data too: what it finds by name at run time, imports do not show.
+    """
+    whole = [ROOT.joinpath(*module.split(".")[:-1]) for module in modules if module.endswith(".*")]
+    files = [path for folder in whole for path in folder.rglob("*") if path.suffix in SOURCES]
+    found = {path for path in files if path.suffix != ".py"}
+    waiting = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in files if path.suffix == ".py"]
+    waiting = [name.removesuffix(".__init__") for name in waiting]
+    waiting += [module for module in modules if not module.endswith(".*")]
+    while waiting:
+        module = waiting.pop()
+        path = _file(module)
+        if path is None or path in found:
+            continue
+        found.add(path)
+        main = path.parent / "__main__.py"
+        if path.name == "__init__.py" and main.is_file() and module in modules:
+            waiting.append(f"{module}.__main__")
+        waiting.extend(_imports(path))
+    return sorted(found)
+
+
+def fingerprint(*modules: str) -> str:
+    """Hash of the source that modules reach, by content and by path inside the project.
+
+    Raises ModuleNotFoundError for a module that is not ours: a rule that names it would never run again.
+    """
+    for module in modules:
+        if _file(module.removesuffix(".*")) is None:
+            raise ModuleNotFoundError(f"{module} is not a module of this project")
+    digest = hashlib.sha256()
+    for path in reachable(*modules):
+        digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:16]

@@ -1,0 +1,29 @@
+"""Folders that are either whole or not there, as `files` does it for files."""
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pipeline.ground.errors import BadInput
+
+
+@contextmanager
+def whole_folder(folder: Path, field: str, mend: str) -> Iterator[Path]:
+    """Yield a folder beside `folder`; on success rename it to `folder`, on failure remove it.
+
+    Raises BadInput of the field, with the mend, when `folder` is there already; and when it cannot be made.
+    """
+    if folder.exists():
+        raise BadInput(folder, field, "is there already", mend)
+    temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
+    try:
+        try:
+            temporary.mkdir(parents=True)
+        except OSError as error:
+            raise BadInput(folder.parent, "--out", f"cannot be written ({error})", "choose another folder") from None
+        yield temporary
+        os.rename(temporary, folder)
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)

@@ -1,0 +1,106 @@
+"""Every table that passes a door: its columns, types, units and check sum, checked on both sides."""
+
+import json
+from pathlib import Path
+
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from pipeline.ground import seal
+from pipeline.ground.errors import BadInput
+from pipeline.ground.files import whole
+
+MEND = "delete it and run snakemake: it is made again"
+REFUSED = b"refused"  # the key under which a file tells why there is no table in it
+
+
+class Refused(BadInput):
+    """What an earlier stage refused, and why."""
+
+
+UNIT = {  # by the ending of a column's name
+    "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
+    "_deg": "deg", "_rad": "rad", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm", "_v": "V", "_kg": "kg",
+    "_cm": "cm", "_ms": "ms", "_pa": "Pa", "_bar": "bar", "_hz": "Hz", "_w": "W", "_k": "K",
+}  # fmt: skip
+
+
+class Damaged(BadInput):
+    """A file that is not what was written, which making it again mends."""
+
+
+def unit_of(column: str) -> str:
+    """Unit that a column's name ends in, or "1" for a count, a label or a share."""
+    endings = [ending for ending in UNIT if column.endswith(ending)]
+    return UNIT[max(endings, key=len)] if endings else "1"
+
+
+def _schema(**columns: pa.DataType) -> pa.Schema:
+    return pa.schema(
+        pa.field(name, kind, nullable=False, metadata={"unit": unit_of(name)}) for name, kind in columns.items()
+    )
+
+
+F, N, S, B = pa.float64(), pa.int32(), pa.string(), pa.bool_()
+
+
+def samples(columns: list[str]) -> pa.Schema:
+    """Schema of `processed/<run>/samples.parquet`: one row a sample, `time_s` and the run's channels."""
+    return _schema(**{name: F for name in columns})
+
+
+# One row for each stretch of a run in which the motor keeps doing one thing.
+STROKES = _schema(
+    stroke=N, phase=S, first_sample=N, last_sample=N, start_s=F, end_s=F, start_turns=F, end_turns=F,
+    missing_samples=N, complete=B,
+)  # fmt: skip
+# One row a point of a material; `within` and `later` hold "train", "test" or "" (not used); the tolerances are one
+# sigma of how well each dimension was measured, the radius's relative.
+DATASET = _schema(
+    run=S, string=S, stroke=N, phase=S, direction=N, block=N, within=S, later=S, time_s=F,
+    motor_turns=F, displacement_mm=F, load_n=F, actuator=S, radius_mm=F, length_mm=F, stiffness_n_per_mm=F,
+    torsion_zone_mm=F, separator_mm=F,
+    radius_tolerance=F, length_tolerance_mm=F, torsion_zone_tolerance_mm=F, separator_tolerance_mm=F,
+)  # fmt: skip
+# One row a held-out point; `point` is its row in the dataset.
+PREDICTIONS = _schema(point=N, displacement_mm=F, motor_turns=F)
+METRICS = _schema(
+    material=S, model=S, split=S, map=S, stroke=S, phase=S, angle_band=S, seed=N, metric=S, unit=S, value=F
+)
+
+
+def write(table: pd.DataFrame, schema: pa.Schema, path: Path | str) -> None:
+    """Write a table as Parquet under its schema, with its units and a check sum of it all, whole or not at all."""
+    columns = [pa.array(table[field.name].to_numpy(), field.type, from_pandas=False) for field in schema]
+    with whole(path) as temporary:
+        pq.write_table(pa.Table.from_arrays(columns, schema=schema), temporary)
+        seal.seal_parquet(temporary)
+
+
+def write_refusal(error: BadInput, path: Path | str) -> None:
+    """Write, in place of a table, why there is none."""
+    told = json.dumps([error.file, error.field, error.problem, error.mend])
+    with whole(path) as temporary:
+        pq.write_table(pa.schema([], metadata={REFUSED: told.encode()}).empty_table(), temporary)
+        seal.seal_parquet(temporary)
+
+
+def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
+    """Read a Parquet table and refuse it unless its columns, types and units are the schema's.
+
+    Without a schema the columns' names, types and units must agree with each other (samples).
+    Raises BadInput when they do not, and for a file whose content is not what was written; Refused for a refusal.
+    """
+    content = seal.content_of(path)
+    try:
+        seal.check_parquet(content)
+    except seal.Damaged as error:
+        raise Damaged(path, "content", f"is damaged, or not this version's: {error}", MEND) from None
+    arrow = pq.read_table(pa.BufferReader(content))
+    if REFUSED in (arrow.schema.metadata or {}):
+        raise Refused(*json.loads(arrow.schema.metadata[REFUSED]))
+    expected = schema if schema is not None else samples(arrow.schema.names)
+    if not arrow.schema.equals(expected, check_metadata=True):
+        raise BadInput(path, "schema", "columns, types or units are not this version's", MEND)
+    return arrow.to_pandas()

@@ -1,0 +1,71 @@
+"""Units of a recording to the units that our column names carry."""
+
+import difflib
+import math
+
+from pipeline.ground.schemas import unit_of
+
+# What one of each unit is in the base of its quantity: turn, mm, N, Nm, s, A, Pa.
+_TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE = (
+    {"turns": 1.0, "rad": 1.0 / math.tau, "deg": 1.0 / 360.0},
+    {"mm": 1.0, "cm": 10.0, "m": 1000.0},
+    {"N": 1.0, "kgf": 9.80665, "gf": 9.80665e-3, "g": 9.80665e-3},  # g: as a lab's scale shows a force
+    {"Nm": 1.0, "Nmm": 1e-3},
+    {"s": 1.0, "ms": 1e-3, "us": 1e-6},
+    {"A": 1.0, "mA": 1e-3},
+    {"Pa": 1.0, "bar": 1e5},
+)
+_QUANTITIES = (_TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE, {"degC": 0.0, "K": 0.0})
+SAID = {  # what people write for them
+    "revolution": "turns", "rev": "turns", "round": "turns", "radian": "rad", "degree": "deg", "second": "s",
+    "sec": "s", "millisecond": "ms", "msec": "ms", "microsecond": "us", "\u00b5s": "us", "millimeter": "mm",
+    "millimetre": "mm", "gram": "g", "gramm": "g", "grams-force": "g", "kilogram": "kgf", "kp": "kgf", "newton": "N",
+}  # fmt: skip
+UNITS = sorted({"count", "V", "W", "Hz", "kg"}.union(*_QUANTITIES))
+
+
+def _near(unit: str) -> str:
+    """Which known units an unknown one may stand for, as a question; nothing where none is near."""
+    lower = {known.lower(): known for known in UNITS} | SAID
+    close = difflib.get_close_matches(unit.lower().removesuffix("s")[:40], lower, n=3, cutoff=0.6)
+    close = [unit.lower()] if unit.lower() in lower else close
+    near = dict.fromkeys(lower[name] for name in close)
+    return f"did you mean {' or '.join(map(repr, near))}? " if near else ""
+
+
+def conversion(column: str, unit: str | None, counts_per_turn: float | None = None) -> tuple[float, float]:
+    """Factor and shift that take a value in `unit` to the unit that `column` ends in.
+
+    A reading in V has no unit of its own to convert: the channel's scale must have made it the column's.
+    Raises ValueError, with the mend in its text, for a unit that is unknown or of another quantity.
+    """
+    own = unit_of(column)
+    if unit is None or unit == own or unit == "V":
+        return 1.0, 0.0
+    if unit == "count":
+        if own not in _TURN:
+            raise ValueError("counts belong to angles; use `scale` for what one count is, and its unit")
+        if counts_per_turn is None:
+            raise ValueError("counts need counts_per_turn; add it")
+        return 1.0 / counts_per_turn / _TURN[own], 0.0
+    if {unit, own} == {"degC", "K"}:
+        return 1.0, (-273.15 if unit == "K" else 273.15)
+    for quantity in _QUANTITIES:
+        if unit in quantity and own in quantity:
+            return quantity[unit] / quantity[own], 0.0
+    if unit not in UNITS:
+        raise ValueError(f"is not a known unit; {_near(unit)}known are {', '.join(UNITS)}")
+    raise ValueError(f"does not measure what the channel is; give a unit that converts to {own}")
+
+
+def ending_of(column: str, channel: str) -> str:
+    """The unit in which a foreign column such as `slide_cm` ends, if the channel converts from it; else its own."""
+    suffix = column.rpartition("_")[2].lower()
+    for unit in UNITS:
+        if unit.lower() == suffix and unit not in ("V", "count"):
+            try:
+                conversion(channel, unit)
+            except ValueError:
+                continue
+            return unit
+    return unit_of(channel)

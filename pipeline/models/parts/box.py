@@ -1,0 +1,72 @@
+"""The box in which a model is declared to hold: the range of every input among its training points."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pipeline.ground.kinematics import Array
+
+COLUMNS = (
+    "motor_turns", "displacement_mm", "stroke", "direction", "load_n", "separator_mm", "length_mm", "radius_mm",
+    "torsion_zone_mm", "stiffness_n_per_mm",
+)  # fmt: skip
+MARGIN = {"motor_turns": 0.01, "displacement_mm": 0.01, "load_n": 0.05}  # of the range, or of the value where constant
+
+
+@dataclass(frozen=True)
+class Box:
+    """Least and largest value of each column, in the column's unit; materials that were seen."""
+
+    low: dict[str, float]
+    high: dict[str, float]
+    materials: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, points: pd.DataFrame) -> "Box":
+        """The box of training points, a little wider in what is measured; a column that is NaN is left out."""
+        low, high = {}, {}
+        for name in COLUMNS:
+            values = points[name].to_numpy(float)
+            if np.isfinite(values).all():
+                least, most = float(values.min()), float(values.max())
+                margin = MARGIN.get(name, 1e-9) * (most - least or abs(most))
+                low[name], high[name] = least - margin, most + margin
+        return cls(low, high, tuple(sorted(set(points["material"]))) if "material" in points else ())
+
+    @classmethod
+    def from_saved(cls, saved: dict[str, object]) -> "Box":
+        """The box that `saved` wrote; raises ValueError for one that is none."""
+        low, high = dict(saved["low"]), dict(saved["high"])  # type: ignore[call-overload]
+        if set(low) != set(high) or not set(low) <= set(COLUMNS):
+            raise ValueError("the box is of other columns")
+        if not all(-np.inf < float(low[name]) <= float(high[name]) < np.inf for name in low):
+            raise ValueError("the box holds what is no range")
+        return cls(dict(saved["low"]), dict(saved["high"]), tuple(saved["materials"]))  # type: ignore[call-overload, arg-type]
+
+    def saved(self) -> dict[str, object]:
+        """Plain values for a file."""
+        return {"low": self.low, "high": self.high, "materials": list(self.materials)}
+
+    def clipped(self, column: str, values: Array) -> Array:
+        """Values of a column, brought into the box."""
+        return np.clip(values, self.low[column], self.high[column])
+
+    def outside(self, points: pd.DataFrame, given: str) -> dict[str, Array]:
+        """Which points lie outside the box, by column; `given` says which of twist and contraction is known.
+
+        A value that is not finite lies outside. Only columns in which some point does are there.
+        """
+        answer = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[given]
+        found = {}
+        for name in self.low:
+            if name != answer:
+                values = points[name].to_numpy(float)
+                wrong = ~((values >= self.low[name]) & (values <= self.high[name]))
+                if wrong.any():
+                    found[name] = wrong
+        if self.materials:
+            strange = ~points["material"].isin(self.materials).to_numpy()
+            if strange.any():
+                found["material"] = strange
+        return found

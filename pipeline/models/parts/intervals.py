@@ -1,0 +1,179 @@
+"""Prediction intervals, forward and inverse, from how well a model foresaw the last strokes that it had not yet seen.
+
+Conformal in kind: no law of the errors is assumed. The model is fitted without the last strokes, then without fewer,
+and each time asked about those that follow (rolling origin). Errors are counted in units of the local scatter, which
+depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were
+seen get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is
+asked knows more than those that were tried: what their errors have above the noise is taken to fall with the points,
+and ahead with the square of the strokes. A point outside the model's box, or farther ahead than could be tried, gets
+no interval: low and high are infinite and it is flagged.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pipeline.ground.kinematics import Array
+from pipeline.ground.progress import steps
+from pipeline.models.interface import Model
+from pipeline.models.parts.box import Box
+
+TWISTS = 6  # ranges of twist, equally populated, that have a scatter of their own
+FOLDS = 4  # into which seen strokes are cut to be foreseen from each other
+LEAST_STROKES = 4  # to foresee any
+AHEAD = 3  # strokes that are foreseen, at most
+GIVEN = {"displacement_mm": "motor_turns", "motor_turns": "displacement_mm"}  # of each map, by what it predicts
+
+MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """Local root mean square error of one map, by range of twist and direction."""
+
+    edges_turns: Array
+    size: Array  # (ranges, 2): winding, unwinding; in the predicted column's unit
+
+    @classmethod
+    def of(cls, turns: Array, direction: Array, error: Array) -> "Scatter":
+        """The scatter of errors at twists, all of shape (points,)."""
+        edges = np.quantile(turns, np.linspace(0.0, 1.0, TWISTS + 1)[1:-1])
+        whole = float(np.sqrt(np.mean(error**2)))
+        size = np.full((TWISTS, 2), whole)
+        place = np.searchsorted(edges, turns)
+        for number in range(TWISTS):
+            for way, sign in enumerate((1, -1)):
+                here = error[(place == number) & (direction == sign)]
+                if len(here):
+                    size[number, way] = np.sqrt(np.mean(here**2))
+        return cls(edges, np.maximum(size, 1e-12))
+
+    def at(self, turns: Array, direction: Array) -> Array:
+        """Scatter at twists, shape (points,)."""
+        return self.size[np.searchsorted(self.edges_turns, turns), np.where(direction > 0, 0, 1)]
+
+
+class TooFew(ValueError):
+    """Points from which it cannot be learnt how a model errs."""
+
+
+class Intervals:
+    """A fitted model with what its errors are like; `make` returns an unfitted model of its kind."""
+
+    def __init__(self, make: Callable[[], Model]) -> None:
+        self.make = make
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Fit the model on all points, and on parts of them to see how it errs on the rest.
+
+        Raises TooFew where the points are all of one block.
+        """
+        parts = _parts(points)
+        if not parts:
+            raise TooFew("are all of one block, so nothing can be foreseen from the rest")
+        self.model, self.box = self.make(), Box.of(points)
+        self.strokes, found = _last_strokes(points), []
+        for part in steps([None, *parts], "fit"):
+            if part is None:
+                self.model.fit(points, seed)
+            else:
+                found.append(self._foreseen(*part, seed))
+        errors = pd.concat(found, ignore_index=True)
+        count = int(points.groupby("string")["stroke"].nunique().max())
+        self.scatter: dict[str, Scatter] = {}
+        self.scores: dict[str, dict[int, Array]] = {}
+        for wanted in GIVEN:
+            seen = errors[errors["ahead"] == 0]
+            columns = (seen[f"{wanted}_at"].to_numpy(), seen["direction"].to_numpy(), seen[wanted].to_numpy())
+            self.scatter[wanted] = Scatter.of(*columns)
+            # a fit of p weights to N points errs by noise (1 - p/N) on them and by noise (1 + p/N) on others
+            inner, outer = float(np.mean(seen[f"{wanted}_fitted"])), float(np.mean(seen[wanted] ** 2))
+            noise = min(2.0 * inner * outer / (inner + outer), outer)
+            self.scores[wanted] = {}
+            for ahead, rows in errors.groupby("ahead", sort=True):
+                size = self.scatter[wanted].at(rows[f"{wanted}_at"].to_numpy(), rows["direction"].to_numpy())
+                square = float(np.mean(rows[wanted] ** 2))
+                above = max(square - noise, 0.0)
+                less = (1.0 - 1.0 / FOLDS) if ahead == 0 else (1.0 - float(ahead) / count) ** 2
+                shrunk = np.sqrt((square - above * (1.0 - less)) / square)
+                self.scores[wanted][int(ahead)] = np.sort(np.abs(rows[wanted].to_numpy()) / size * shrunk)
+
+    def forward(self, points: pd.DataFrame, level: float) -> pd.DataFrame:
+        """Contraction in mm with an interval that holds it with probability `level`: value, low, high, inside."""
+        return self._predicted(points, "displacement_mm", level)
+
+    def inverse(self, points: pd.DataFrame, level: float) -> pd.DataFrame:
+        """Twist in turns with an interval that holds it with probability `level`: value, low, high, inside."""
+        return self._predicted(points, "motor_turns", level)
+
+    def quantile(self, wanted: str, ahead: int, level: float) -> float:
+        """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where none was tried."""
+        known = {n: _quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
+        numbers = sorted(known)
+        if ahead > numbers[-1]:
+            return float("inf")
+        return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
+
+    def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:
+        value = getattr(self.model, MAPS[wanted])(points)
+        at = points["motor_turns"].to_numpy(float) if wanted == "displacement_mm" else value
+        size = self.scatter[wanted].at(at, points["direction"].to_numpy())
+        last = _seen(points, self.strokes)
+        ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
+        half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
+        wrong = {name: rows for name, rows in self.box.outside(points, GIVEN[wanted]).items() if name != "stroke"}
+        inside = ~np.any(list(wrong.values()), axis=0) if wrong else np.ones(len(points), bool)
+        inside &= points["stroke"].to_numpy() >= self.box.low["stroke"]
+        inside &= last.notna().to_numpy() & np.isfinite(half)
+        half = np.where(inside, half, np.inf)
+        return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
+
+    def _foreseen(self, known: pd.DataFrame, rest: pd.DataFrame, seed: int) -> pd.DataFrame:
+        """Errors of both maps on points that a model fitted on the known ones has not seen."""
+        model = self.make()
+        model.fit(known, seed)
+        turns = model.inverse(rest.assign(motor_turns=np.nan))
+        fitted = {wanted: getattr(model, map_)(known) - known[wanted] for wanted, map_ in MAPS.items()}
+        return pd.DataFrame(
+            {
+                "displacement_mm": model.forward(rest.assign(displacement_mm=np.nan)) - rest["displacement_mm"],
+                "displacement_mm_at": rest["motor_turns"],
+                "motor_turns": turns - rest["motor_turns"],
+                "motor_turns_at": turns,
+                **{f"{wanted}_fitted": float(np.mean(error**2)) for wanted, error in fitted.items()},
+                "direction": rest["direction"],
+                "ahead": np.maximum(rest["stroke"] - _seen(rest, _last_strokes(known)), 0).fillna(0).astype(int),
+            }
+        )
+
+
+def _last_strokes(points: pd.DataFrame) -> dict[str, int]:
+    """The last stroke of each string."""
+    return {str(string): int(last) for string, last in points.groupby("string")["stroke"].max().items()}
+
+
+def _seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
+    """The last stroke seen of each point's string, NaN where none was."""
+    return points["string"].astype(str).map(strokes).astype(float)
+
+
+def _parts(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
+    """What is known and what is foreseen: blocks held out in turn, then each string's last strokes from ever fewer."""
+    fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
+    parts = [(points[fold != one], points[fold == one]) for one in sorted(set(fold))] if len(set(fold)) > 1 else []
+    strokes = points.groupby("string")["stroke"]
+    count = strokes.transform("nunique")
+    before_last = count - strokes.rank("dense")
+    for ahead in range(1, AHEAD + 1):
+        enough = count - ahead >= LEAST_STROKES
+        if enough.any():
+            parts.append((points[~enough | (before_last >= ahead)], points[enough & (before_last == 0)]))
+    return parts
+
+
+def _quantile(sorted_scores: Array, level: float) -> float:
+    """The conformal quantile: the least score that at least a share `level` of n + 1 scores do not pass."""
+    rank = int(np.ceil(level * (len(sorted_scores) + 1)))
+    return float(sorted_scores[min(rank, len(sorted_scores)) - 1])

@@ -1,0 +1,1 @@
+"""The campaign's page: what a new string teaches a model."""

@@ -1,0 +1,137 @@
+"""Every public rig's rows → one table beside the black boxes, and the section that says where the tool can be wrong."""
+
+import argparse
+import html
+import io
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import whole, write_text
+from pipeline.ground.regular_file import read_regular
+from pipeline.real.rigs import Rig, read_rigs
+from pipeline.report.real.page import WIDE, sizes, table
+from pipeline.report.real.results import BLACK_BOXES, CARRIED, ELSEWHERE, OTHERS, TITLES
+from pipeline.report.web.page import STYLE, link
+
+LARGEST = 10_000_000  # bytes of a rig's table
+
+BLOCKS = (("", list(TITLES)), (ELSEWHERE, CARRIED), (OTHERS, CARRIED))
+INTRODUCTION = """\
+<p>Each recording was imported as it was published and diagnosed from its base model alone. Errors are rms. The first
+block: the last 30 % of a recording's strokes, after learning from the strokes before. The second: the whole of a
+recording after learning from another one of the same thing, zero set on the first second, median over the others.
+The third: the same after learning from all others of that thing together.
+The black boxes (boosted trees, a Gaussian process on 1,000 points, a neural network of 2 × 64, median of three
+seeds) get motion, its rate and acceleration, which way the motion came, delayed motion and load, and correct a straight
+line over these. They name nothing. Smallest of each block in bold.</p>
+"""
+
+
+def numbers(row: pd.Series, prefix: str, methods: list[str]) -> dict[str, float]:
+    """Errors of the methods that a row holds."""
+    return {name: float(row[f"{prefix}{name}"]) for name in methods if pd.notna(row.get(f"{prefix}{name}"))}
+
+
+def blocks(row: pd.Series) -> list[str]:
+    """Cells of all the blocks of errors, the smallest of each in bold."""
+    return [cell for prefix, methods in BLOCKS for cell in sizes(numbers(row, prefix, methods), methods)]
+
+
+def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
+    """The table over all rigs: single recordings, then those together, then the median of each rig."""
+    head = ["Recording", "Verdict", "Left out", "Unit", *(TITLES[name] for _, methods in BLOCKS for name in methods)]
+    titles = ("its last strokes", "after learning from another recording", "after learning from all others")
+    over = "".join(f"<th colspan={len(of)}>{title}</th>" for title, (_, of) in zip(titles, BLOCKS, strict=True))
+    over = f"<tr><th colspan=4></th>{over}</tr>\n"
+    text = []
+    for rig, some in rows.groupby("rig", sort=False):
+        title = html.escape(rigs[str(rig)].title)
+        text.append(f'<h3><a href="{link(f"{rig}.html")}">{title}</a></h3>')
+        lines = []
+        for _, row in some.iterrows():
+            ties = f" (or {int(row['ties'])} other{'s' * (row['ties'] > 1)})" if row["ties"] else ""
+            told = [row["recording"], row["verdict"], f"{row['named']}{ties}", row["unit"]]
+            cells = [html.escape(str(cell)) for cell in told]
+            lines.append([*cells, *blocks(row)])
+        single = some[some["together"] == "no"].median(numeric_only=True)
+        unit = html.escape(str(next(iter(some["unit"][some["unit"] != ""]), "")))
+        middle = ["median", "", "", unit]
+        lines.append([*middle, *blocks(single)])
+        text.append(table(head, lines, texts=4, over=over))
+    return "\n".join(text)
+
+
+def doubts(rows: pd.DataFrame) -> str:
+    """The verdicts that are no firm, expected ones, and why."""
+    some = rows[rows["doubt"] != ""]
+    count = f"{len(some)} of {len(rows)} verdicts are ambiguous, unknown or missing, or disagree with the literature."
+    lines = [
+        [html.escape(str(cell)) for cell in (row["recording"], row["doubt"], row["why"])] for _, row in some.iterrows()
+    ]
+    return f"<p>{count}</p>" + (table(["Recording", "Kind", "Why"], lines, texts=3) if lines else "")
+
+
+def beaten(rows: pd.DataFrame) -> str:
+    """How often a black box predicts better than the explained simulator, on either kind of unseen data."""
+    said = []
+    for prefix, words in (
+        ("", "unseen strokes of the same recording"),
+        (ELSEWHERE, "another recording"),
+        (OTHERS, "a recording left out, learnt from all others"),
+    ):
+        both = [
+            (row[f"{prefix}explained"], min(others.values()))
+            for _, row in rows.iterrows()
+            if pd.notna(row[f"{prefix}explained"]) and (others := numbers(row, prefix, list(BLACK_BOXES)))
+        ]
+        if both:
+            lost = sum(other < own for own, other in both)
+            said.append(f"On {words} the best of the three black boxes is better on {lost} of {len(both)} recordings.")
+    return f"<p>{' '.join(said)}</p>"
+
+
+def ignored(files: list[str]) -> str:
+    """The files that nothing was made of, and why."""
+    if not files:
+        return ""
+    listed = "".join(f"<li>{html.escape(name)}</li>" for name in files)
+    why = "No pattern of <code>pipeline/config/real.yaml</code> knows their names:"
+    return f"<h2>Files that were passed over</h2><p>{why}</p><ul>{listed}</ul>"
+
+
+def page(rows: pd.DataFrame, rigs: dict[str, Rig], passed_over: list[str]) -> str:
+    """The page's HTML."""
+    return "\n".join([
+        "<!doctype html>\n<html lang=en><meta charset=utf-8><title>public rigs</title>",
+        f"<style>{STYLE}{WIDE}</style><h1>Recordings of public rigs</h1>", INTRODUCTION,
+        "<p>All numbers: <a href=table.csv>table.csv</a></p>",
+        overview(rows, rigs), beaten(rows),
+        "<h2>The tool can be wrong in public</h2>", doubts(rows),
+        ignored(passed_over),
+    ]) + "\n"  # fmt: skip
+
+
+@program
+def main() -> None:
+    """Write the page over all rigs and its table as csv."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.real.index", description=__doc__)
+    parser.add_argument("tables", type=Path, nargs="+")
+    parser.add_argument("--out", type=Path, required=True, help="the file of the page; required")
+    parser.add_argument("--table", type=Path, required=True)
+    parser.add_argument("--passed-over", nargs="*", default=[], help="files of which nothing was made")
+    told = parser.parse_args()
+    rows = pd.concat([pd.read_csv(io.BytesIO(read_regular(path, LARGEST))) for path in told.tables], ignore_index=True)
+    texts = ["verdict", "named", "expected", "unit", "doubt", "why"]
+    missing = [name for name in texts if name not in rows]
+    if missing:
+        raise BadInput(told.tables[0], missing[0], "is not among its columns", "make the rigs' tables again")
+    rows[texts] = rows[texts].fillna("").astype(str)
+    write_text(told.out, page(rows, read_rigs(), told.passed_over))
+    with whole(told.table) as temporary:
+        rows.to_csv(temporary, index=False, float_format="%.5g")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,200 @@
+"""What was made of a public rig's recordings → its page: where, what, how much better, beside which figures."""
+
+import argparse
+import html
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import pandas as pd
+
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.files import whole, write_text
+from pipeline.ground.schemas import unit_of
+from pipeline.real.plan import ALL_OTHERS
+from pipeline.real.rigs import Rig, read_rigs
+from pipeline.report.real.doubts import found_answer
+from pipeline.report.real.figures import figure
+from pipeline.report.real.results import CARRIED, TITLES, Result, apart, expected_words, read_results
+from pipeline.report.web.page import STYLE, link
+
+WIDE = """
+body { max-width: 76rem } table { font-size: 13px } .scroll { overflow-x: auto } td.left, th.left { text-align: left }
+.best { font-weight: 600 } tr.middle td { border-top: 2px solid #999; font-weight: 600 }
+td:nth-child(2) { text-align: right } td.text, th { text-align: left !important }
+"""
+
+
+def table(head: list[str], rows: list[list[str]], texts: int = 1, over: str = "") -> str:
+    """An HTML table of cells that are HTML already, `over` above its head; the first `texts` columns are text."""
+    names = "".join(f"<th>{name}</th>" for name in head)
+    lines = [
+        "<tr>"
+        + "".join(f"<td{' class=text' if at < texts else ''}>{cell}</td>" for at, cell in enumerate(row))
+        + "</tr>"
+        for row in rows
+    ]
+    return f"<div class=scroll><table>\n{over}<tr>{names}</tr>\n" + "\n".join(lines) + "\n</table></div>"
+
+
+def sizes(values: dict[str, float], methods: list[str]) -> list[str]:
+    """Cells of the methods' errors, the smallest in bold."""
+    there = [values[method] for method in methods if method in values]
+    return [
+        "" if method not in values
+        else f"<span class=best>{values[method]:.3g}</span>" if values[method] == min(there)
+        else f"{values[method]:.3g}"
+        for method in methods
+    ]  # fmt: skip
+
+
+def where(results: list[Result]) -> str:
+    """Where each recording and its simulator part, and what explains it."""
+    head = ["Recording", "Verdict", "Left out", "Ties", "Mismatch", "Noise", "Where", "Strokes", "Phase", "It follows"]
+    rows = []
+    for one in results:
+        name = f'<a href="#{html.escape(anchor(one))}">{html.escape(one.name)}</a>'
+        if one.content is None:
+            rows.append([name, "not decided", *[""] * 8])
+            continue
+        mismatch: dict[str, Any] = one.content["mismatch"] or {}
+        box = mismatch.get("location") or {}
+        ends = next((key for key in box if key not in ("strokes", "phase", "share")), "")
+        place = f"{box[ends][0]:.3g} to {box[ends][1]:.3g} {unit_of(ends)}" if ends else ""
+        size = mismatch.get(f"rms_{one.unit}")
+        cells = [
+            one.content["verdict"], one.named, str(len(one.content["alternatives"]) or ""),
+            f"{size:.3g} {one.spoken}" if size is not None else "",
+            f"{one.content['fit'][f'noise_floor_{one.unit}']:.3g} {one.spoken}",
+            place, "–".join(map(str, box.get("strokes", []))), str(box.get("phase", "")),
+            str(mismatch.get("driver") or ""),
+        ]  # fmt: skip
+        rows.append([name, *(html.escape(cell) for cell in cells)])
+    return table(head, rows, texts=3)
+
+
+def better(results: list[Result], unit: str) -> str:
+    """How much better each recording is predicted, beside the black boxes, on strokes that no fit has seen."""
+    rows = [[html.escape(one.name), *sizes(one.heldout, list(TITLES))] for one in results if one.heldout]
+    middle = pd.DataFrame([one.heldout for one in results if not one.together]).median().to_dict()
+    rows.append(["median", *sizes(middle, list(TITLES))])
+    note = ""
+    if any(one.together for one in results):
+        note = (
+            "<p>Held out of recordings together are the last of them, whole ones too; these get their zero on their"
+            " first second. The median is over single recordings.</p>"
+        )
+    return table([f"rms error ({html.escape(unit)})", *TITLES.values()], rows) + note
+
+
+def relative(results: list[Result]) -> str:
+    """What is left over the reading itself, where a diagnosis says it."""
+    rows, filters = [], set()
+    for one in results:
+        left = ((one.content or {}).get("fit") or {}).get("relative_residual")
+        if left:
+            filters.add(left["filter"])
+            rows.append([html.escape(one.name), *(f"{100 * left[name]:.1f} %" for name in list(TITLES)[:3])])
+    if not rows:
+        return ""
+    told = html.escape("; ".join(sorted(filters)))
+    note = f"<p>Relative residual: rms of what is left over rms of the reading. Filter: {told}.</p>"
+    return note + table(["Recording", *list(TITLES.values())[:3]], rows)
+
+
+def answers(rig: Rig, results: list[Result]) -> str:
+    """Parameters that the literature knows, beside ours."""
+    rows = []
+    for one in results:
+        for answer in rig.answers:
+            found = found_answer(one.content, answer) if one.content else None
+            if found:
+                value, low, high = found
+                cells = [one.name, answer.what, f"{answer.value:g} {answer.unit}", f"{value:.4g} {answer.unit}"]
+                cells += [f"{low:.4g} to {high:.4g}", f"{100 * (value / answer.value - 1):+.1f} %"]
+                rows.append([html.escape(cell) for cell in cells] + ["yes" if low <= answer.value <= high else "no"])
+    head = ["Recording", "Parameter", "Published", "Found", "90 % interval", "Apart", "Inside"]
+    return "<h3>Published parameters</h3>" + table(head, rows, texts=2) if rows else ""
+
+
+def transferred(carried: pd.DataFrame, unit: str) -> str:
+    """Errors on a recording after learning from others, zero set on the first second."""
+    if carried.empty:
+        return "<p>There is one recording of each thing: nothing to carry over.</p>"
+    rows, best = [], []
+    for some, source in zip(apart(carried), ("one other", ALL_OTHERS), strict=True):
+        for group, errors in some.groupby("group"):
+            middle = errors.groupby("method")[["rms", "centred_rms"]].median()
+            count = str(len(errors) // errors["method"].nunique())
+            rows.append([html.escape(str(group)), source, count, *sizes(middle["rms"].to_dict(), CARRIED)])
+            best.append([html.escape(str(group)), source, count, *sizes(middle["centred_rms"].to_dict(), CARRIED)])
+    head = ["Group", "Learnt from", "Cases", *(TITLES[name] for name in CARRIED)]
+    text = f"<p>Median rms error ({html.escape(unit)}), zero set on the first second:</p>{table(head, rows, texts=2)}"
+    return text + f"<p>The same with the best zero:</p>{table(head, best, texts=2)}"
+
+
+def anchor(one: Result) -> str:
+    """Where a verdict stands on the page."""
+    return f"together-{one.group}" if one.together else one.name
+
+
+def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: str) -> str:
+    """The page's HTML; links are relative to the folder that it lies in."""
+    source = f'<a href="{html.escape(rig.repository)}">{html.escape(rig.repository)}</a>, {html.escape(rig.where)}'
+    published = [[html.escape(cell) for cell in (one.what, one.value, one.source)] for one in rig.published]
+    expected = {f"{one.said}{f' ({expected_words(one)})' if one.names else ''}" for one in rig.expected}
+    text = [
+        f"<!doctype html>\n<html lang=en><meta charset=utf-8><title>{html.escape(name)}</title>",
+        f"<style>{STYLE}{WIDE}</style>",
+        f"<p><a href=index.html>All public rigs</a></p><h1>{html.escape(rig.title)}</h1>",
+        f"<p>Source: {source} ({html.escape(rig.licence)}). Base model: {html.escape(rig.base)}.</p>",
+        f"<p>The literature: {html.escape('; '.join(sorted(expected)))}.</p>",
+        "<h2>Where simulation and recording part, and what explains it</h2>", where(results),
+        "<h2>How much better: strokes that no fit has seen</h2>", better(results, unit), relative(results),
+        f'<img src="{link(f"{name}.png")}" alt="Errors of every method">',
+        "<h3>Published figures</h3>", table(["Of what", "Value", "Source"], published, texts=3),
+        f"<p>{html.escape(rig.note)}</p>", answers(rig, results),
+        "<h2>Learnt on some recordings, asked about another</h2>", transferred(pairs, unit),
+        "<h2>Each verdict</h2>",
+    ]  # fmt: skip
+    for one in results:
+        text.append(
+            f'<h3 id="{html.escape(anchor(one))}">{html.escape(one.name)}</h3><pre>{html.escape(one.words)}</pre>'
+        )
+        if (one.folder / "diagnosis.png").is_file():
+            parts = (name, "together", one.group) if one.together else (name, one.folder.name)
+            source = link(*parts, "diagnosis.png")
+            text.append(f'<a href="{source}"><img src="{source}" alt="Diagnosis"></a>')
+    return "\n".join(text) + "\n"
+
+
+@program
+def main() -> None:
+    """Write a rig's page, its figure and its rows of the table over all rigs."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.real.page", description=__doc__)
+    parser.add_argument("rig")
+    for name in ("verdicts", "together", "black-boxes", "transfer"):
+        parser.add_argument(f"--{name}", type=Path, nargs="*", default=[])
+    for name in ("out", "figure", "table"):
+        parser.add_argument(f"--{name}", type=Path, required=True)
+    told = parser.parse_args()
+    rigs = read_rigs()
+    if told.rig not in rigs:
+        raise BadInput("arguments", "rig", f"{told.rig!r} is not a known rig", f"use {', '.join(rigs)}")
+    rig = rigs[told.rig]
+    known = pd.DataFrame(columns=["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"])
+    pairs = pd.concat([pd.read_csv(path) for path in told.transfer]) if told.transfer else known
+    results = read_results(told.verdicts, told.together, told.black_boxes, pairs)
+    unit = next((one.spoken for one in results if one.unit), "")
+    write_text(told.out, page(told.rig, rig, results, pairs, unit))
+    with whole(told.figure) as temporary:
+        drawn = figure(results, pairs, unit)
+        drawn.savefig(temporary, dpi=160)
+        plt.close(drawn)
+    rows = pd.DataFrame([{"rig": told.rig, **one.row(rig)} for one in results])
+    with whole(told.table) as temporary:
+        rows.to_csv(temporary, index=False, float_format="%.5g")
+
+
+if __name__ == "__main__":
+    main()

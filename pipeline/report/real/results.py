@@ -1,0 +1,121 @@
+"""What was made of a public rig's recordings, read from the files: verdicts, held-out errors, black boxes, transfer."""
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from pipeline.ground.schemas import unit_of
+from pipeline.real.plan import ALL_OTHERS
+from pipeline.real.rigs import Expected, Rig, expected_of
+from pipeline.report.real.doubts import doubt
+
+SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
+BLACK_BOXES = {"gradient_boosting": "boosted trees", "gaussian_process": "Gaussian process", "mlp": "neural network"}
+TITLES = {**SIMULATORS, **BLACK_BOXES}
+CARRIED = [name for name in TITLES if name != "calibrated"]
+ELSEWHERE, OTHERS = "elsewhere_", "others_"  # before a method's name: learnt on another recording, on all others
+
+
+@dataclass(frozen=True)
+class Result:
+    """One verdict, on one recording or on several together; `content` is None where there is none."""
+
+    name: str
+    folder: Path
+    content: dict[str, Any] | None
+    words: str
+    group: str = ""
+    black_boxes: dict[str, float] = field(default_factory=dict)
+    elsewhere: dict[str, float] = field(default_factory=dict)
+    others: dict[str, float] = field(default_factory=dict)
+    unit: str = ""
+    together: bool = False
+
+    @property
+    def named(self) -> str:
+        """Ids of the best explanation."""
+        return " + ".join(entry["id"] for entry in self.content["mechanisms"]) if self.content else ""
+
+    @property
+    def spoken(self) -> str:
+        """The unit as it is written."""
+        return unit_of(f"_{self.unit}") if self.unit else ""
+
+    @property
+    def heldout(self) -> dict[str, float]:
+        """Error of every method on the strokes that no fit has seen."""
+        held = (self.content or {"fit": {}})["fit"].get("heldout") or {}
+        own = {name: held[f"{name}_{self.unit}"] for name in SIMULATORS if f"{name}_{self.unit}" in held}
+        return {**own, **self.black_boxes}
+
+    def row(self, rig: Rig) -> dict[str, Any]:
+        """This verdict in the table over all rigs."""
+        content = self.content or {"verdict": "not decided", "alternatives": [], "mismatch": None, "fit": {}}
+        expected = expected_of(rig, self.name)
+        kind, why = doubt(self.content, self.words, expected, rig.answers) or ("", "")
+        return {
+            "recording": self.name,
+            "together": "yes" if self.together else "no",
+            "verdict": content["verdict"],
+            "named": self.named,
+            "ties": len(content["alternatives"]),
+            "expected": expected_words(expected),
+            "unit": self.spoken,
+            "mismatch": (content["mismatch"] or {}).get(f"rms_{self.unit}"),
+            "noise_floor": content["fit"].get(f"noise_floor_{self.unit}"),
+            **{name: self.heldout.get(name) for name in TITLES},
+            **{f"{ELSEWHERE}{name}": self.elsewhere.get(name) for name in CARRIED},
+            **{f"{OTHERS}{name}": self.others.get(name) for name in CARRIED},
+            "doubt": kind,
+            "why": why,
+        }
+
+
+def expected_words(expected: Expected | None) -> str:
+    """The literature's answer in ids."""
+    if expected is None or expected.names is None:
+        return ""
+    return " + ".join(" or ".join(either) for either in expected.names)
+
+
+def _unit(content: dict[str, Any] | None) -> str:
+    keys = (content or {"fit": {}})["fit"]
+    return next((key.removeprefix("noise_floor_") for key in keys if key.startswith("noise_floor_")), "")
+
+
+def read_result(folder: Path, together: bool = False) -> Result:
+    """The verdict in a folder."""
+    path = folder / "diagnosis.json"
+    content = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    words = (folder / "verdict.txt").read_text(encoding="utf-8").strip()
+    name = f"{folder.name} together" if together else folder.name
+    return Result(name, folder, content, words, folder.name if together else "", unit=_unit(content), together=together)
+
+
+def apart(transfer: pd.DataFrame) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """What was learnt on one recording, and what on all the others."""
+    whole = transfer["learnt_from"] == ALL_OTHERS
+    return transfer[~whole], transfer[whole]
+
+
+def read_results(
+    verdicts: list[Path], together: list[Path], black_boxes: list[Path], transfer: pd.DataFrame
+) -> list[Result]:
+    """The verdicts on single recordings, each with the other methods' errors, then those on several together."""
+    others = {path.stem: json.loads(path.read_text(encoding="utf-8"))["heldout"] or {} for path in black_boxes}
+    results = []
+    pairs, left_out = apart(transfer)
+    for folder in verdicts:
+        one = read_result(folder)
+        about = pairs[pairs["asked_about"] == one.name]
+        elsewhere = about.groupby("method")["rms"].median().to_dict()
+        from_all = left_out[left_out["asked_about"] == one.name].set_index("method")["rms"].to_dict()
+        unit = one.unit or next(iter(about["unit"]), "")
+        group = next(iter(about["group"]), "")
+        extra = {"black_boxes": others.get(one.name, {}), "elsewhere": elsewhere, "others": from_all}
+        extra |= {"unit": unit, "group": group}
+        results.append(Result(**{**one.__dict__, **extra}))
+    return results + [read_result(folder, together=True) for folder in together]

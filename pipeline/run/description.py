@@ -1,0 +1,192 @@
+"""What `run.yaml` may say: the string, the rig, the file and its channels, checked key by key."""
+
+from pathlib import Path
+from typing import Annotated, Any, Literal, Required
+
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    model_validator,
+)
+from typing_extensions import TypedDict
+
+from pipeline.ground import names
+from pipeline.ground.complaint import bad_section, key_name, meant, short
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import usual_stiffness
+from pipeline.ground.names import MATERIAL_NAME, RUN_NAME
+from pipeline.ground.strict_yaml import Unclear, plain_value
+from pipeline.ground.text_file import TextFile
+from pipeline.systems import System, systems
+
+__all__ = ["MATERIAL_NAME", "RUN_NAME", "STRING_ACTUATORS", "Channel", "Run", "String", "TextFile", "parse_run"]
+STRING_ACTUATORS = ("separator", "twisted_pair")
+
+
+def _no_bool(value: Any) -> Any:
+    if isinstance(value, bool):  # YAML reads yes and no as these, and they would count as 1 and 0
+        raise ValueError("must be a number")
+    return value
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, str):  # of these pydantic would take "0300" and 1_0, which readers take differently
+        try:
+            number = plain_value(value)
+        except Unclear:
+            number = None
+        if isinstance(number, bool | str | None):
+            raise ValueError("must be a plain number, such as 0.55 or 300")
+    return _no_bool(value)
+
+
+def _column(value: Any) -> Any:
+    return names.column(value) if isinstance(value, str) else value
+
+
+# What can be measured in the units here; outside, a product of two such numbers would leave what a computer holds.
+Number = Annotated[float, BeforeValidator(_plain), Field(allow_inf_nan=False, ge=-1e18, le=1e18)]
+Positive = Annotated[Number, Field(ge=1e-9, le=1e9)]
+Times = Annotated[int, BeforeValidator(_plain), Field(ge=0, le=10**9)]
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class String(_Section):
+    """The string of a run: what it is made of and what was measured on it."""
+
+    material: Annotated[str, AfterValidator(names.material)] = Field(
+        description="name of the material, letters, digits, _ and -", examples=["UHMWPE"]
+    )
+    radius_mm: Positive = Field(description="radius of one string in mm", examples=[0.55])
+    length_mm: Positive = Field(description="length l0 of the unloaded string in mm", examples=[320])
+    stiffness_n_per_mm: Positive | None = Field(
+        None, description="stiffness K of the string in N/mm; left out or null where nobody measured it", examples=[35]
+    )
+    id: Annotated[str, AfterValidator(names.string_id)] | None = Field(
+        None, description="name of this very string; runs that share it continue each other"
+    )
+    strokes_before: Times = Field(0, description="strokes that the string had done before this run")
+
+    @property
+    def nominal_stiffness_n_per_mm(self) -> float:
+        """The measured stiffness, or the usual one of a string of this size, in N/mm."""
+        return self.stiffness_n_per_mm or usual_stiffness(self.radius_mm, self.length_mm)
+
+
+class Included(TypedDict, total=False):
+    """A mechanism that the simulator already includes, as a diagnosis gives it."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid")  # type: ignore[misc]
+    id: Required[str]
+    parameters: dict[str, Number]
+
+
+class Adopted(_Section):
+    """What `pipeline.adopt` put into `simulation`: its effects, the verdict on them, and the sets that tied with it."""
+
+    effects: list[str]
+    verdict: Literal["explained", "ambiguous"]
+    tied: list[list[str]] = Field(default_factory=list)
+    diagnosis: str | None = Field(None, description="the diagnosis.json that was adopted")
+    runs: list[str] | None = Field(None, description="the runs that the effects were fitted to")
+    next_experiment: str | None = Field(None, description="the run that decides between what tied, in words")
+
+
+class Channel(_Section):
+    """Where a channel stands in the recording: value = scale · raw + offset, then the unit."""
+
+    column: Annotated[str | int | None, BeforeValidator(_no_bool), AfterValidator(_column)] = Field(
+        None, description="the column's name or its index from 0"
+    )
+    unit: str | None = Field(None, description="the unit of scale · raw + offset")
+    scale: Number = 1.0
+    offset: Number = 0.0
+    counts_per_turn: Positive | None = None
+    step_s: Positive | None = Field(None, description="of time_s: what lies between two rows of a file without a clock")
+
+
+class Run(_Section):
+    """`run.yaml`, checked: lengths in mm, forces in N, as their names say."""
+
+    run: str
+    actuator: str = Field("separator", description="the kind of rig")
+    string: String | None = Field(None, description="the string: material, radius_mm, length_mm")
+    rig: dict[str, Number] = Field(default_factory=dict, description="the rig's dimensions")
+    tolerance: dict[str, Positive] = Field(default_factory=dict)
+    simulation: list[Included] = Field(default_factory=list)
+    adopted: list[Adopted] = Field(
+        default_factory=list, description="where `simulation` came from, one entry a verdict"
+    )
+    file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
+    channels: dict[str, Channel] = Field(default_factory=dict)
+    tare: Literal["string", "run"] = Field(
+        "string", description='"run" where the zero was moved since the run before of the same string'
+    )
+    mended: dict[str, Times] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _actuator_has_its_parts(self) -> "Run":
+        known = systems()
+        if self.actuator not in known:
+            raise ValueError(
+                f"actuator: is {short(self.actuator)}, of which nothing is known; use one of {', '.join(known)}"
+            )
+        system = known[self.actuator]
+        if system.needs_string and self.string is None:
+            raise ValueError("string: is missing; add the string's material, radius_mm, length_mm")
+        keys = {**system.rig, **system.optional_rig}
+        for key, value in self.rig.items():
+            if key not in keys:
+                raise ValueError(f"rig.{key_name(key)}: is not a known key; {meant(key, keys)}")
+            if (value < 0 and key not in system.may_be_negative) or (value == 0 and key in system.never_zero):
+                raise ValueError(f"rig.{key}: is {value:g}; give {keys[key]} that was measured")
+        for key, meaning in system.rig.items():
+            if key not in self.rig:
+                raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig{self._or_else}")
+        for key in self.tolerance:
+            if key not in system.tolerance:
+                raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {meant(key, system.tolerance)}")
+        return self
+
+    @property
+    def _or_else(self) -> str:
+        """What to write for a rig that has no such part."""
+        without = "; a rig without a separator is actuator: twisted_pair, as an option --actuator twisted_pair"
+        return without if self.actuator == "separator" else ""
+
+    @property
+    def system(self) -> System:
+        """The base simulator of the rig, and what a recording of it holds."""
+        return systems()[self.actuator]
+
+    @property
+    def string_id(self) -> str:
+        """Name of the string, which is the run's own name unless `string.id` says otherwise."""
+        return (self.string.id if self.string else None) or self.run
+
+
+SECTIONS: dict[str, type[BaseModel]] = {"string": String, "file": TextFile, "channels": Channel}
+
+
+def parse_run(content: Any, path: Path) -> Run:
+    """Check the content of a `run.yaml` that stands, or will stand, at `path`.
+
+    Raises BadInput for an unknown or missing key, a wrong type, or a name that is not the folder's.
+    """
+    if not isinstance(content, dict):
+        raise BadInput(path, "run.yaml", "is not a list of keys and values", "write it as the README shows")
+    try:
+        run = Run.model_validate(content)
+    except ValidationError as error:
+        raise bad_section(path, error, Run, SECTIONS) from None
+    names.checked(names.run_name, run.run, path, "run")
+    if run.run != path.parent.name:
+        raise BadInput(path, "run", f"is {run.run!r} in a folder named {short(path.parent.name)}", "make both the same")
+    return run

@@ -1,0 +1,110 @@
+"""What a run folder is: `raw/<run>/` with `run.yaml` and one recording; find it, read it, check it."""
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from pipeline.ground.errors import BadInput
+from pipeline.ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
+from pipeline.ground.regular_file import read_regular
+from pipeline.ground.strict_yaml import read_yaml
+from pipeline.run.description import Run, parse_run
+
+CAPTURED = ("recording.frames", "recording.lines")  # what the capture program writes while it runs
+MOST_SAMPLES = 2**53  # in a recording: more than any that there is
+LARGEST_INFO = 10_000_000  # bytes of a capture.json
+RECORDINGS = ("recording.frames", "recording.parquet", "recording.csv", "recording.csv.gz")
+
+
+def read_run(folder: Path | str) -> Run:
+    """Read and check `run.yaml` of a run folder; raises BadInput."""
+    path = Path(folder) / "run.yaml"
+    if not os.path.lexists(path):
+        raise BadInput(path.parent, "run.yaml", "is missing", "write it with python -m pipeline.new_run")
+    run = parse_run(read_yaml(path), path)
+    if run.string and run.string.material == SYNTHETIC and _of_another_rig(path.parent):
+        checked(own_material, run.string.material, path, "string.material")
+    return run
+
+
+def _of_another_rig(folder: Path) -> bool:
+    """Whether a run folder holds a recording that is not the synthetic rig's own."""
+    info = capture_info(folder)
+    if not info:
+        return any((folder / name).is_file() for name in RECORDINGS[1:])
+    hello = info.get("hello")
+    return not isinstance(hello, dict) or hello.get("device") != SYNTHETIC_DEVICE
+
+
+def recording_path(folder: Path | str) -> Path:
+    """The one recording of a run folder; raises BadInput when there is none, more than one, or it is unfinished."""
+    folder = Path(folder)
+    if unfinished(folder):
+        mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
+        raise BadInput(folder, "capture.json", "is missing, so the recording is unfinished", mend)
+    found = [folder / name for name in RECORDINGS if (folder / name).is_file()]
+    if not found:
+        raise BadInput(folder, "recording", "is missing", f"put one of {', '.join(RECORDINGS)} there")
+    if len(found) > 1:
+        names = " and ".join(path.name for path in found)
+        raise BadInput(folder, "recording", f"is there more than once ({names})", "keep one")
+    return found[0]
+
+
+def unfinished(folder: Path) -> bool:
+    """Whether a capture into a run folder is under way, or was cut off."""
+    return any((folder / name).is_file() for name in CAPTURED) and not (folder / "capture.json").is_file()
+
+
+def capture_info(folder: Path | str) -> dict[str, Any]:
+    """Content of `capture.json`, or nothing for a run that the capture program did not record; raises BadInput."""
+    path = Path(folder) / "capture.json"
+    if not os.path.lexists(path):
+        return {}
+    try:
+        info = json.loads(read_regular(path, LARGEST_INFO, "capture.json"))
+    except (ValueError, RecursionError):
+        info = None
+    if not isinstance(info, dict):
+        raise BadInput(path, "capture.json", "is not what the capture program writes", "restore it, or use --recover")
+    return info
+
+
+def checked_info(folder: Path | str) -> dict[str, Any]:
+    """Content of `capture.json` whose losses are as the capture program lists them; raises BadInput."""
+    path, info = Path(folder) / "capture.json", capture_info(folder)
+    for field in ("gaps", "holes"):
+        losses = info.get(field, [])
+        if not isinstance(losses, list) or not all(map(_is_loss, losses)):
+            problem = "is no list of losses, each with its after_samples"
+            raise BadInput(path, field, problem, "restore it from a copy; it is never edited")
+    return info
+
+
+def _is_loss(entry: Any) -> bool:
+    """Whether an entry of `gaps` or `holes` says after how many samples something was lost."""
+    after = entry.get("after_samples") if isinstance(entry, dict) else None
+    return isinstance(after, int) and not isinstance(after, bool) and 0 <= after <= MOST_SAMPLES
+
+
+def find_runs(raw: Path | str) -> Iterator[Path]:
+    """Run folders under `raw/`, sorted by name, hidden ones left out: those that hold a `run.yaml` or a recording.
+
+    A folder that may not be looked into counts as one: reading its `run.yaml` says what is wrong.
+    """
+    try:
+        names = sorted(name for name in os.listdir(raw) if not name.startswith("."))
+    except FileNotFoundError:
+        return
+    for folder in (Path(raw, name) for name in names):
+        if os.path.isdir(folder) and _holds_a_run(folder):
+            yield folder
+
+
+def _holds_a_run(folder: Path) -> bool:
+    try:
+        return not {"run.yaml", *CAPTURED, *RECORDINGS}.isdisjoint(os.listdir(folder))
+    except OSError:
+        return True

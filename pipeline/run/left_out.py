@@ -1,0 +1,81 @@
+"""A run that was left out, and why: noted by the stage that refuses it, and told by the pages that go on without it."""
+
+import json
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.ground.regular_file import read_regular
+
+LARGEST = 100_000_000  # bytes of a file of runs that were left out
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """One run, and what is wrong with which field of which file, and the mend."""
+
+    run: str
+    material: str  # empty where nobody can tell
+    file: str
+    field: str
+    problem: str
+    mend: str
+
+    @classmethod
+    def of(cls, run: str, error: BadInput, material: str = "") -> "LeftOut":
+        """A run that an error is about."""
+        return cls(run, material, error.file, error.field, error.problem, error.mend)
+
+    @property
+    def why(self) -> str:
+        """File, field, problem and mend, as every program says them, with nothing in it that cannot be shown."""
+        said = str(BadInput(self.file, self.field, self.problem, self.mend))
+        return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in said)
+
+
+def to_json(runs: list[LeftOut]) -> str:
+    """Runs as JSON, for a file or a command line."""
+    return json.dumps([asdict(one) for one in runs])
+
+
+def from_json(text: str | bytes, source: Path | str = "the runs left out") -> list[LeftOut]:
+    """Runs from such JSON, which is read from `source`; raises BadInput for anything else."""
+    try:
+        content = json.loads(text if isinstance(text, str) else text.decode("utf-8"))
+        runs = [LeftOut(**one) for one in content]
+        if isinstance(content, list) and all(isinstance(value, str) for one in content for value in one.values()):
+            return runs
+    except (ValueError, TypeError, RecursionError):
+        pass
+    raise BadInput(source, "JSON", "is not what the pipeline writes", "run snakemake: it is made again")
+
+
+def read_left_out(path: Path) -> list[LeftOut]:
+    """Runs in a file of such JSON; raises BadInput for one that is damaged."""
+    return from_json(read_regular(path, LARGEST), path)
+
+
+@contextmanager
+def noted(run_dir: Path, out: Path, note: bool) -> Iterator[None]:
+    """Where a stage refuses its run, write the refusal in place of its table if `note` says so; else let it pass.
+
+    A refusal by an earlier stage is always handed on. A fault of ours in one run costs that run, and is shown in full.
+    """
+    try:
+        yield
+    except schemas.Refused as error:
+        schemas.write_refusal(error, out)
+        print(f"left out: {error}")
+    except Exception as error:
+        if not note or isinstance(error, schemas.Damaged):
+            raise
+        if not isinstance(error, BadInput):
+            traceback.print_exc()
+            problem = f"could not be read: {type(error).__name__}: {error}"
+            error = BadInput(run_dir, "recording", problem, "please report it, with its log")
+        schemas.write_refusal(error, out)
+        print(f"left out: {error}")

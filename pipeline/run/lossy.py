@@ -1,0 +1,35 @@
+"""Strokes in whose movement the capture lost samples."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from pipeline.ground.errors import BadInput
+
+LOSSES_LISTED = 1000  # capture.json lists no more: what comes after the last one may be touched too
+MOVING = ("winding", "unwinding")
+
+
+def touched(strokes: pd.DataFrame, info: dict[str, Any]) -> frozenset[int]:
+    """Strokes of a run, by their numbers in it, in whose movement samples are missing by its capture.json."""
+    gaps = [*info.get("gaps", []), *info.get("holes", [])]
+    after = np.array([gap["after_samples"] for gap in gaps], np.int64)
+    moving = strokes[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0)]
+    lossy = [
+        int(stroke)
+        for stroke, first, last in zip(moving["stroke"], moving["first_sample"], moving["last_sample"], strict=True)
+        if ((first <= after) & (after <= last + 1)).any() or (len(gaps) >= LOSSES_LISTED and last >= after.max())
+    ]
+    return frozenset(lossy)
+
+
+def moving_strokes(strokes: pd.DataFrame) -> frozenset[int]:
+    """Strokes of a run, by their numbers in it, in which anything moves."""
+    return frozenset(strokes.loc[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0), "stroke"])
+
+
+def all_lossy(run: str) -> BadInput:
+    """What is wrong with a run of whose strokes none can be used."""
+    mend = "record it again, or set keep_lossy: true in the configuration (--keep-lossy of this program)"
+    return BadInput(run, "strokes", "samples are missing in every one", mend)

@@ -1,0 +1,32 @@
+"""Whether a string can bear its load: grams that are read as newtons would tear it."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import Geometry
+from pipeline.run.description import Run
+
+STRONGEST_MPA = 3000.0  # no fibre bears more
+MOST_STRETCH = 1 / 3  # of the length: no string stretches by more,
+DOUBT_STRETCH = 0.1  # and hardly one by so much
+
+
+def load_mistake(run: Run, samples: pd.DataFrame, base: Geometry, path: Path, most: float) -> BadInput | None:
+    """What speaks against a load: its stress on two such strings, or a stretch beyond the share `most`; else None."""
+    load_n = float(np.median(np.abs(samples["load_n"])))
+    stress_mpa = load_n / (2.0 * np.pi * base.radius_mm**2)
+    share = load_n / base.stiffness_n_per_mm / base.length_mm
+    if stress_mpa <= STRONGEST_MPA and share <= most:
+        return None
+    would = (
+        f"which no fibre bears: {stress_mpa / 1000:.2g} GPa on two strings of {base.radius_mm:g} mm radius"
+        if stress_mpa > STRONGEST_MPA
+        else f"which would stretch the string by {share:.0%} of its length"
+    )
+    told = "load_n" in run.rig and (samples["load_n"] == run.rig["load_n"]).all()
+    mend = "give rig.load_n in newtons" if told else "set channels.load_n.unit to gf"
+    mend = f"are they grams? {mend}; else check radius_mm and stiffness_n_per_mm"
+    return BadInput(path, "load_n", f"is {load_n:.4g} N, {would}", mend)

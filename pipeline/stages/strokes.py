@@ -1,0 +1,30 @@
+"""Samples → strokes: where the motor winds, holds, unwinds and rests, and which stroke that is."""
+
+import argparse
+from pathlib import Path
+
+from pipeline.ground import schemas
+from pipeline.ground.errors import program
+from pipeline.ground.outputs import file_to_write
+from pipeline.run.left_out import noted
+from pipeline.run.strokes import segment
+
+
+@program
+def main() -> None:
+    """Write `strokes.parquet` of one run."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("samples", type=Path)
+    parser.add_argument("--out", type=Path, required=True, help="the file of the strokes, Parquet; required")
+    parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
+    arguments = parser.parse_args()
+    file_to_write(arguments.out, reads=[arguments.samples])
+    with noted(arguments.samples, arguments.out, arguments.note_refusals):
+        samples = schemas.read(arguments.samples)
+        strokes = segment(samples, samples.columns[1], arguments.samples)
+        schemas.write(strokes, schemas.STROKES, arguments.out)
+        print(f"{arguments.samples.parent.name}: {strokes['stroke'].max()} strokes in {len(strokes)} stretches")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+"""Fit a model on the training points of a dataset's split and predict its held-out points, both ways."""
+
+import argparse
+import logging
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from pydantic import ValidationError
+
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput, program
+from pipeline.ground.outputs import file_to_write
+from pipeline.ground.tables import opened
+from pipeline.models.interface import Model, make_model, names, settings_of
+from pipeline.models.parts.saved import write_bytes
+from pipeline.models.parts.settings import Refused, refusal, shown, told
+
+SPLITS = ("within", "later")
+
+
+def divided(dataset: pd.DataFrame, split: str, source: Path | str) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Training and held-out points of a split, with their row numbers in the dataset as index.
+
+    Both are empty for a split that the dataset leaves out. Raises BadInput, naming the source, when one is.
+    """
+    dataset = dataset.reset_index(drop=True)
+    train, test = (dataset[dataset[split] == part] for part in ("train", "test"))
+    for part, points in (("train", train), ("test", test)):
+        if points.empty and (dataset[split] != "").any():
+            raise BadInput(source, split, f'no point is "{part}"', "use the other split, or record more strokes")
+    return train, test
+
+
+def predictions(model: Model, test: pd.DataFrame) -> pd.DataFrame:
+    """Both predictions of a fitted model for held-out points, one row each (`schemas.PREDICTIONS`).
+
+    Each map is handed the points without the answer it is to give. Raises ArithmeticError when a prediction is
+    not finite.
+    """
+    table = pd.DataFrame(
+        {
+            "point": test.index.to_numpy(np.int32),
+            "displacement_mm": model.forward(test.assign(displacement_mm=np.nan)),
+            "motor_turns": model.inverse(test.assign(motor_turns=np.nan)),
+        }
+    )
+    lost = int((~np.isfinite(table.to_numpy(np.float64))).any(axis=1).sum())
+    if lost:
+        raise ArithmeticError(f"{lost} of {len(table)} predictions are not finite")
+    return table
+
+
+def configured(name: str, settings: str) -> Model:
+    """The unfitted model of a name with settings given as a JSON object; raises BadInput for what it refuses."""
+    if name not in names():
+        problem = "is no file of pipeline/models that has a MODEL"
+        raise BadInput("--model", shown(name) or '""', problem, f"choose one of {', '.join(names())}")
+    try:
+        given = told(settings)
+        try:
+            return make_model(name, **given)
+        except (TypeError, ValidationError) as error:
+            raise refusal(error, settings_of(name), given) from error
+    except Refused as error:
+        raise BadInput("--settings", f"{name}.{error.field}", error.problem, error.mend) from error
+
+
+@contextmanager
+def fitting(name: str) -> Iterator[None]:
+    """Raise BadInput for a fit, or an answer of it, in which numbers overflow or equations have no solution."""
+    try:
+        yield
+    except (ArithmeticError, np.linalg.LinAlgError) as error:
+        mend = "lower its rate or its size in --settings, or take another model; see whether the points are all alike"
+        raise BadInput("--model", name, f"cannot be fitted to these points: {error}", mend) from error
+
+
+def seed(text: str) -> int:
+    """A seed from a command line, for argparse: a whole number from 0 to 2^32 - 1."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 10 and int(text) < 2**32):
+        raise argparse.ArgumentTypeError(f"{shown(text)!r} is no whole number from 0 to {2**32 - 1}")
+    return int(text)
+
+
+def arguments(words: list[str]) -> Any:
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.stages.train", description=__doc__)
+    parser.add_argument("dataset", type=Path)
+    parser.add_argument("--model", required=True, help="a file of pipeline/models, without .py")
+    parser.add_argument("--split", required=True, choices=SPLITS)
+    parser.add_argument("--seed", type=seed, default=0)
+    parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
+    parser.add_argument("--out-model", type=Path, required=True, help="the file of the model; required")
+    parser.add_argument(
+        "--out-predictions", type=Path, required=True, help="the file of the predictions, Parquet; required"
+    )
+    return parser.parse_args(words)
+
+
+def main() -> None:
+    """Fit, save, predict."""
+    asked = arguments(sys.argv[1:])
+    # A stream handler flushes every line: progress shows while the fit runs, also through a pipe.
+    logging.basicConfig(level=logging.INFO, stream=sys.stdout, format=f"{asked.model}: %(message)s")
+    model = configured(asked.model, asked.settings)
+    for option, path in (("--out-model", asked.out_model), ("--out-predictions", asked.out_predictions)):
+        file_to_write(path, option, reads=[asked.dataset])
+    dataset = opened(asked.dataset, schemas.DATASET, "make it: python -m pipeline.stages.dataset")
+    train, test = divided(dataset, asked.split, asked.dataset)
+    if test.empty:
+        print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")
+        write_bytes(asked.out_model, b"")
+        schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, asked.out_predictions)
+        return
+    with fitting(asked.model):
+        model.fit(train, asked.seed)
+        predicted = predictions(model, test)
+    model.save(asked.out_model)
+    schemas.write(predicted, schemas.PREDICTIONS, asked.out_predictions)
+
+
+if __name__ == "__main__":
+    program(main)()

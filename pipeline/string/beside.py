@@ -1,0 +1,54 @@
+"""What the zero did between the runs that are asked about and the other runs of the same string beside them."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from pipeline.ground.errors import BadInput
+from pipeline.run.description import STRING_ACTUATORS, Run
+from pipeline.run.folder import capture_info, find_runs, read_run
+from pipeline.run.strokes import segment
+from pipeline.string.from_raw import read
+from pipeline.string.history import Recorded
+from pipeline.string.zero import Jump, jumps
+
+
+def jumps_into(folders: list[Path], runs: list[Run], tables: list[pd.DataFrame]) -> list[Jump]:
+    """Jumps of the zero into any of these runs, from one of them or from a run in the same folder as they.
+
+    `tables` holds the runs' samples. A run beside them that cannot be read tells nothing.
+    """
+    if runs[0].actuator not in STRING_ACTUATORS:
+        return []
+    known = {
+        run.run: Recorded(run, _started(folder), table, segment(table, run.system.driver, folder))
+        for folder, run, table in zip(folders, runs, tables, strict=True)
+    }
+    every = list(known.values())
+    asked = {folder.resolve() for folder in folders}
+    for place in sorted({folder.parent for folder in asked}):
+        every += [one for one in _beside(place, {run.string_id for run in runs}, asked) if one.run.run not in known]
+    found = []
+    for string in sorted({run.string_id for run in runs}):
+        found += jumps([one for one in every if one.run.string_id == string])
+    return [jump for jump in found if jump.run in known]
+
+
+def _beside(place: Path, strings: set[str], but: set[Path]) -> list[Recorded]:
+    """Runs in a folder of runs, `but` some, that name one of these strings."""
+    found = []
+    for folder in find_runs(place):
+        if folder.resolve() in but:
+            continue
+        try:
+            text = (folder / "run.yaml").read_text(encoding="utf-8")
+            if any(string in text for string in strings) and read_run(folder).string_id in strings:
+                found.append(read(folder))
+        except (BadInput, OSError, ValueError):
+            continue
+    return found
+
+
+def _started(folder: Path) -> str:
+    """When a run began, by the capture program, or nothing."""
+    return str(capture_info(folder).get("started_utc", ""))

@@ -1,0 +1,102 @@
+"""What one string went through: its runs as the stages before left them, in order, and their common tare."""
+
+import re
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline.ground import schemas
+from pipeline.ground.errors import BadInput
+from pipeline.run.description import Run
+from pipeline.run.folder import capture_info, read_run
+from pipeline.run.left_out import LeftOut
+from pipeline.run.samples import geometry
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """One run as it reaches this stage: what it is, when it began, its samples, its strokes, and where it lies."""
+
+    run: Run
+    started_utc: str
+    samples: pd.DataFrame
+    strokes: pd.DataFrame
+    folder: Path = Path()
+
+
+def _strokes_before(recorded: Recorded) -> int | None:
+    """Strokes that run.yaml says the string had done, or None where it does not say."""
+    string = recorded.run.string
+    return string.strokes_before if string and "strokes_before" in string.model_fields_set else None
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """A name as its numbers and its words, so that run 10 comes after run 2."""
+    return [(int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", name)]
+
+
+def in_order(runs: list[Recorded]) -> list[Recorded]:
+    """Runs of one string in the order in which they were recorded.
+
+    The capture program notes when it began. Where it did not record every run, their own time stamps tell as long
+    as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
+    names, 2 before 10.
+    """
+    by_name = sorted(runs, key=lambda one: _natural(one.run.run))
+    if all(one.started_utc for one in runs):
+        return sorted(by_name, key=lambda one: one.started_utc)
+    spans = sorted((one.samples["time_s"].iloc[0], one.samples["time_s"].iloc[-1]) for one in runs)
+    if all(before[1] <= after[0] for before, after in pairwise(spans)):
+        return sorted(by_name, key=lambda one: float(one.samples["time_s"].iloc[0]))
+    told = [_strokes_before(one) for one in by_name]
+    if None not in told:
+        return [one for _, one in sorted(zip(told, by_name, strict=True), key=lambda pair: pair[0] or 0)]
+    return by_name
+
+
+def tare_mm(first: Recorded) -> float:
+    """What to add to a string's displacement so that it is the model's on the rest before the first stroke.
+
+    Without a rest there, its first sample serves. The median keeps outliers out.
+    """
+    samples, strokes = first.samples, first.strokes
+    before = strokes[(strokes["stroke"] == 0) & (strokes["phase"] == "rest")]
+    rest = samples.iloc[:1]
+    if not before.empty:
+        rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
+    expected_mm = geometry(first.run).contraction_mm(rest["motor_turns"].to_numpy(), rest["load_n"].to_numpy())
+    return float(np.median(expected_mm - rest["displacement_mm"].to_numpy()))
+
+
+def read_recorded(run_dir: Path, processed: Path) -> Recorded:
+    """One run from its folder and from what the earlier stages made of it; raises BadInput or Refused."""
+    run = read_run(run_dir)
+    samples = schemas.read(processed / run.run / "samples.parquet")
+    strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
+    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes, run_dir)
+
+
+def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:
+    """Runs of each string in the order in which they were recorded; the strings in the order of their runs' names."""
+    strings: dict[str, list[Recorded]] = {}
+    for one in sorted(recorded, key=lambda one: one.run.run):
+        strings.setdefault(one.run.string_id, []).append(one)
+    return [in_order(runs) for runs in strings.values()]
+
+
+def read_usable(folders: list[Path], processed: Path) -> tuple[list[Recorded], list[LeftOut]]:
+    """Runs as the earlier stages left them, and those that they refused; raises BadInput when all are refused."""
+    recorded, refused = [], []
+    for folder in folders:
+        try:
+            recorded.append(read_recorded(folder, processed))
+        except schemas.Refused as error:
+            print(f"left out: {error}")
+            refused.append(LeftOut.of(folder.name, error))
+            last = error
+    if not recorded:
+        raise BadInput(last.file, last.field, last.problem, last.mend)
+    return recorded, refused

@@ -1,0 +1,34 @@
+"""What the dataset's stage noted of jumps of the zero that nobody confirmed, for all that use its points."""
+
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from pipeline.ground.errors import BadInput
+from pipeline.ground.regular_file import read_regular
+
+NAME = "zero_jumps.json"  # of the note, beside the dataset
+LARGEST = 10_000_000  # bytes of a note
+
+
+def to_json(said: Sequence[str]) -> str:
+    """A note of sentences, one a jump."""
+    return json.dumps(list(said), ensure_ascii=False)
+
+
+def from_json(content: bytes, source: Path) -> list[str]:
+    """The sentences of a note, which is read from `source`; raises BadInput for anything else."""
+    try:
+        said = json.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError):
+        said = None
+    if isinstance(said, list) and all(isinstance(one, str) for one in said):
+        return said
+    raise BadInput(source, "JSON", "is not what the dataset's stage writes", "run snakemake: it is made again")
+
+
+def read_jumps(notes: Sequence[Path]) -> list[str]:
+    """What some notes say, one sentence a jump; one that is not there says nothing. Raises BadInput."""
+    there = (path for path in notes if os.path.lexists(path))
+    return [said for path in there for said in from_json(read_regular(path, LARGEST), path)]

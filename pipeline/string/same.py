@@ -1,0 +1,50 @@
+"""Which recorded string a new run may be of: strings that are worked in several runs must share their name."""
+
+import shlex
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from pipeline.ground.errors import BadInput
+from pipeline.run.description import Run, String
+from pipeline.run.folder import find_runs, read_run
+
+SIZE = ("material", "radius_mm", "length_mm")
+
+
+def alike(string: String, raw: Path, name: str) -> list[Run]:
+    """Runs in `raw`, other than `name`, of a string of the same material and size; unreadable ones left out."""
+    found = []
+    for folder in find_runs(raw):
+        try:
+            run = read_run(folder)
+        except BadInput:
+            continue  # ingest says what is wrong with it
+        there = run.string
+        if run.run != name and there and all(getattr(there, key) == getattr(string, key) for key in SIZE):
+            found.append(run)
+    return found
+
+
+def asked(ids: list[str], ask: Callable[[str], str]) -> str | None:
+    """The string that a person says the new run is of, or None; `ask` puts a question and has the answer."""
+    for id_ in ids:
+        if ask(f"Is it the string {id_!r}, which is of the same material and size? [y/n] ").strip().lower() == "y":
+            return id_
+    return None
+
+
+def string_id(string: String, raw: Path, name: str, ask: Callable[[str], str] | None) -> str | None:
+    """The string's name for a new run that was given none: asked for on a terminal, otherwise said how to give it."""
+    ids = list(dict.fromkeys(run.string_id for run in alike(string, raw, name)))
+    if not ids:
+        return None
+    if ask is not None:
+        return asked(ids, ask)
+    same = " or ".join(f"--string-id {shlex.quote(id_)}" for id_ in ids)
+    print(
+        f"note: {raw} has {len(ids)} string{'s' if len(ids) > 1 else ''} of the same material and size. This run counts"
+        f" as another string. If it is the same one, remove this run and make it again with {same}.",
+        file=sys.stderr,
+    )
+    return None

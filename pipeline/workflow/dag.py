@@ -1,0 +1,155 @@
+"""What there is to make: which runs lie in `raw/`, of which material each is, and which fits that asks for."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from pipeline.ground.errors import BadInput
+from pipeline.ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
+from pipeline.ground.regular_file import read_regular
+from pipeline.ground.strict_yaml import LARGEST, read_yaml
+from pipeline.run.description import STRING_ACTUATORS
+from pipeline.run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
+from pipeline.run.left_out import LeftOut
+from pipeline.string import jump_notes
+
+# The material in a run.yaml that cannot be read as a whole, such as one with a NaN: on a line that is no comment.
+NAMED = re.compile(r"""^[^#\n]*\bmaterial: *(["']?)([A-Za-z0-9][A-Za-z0-9_-]*)\1 *([,}\n#]|$)""", re.MULTILINE)
+SYNTHETIC_FILES = ("run.yaml", "recording.frames", "capture.json")
+
+
+@dataclass
+class Plan:
+    """Runs by material, the runs that no table is made of, and the folders that nothing is made of."""
+
+    materials: dict[str, list[str]] = field(default_factory=dict)
+    others: list[str] = field(default_factory=list)  # no string
+    unfinished: list[LeftOut] = field(default_factory=list)  # a capture under way, or cut off
+    misnamed: list[LeftOut] = field(default_factory=list)  # a folder whose name no run can have
+    refused: list[LeftOut] = field(default_factory=list)  # a run.yaml or a recording that cannot be used
+
+    def add(self, material: str, run: str) -> None:
+        """Put a run under its material."""
+        self.materials.setdefault(material, []).append(run)
+
+    def leave_out(self, refused: Mapping[str, LeftOut]) -> None:
+        """Make nothing of runs that are refused, as of those whose run.yaml is; a material without another run goes."""
+        for material, runs in list(self.materials.items()):
+            self.refused += [replace(refused[run], material=material) for run in runs if run in refused]
+            self.materials[material] = [run for run in runs if run not in refused]
+            if not self.materials[material]:
+                del self.materials[material]
+        self.refused += [refused[run] for run in self.others if run in refused]
+        self.others = [run for run in self.others if run not in refused]
+
+    @property
+    def runs(self) -> list[str]:
+        """Runs that something is made of."""
+        return [run for runs in self.materials.values() for run in runs] + self.others
+
+    @property
+    def left_out(self) -> list[LeftOut]:
+        """Folders that nothing is made of."""
+        return self.refused + self.unfinished + self.misnamed
+
+
+def _perhaps(folder: Path) -> str:
+    """The material that a bad `run.yaml` names, if it does and the word is one that a material may have."""
+    path = folder / "run.yaml"
+    try:
+        named = read_yaml(path)["string"]["material"]
+    except (BadInput, KeyError, TypeError, IndexError):
+        try:
+            found = NAMED.search(read_regular(path, LARGEST, path.name).decode("utf-8"))
+        except (BadInput, UnicodeDecodeError):
+            return ""
+        named = found[2] if found else ""
+    shown = isinstance(named, str) and len(named) <= LONGEST and MATERIAL_NAME.fullmatch(named)
+    return named if shown else ""
+
+
+def _place(plan: Plan, folder: Path) -> None:
+    """Put a folder where it belongs."""
+    run = folder.name
+    try:
+        run_name(run)
+    except ValueError as error:
+        problem = str(error).rpartition("; ")[0]
+        mend = "rename the folder, and `run` in its run.yaml with it: lower-case letters, digits and -"
+        plan.misnamed.append(LeftOut.of(run, BadInput(folder, "its name", problem, mend)))
+        return
+    try:
+        if unfinished(folder):
+            mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
+            plan.unfinished.append(LeftOut.of(run, BadInput(folder, "recording", "is unfinished", mend)))
+            return
+        read = read_run(folder)
+    except (BadInput, OSError) as error:
+        if not isinstance(error, BadInput):
+            error = BadInput(folder, "folder", f"cannot be read ({error.strerror})", "check who may read it")
+        plan.refused.append(LeftOut.of(run, error, _perhaps(folder)))
+        return
+    if read.actuator in STRING_ACTUATORS and read.string:
+        plan.add(read.string.material, run)
+    else:
+        plan.others.append(run)
+
+
+def make_plan(raw: Path, synthetic: list[str]) -> Plan:
+    """Plan for the runs in a folder and the ones that the pipeline records itself; one bad folder costs itself alone.
+
+    Raises BadInput when a name of the latter belongs to a real recording, which must never be made again.
+    """
+    plan = Plan()
+    for run in synthetic:
+        info = capture_info(raw / run)
+        if (raw / run).exists() and info and (info.get("hello") or {}).get("device") != SYNTHETIC_DEVICE:
+            mend = "rename the run, or the one under `synthetic` in the configuration"
+            raise BadInput(raw / run, "run", "is a real recording under a name of the synthetic rig", mend)
+        plan.add(SYNTHETIC, run)
+    for folder in find_runs(raw):
+        if folder.name not in synthetic:
+            _place(plan, folder)
+    return plan
+
+
+def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
+    """Files of a run that its samples are made from."""
+    if run in synthetic:
+        return [str(raw / run / name) for name in SYNTHETIC_FILES]
+    names = ("run.yaml", *RECORDINGS, "capture.json")
+    return [str(raw / run / name) for name in names if (raw / run / name).is_file()]
+
+
+def stored(models: dict[str, Any], plan: Plan) -> Iterator[str]:
+    """Tables and models that the workflow keeps between its jobs, by which a damaged one is looked for."""
+    for run in plan.runs:
+        yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
+    for material in plan.materials:
+        yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))
+        yield from (f"processed/{material}/{note}" for note in ("left_out.json", jump_notes.NAME))
+        for predictions in fits(models, material):
+            yield predictions
+            yield predictions.replace(".predictions.parquet", ".model")
+
+
+def fits(models: dict[str, Any], material: str, only: str | None = None) -> Iterator[str]:
+    """Predictions file of every fit of a material that the configuration asks for, or of one model's fits within."""
+    for model, settings in models.items():
+        for split, count in settings["seeds"].items():
+            if only is None or (model == only and split == "within"):
+                for seed in range(count):
+                    yield f"processed/{material}/{model}/{split}-{seed}.predictions.parquet"
+
+
+def table_order(models: Iterable[str], default: Iterable[str]) -> list[str]:
+    """Models in the order of the tables: the INN, the others as in the default configuration, others, the traditional.
+
+    Snakemake puts what a configuration on top of the default one names before all else.
+    """
+    asked, first, last = list(models), "inn", "traditional"
+    known = [model for model in default if model in asked]
+    middle = [model for model in dict.fromkeys([*known, *asked]) if model not in (first, last)]
+    return [first, *middle, last]

@@ -1,0 +1,91 @@
+"""What is known of files by their content, kept between starts: a file is read again only when its key is new.
+
+The key is size, both times and the inode: replacing a file by an older one, or setting its time back, changes it.
+"""
+
+import hashlib
+import json
+import os
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from pipeline.ground import seal
+from pipeline.ground.errors import BadInput
+from pipeline.ground.files import sha256, write_text
+from pipeline.run import left_out
+from pipeline.string import jump_notes
+
+SETTLED_S = 2.0  # a file that changed this lately may change again under the same times
+
+
+class KnownFiles:
+    """Digests of recordings, and which stored files are intact."""
+
+    def __init__(self, cache: Path) -> None:
+        self.cache = cache
+        try:
+            kept = json.loads(cache.read_text(encoding="utf-8"))
+        except (OSError, ValueError, RecursionError):
+            kept = {}
+        kept = kept if isinstance(kept, dict) else {}
+        facts, notes = kept.get("facts"), kept.get("notes")
+        self.facts: dict[str, Any] = facts if isinstance(facts, dict) else {}
+        self.notes: dict[str, Any] = notes if isinstance(notes, dict) else {}
+
+    def _fact(self, path: Path, find: Any) -> Any:
+        """What `find` says of a file, or said when the file was as it is now; raises OSError."""
+        stat = os.stat(path)
+        key = [stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns, stat.st_ino]
+        known = self.facts.get(str(path))
+        if isinstance(known, list) and len(known) == 2 and known[0] == key:
+            return known[1]
+        found = find(path)
+        if time.time() - max(stat.st_mtime, stat.st_ctime) > SETTLED_S:
+            self.facts[str(path)] = [key, found]
+        return found
+
+    def digest(self, paths: Iterable[str]) -> str:
+        """Digest of the names and contents of files; a file that cannot be read counts as absent."""
+        whole = hashlib.sha256()
+        for path in map(Path, paths):
+            try:
+                whole.update(f"{path.name} {self._fact(path, sha256)}\n".encode())
+            except OSError:
+                continue
+        return whole.hexdigest()[:32]
+
+    def damaged(self, paths: Iterable[str]) -> dict[str, str]:
+        """What is wrong with each stored file that is there and is not what was written."""
+        found = {}
+        for path in map(Path, paths):
+            try:
+                wrong = self._fact(path, _wrong)
+            except OSError:
+                continue
+            if wrong:
+                found[str(path)] = str(wrong)
+        return found
+
+    def forget_intact(self) -> None:
+        """Look at every stored file again at the next start: a job failed, perhaps because of one."""
+        self.facts = {path: fact for path, fact in self.facts.items() if fact[1] != ""}
+
+    def save(self) -> None:
+        """Keep what is known; without a place to keep it, the next start reads the files again."""
+        with suppress(OSError):
+            write_text(self.cache, json.dumps({"facts": self.facts, "notes": self.notes}))
+
+
+def _wrong(path: Path) -> str:
+    try:
+        if path.suffix == ".json":
+            read = jump_notes.from_json if path.name == jump_notes.NAME else left_out.from_json
+            read(bytes(seal.content_of(path)), path)
+        else:
+            seal.check(path)
+    except (seal.Damaged, BadInput) as error:
+        return str(error)
+    return ""
