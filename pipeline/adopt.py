@@ -7,21 +7,21 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline.adoption import before_after
-from pipeline.adoption.block import KEY, ORIGIN, adopted, bare
-from pipeline.diagnosis.adopt import adoptions, checked
-from pipeline.diagnosis.engine import at_own_rate
-from pipeline.diagnosis.simulation import read_diagnosis
-from pipeline.diagnosis.words.quantity import listing
-from pipeline.diagnosis.words.rivals import called
-from pipeline.diagnosis.words.sections import wrapped
-from pipeline.ground.complaint import short
-from pipeline.ground.errors import program
-from pipeline.ground.files import whole
-from pipeline.ground.regular_file import read_regular
-from pipeline.ground.strict_yaml import LARGEST, parse_yaml
-from pipeline.run.folder import RECORDINGS, read_run
-from pipeline.run.samples import read_samples
+from .adoption import before_after
+from .adoption.block import KEY, ORIGIN, adopted, bare
+from .diagnosis.adopt import adoptions, checked
+from .diagnosis.engine import at_own_rate
+from .diagnosis.simulation import read_diagnosis
+from .diagnosis.words.quantity import listing
+from .diagnosis.words.rivals import called
+from .diagnosis.words.sections import wrapped
+from .ground.complaint import short
+from .ground.errors import program
+from .ground.files import whole
+from .ground.regular_file import read_regular
+from .ground.strict_yaml import LARGEST, parse_yaml
+from .run.folder import RECORDINGS, read_run
+from .run.samples import read_samples
 
 MOST = 5  # explanations that are named
 

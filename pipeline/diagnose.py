@@ -10,17 +10,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.diagnosis import engine, faint, figures, heldout, library, verdict
-from pipeline.diagnosis.adopt import adoptions, block
-from pipeline.diagnosis.judge import judge
-from pipeline.diagnosis.words.text import verdict_text
-from pipeline.ground.alone import each_alone
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.outputs import folder_to_write
-from pipeline.run.description import Run
-from pipeline.run.samples import read_samples
-from pipeline.string.beside import jumps_into
+from .diagnosis import engine, faint, figures, heldout, library, verdict
+from .diagnosis.adopt import adoptions, block
+from .diagnosis.judge import judge
+from .diagnosis.words.text import verdict_text
+from .ground.alone import each_alone
+from .ground.errors import BadInput, program
+from .ground.files import write_text
+from .ground.outputs import folder_to_write
+from .run.description import Run
+from .run.samples import read_samples
+from .string.beside import jumps_into
 
 Result = TypeVar("Result")
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
@@ -162,7 +162,7 @@ def main() -> int:
     if arguments.together:
         print(diagnose(folders, arguments.out, together=True, without=without, judge_file=arguments.judge))
         return 0
-    outcomes = each_alone(_one, folders, *asked, jobs=arguments.jobs, preload="pipeline.diagnose")
+    outcomes = each_alone(_one, folders, *asked, jobs=arguments.jobs, preload=f"{__package__}.diagnose")
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2

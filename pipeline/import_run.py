@@ -12,22 +12,22 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.foreign.axes import each_axis
-from pipeline.foreign.clock import check_mended, mend_time
-from pipeline.foreign.draft import draft
-from pipeline.formats import read_foreign
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import sha256, write_text
-from pipeline.ground.folders import whole_folder
-from pipeline.ground.names import checked, own_material, run_name
-from pipeline.ground.strict_yaml import read_yaml, write_yaml
-from pipeline.run.description import parse_run
-from pipeline.run.named_units import in_its_unit
-from pipeline.run.next_command import following
-from pipeline.run.recording import asked_columns, to_samples
-from pipeline.run.samples import check, check_finite, questions
-from pipeline.systems import systems
+from .foreign.axes import each_axis
+from .foreign.clock import check_mended, mend_time
+from .foreign.draft import draft
+from .formats import read_foreign
+from .ground import schemas
+from .ground.errors import BadInput, program
+from .ground.files import sha256, write_text
+from .ground.folders import whole_folder
+from .ground.names import checked, own_material, run_name
+from .ground.strict_yaml import read_yaml, write_yaml
+from .run.description import parse_run
+from .run.named_units import in_its_unit
+from .run.next_command import following
+from .run.recording import asked_columns, to_samples
+from .run.samples import check, check_finite, questions
+from .systems import systems
 
 TAKEN = "choose another --run; runs are never overwritten"
 

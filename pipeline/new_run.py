@@ -11,19 +11,19 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.formats.stored import read_table
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.folders import whole_folder
-from pipeline.ground.names import checked, own_material, run_name
-from pipeline.ground.strict_yaml import parse_yaml, write_yaml
-from pipeline.run.description import STRING_ACTUATORS, Run, parse_run
-from pipeline.run.folder import RECORDINGS, recording_path, unfinished
-from pipeline.run.like import as_in, with_given
-from pipeline.run.next_command import following
-from pipeline.run.recording import read_recording, to_samples
-from pipeline.run.samples import check, questions
-from pipeline.string.same import string_id
+from .formats.stored import read_table
+from .ground.errors import BadInput, program
+from .ground.files import write_text
+from .ground.folders import whole_folder
+from .ground.names import checked, own_material, run_name
+from .ground.strict_yaml import parse_yaml, write_yaml
+from .run.description import STRING_ACTUATORS, Run, parse_run
+from .run.folder import RECORDINGS, recording_path, unfinished
+from .run.like import as_in, with_given
+from .run.next_command import following
+from .run.recording import read_recording, to_samples
+from .run.samples import check, questions
+from .string.same import string_id
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 KEY = re.compile(r"\b(channels|file)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend

@@ -12,18 +12,18 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.outputs import file_to_write
-from pipeline.ground.tables import opened
-from pipeline.models.parts.box import COLUMNS
-from pipeline.models.parts.conditions import Conditions
-from pipeline.models.parts.intervals import GIVEN, Intervals, TooFew
-from pipeline.models.parts.question_table import question_table, refuse_cells
-from pipeline.models.parts.settings import shown
-from pipeline.stages.train import configured, fitting, seed
-from pipeline.string.jump_notes import NAME, read_jumps
+from .ground import schemas
+from .ground.errors import BadInput, program
+from .ground.files import write_text
+from .ground.outputs import file_to_write
+from .ground.tables import opened
+from .models.parts.box import COLUMNS
+from .models.parts.conditions import Conditions
+from .models.parts.intervals import GIVEN, Intervals, TooFew
+from .models.parts.question_table import question_table, refuse_cells
+from .models.parts.settings import shown
+from .stages.train import configured, fitting, seed
+from .string.jump_notes import NAME, read_jumps
 
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell

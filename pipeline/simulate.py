@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis.engine import at_own_rate
-from pipeline.diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
-from pipeline.diagnosis.words.quantity import listing, size
-from pipeline.ground import schemas
-from pipeline.ground.complaint import key_name
-from pipeline.ground.errors import program
-from pipeline.ground.outputs import file_to_write
-from pipeline.run.samples import read_samples
+from .diagnosis.engine import at_own_rate
+from .diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
+from .diagnosis.words.quantity import listing, size
+from .ground import schemas
+from .ground.complaint import key_name
+from .ground.errors import program
+from .ground.outputs import file_to_write
+from .run.samples import read_samples
 
 
 @program

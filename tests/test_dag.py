@@ -173,7 +173,7 @@ def test_a_models_fingerprint_covers_what_it_finds_by_name_at_run_time():
     }
     by_name = {"mechanisms/creep.py", "mechanisms/backlash.py", "systems/twisted_string.py"}
     assert by_name < files["diagnosed"] and not by_name & files["spline"]
-    assert "models/diagnosed_run.py" in files["diagnosed"] and "models/spline.py" not in files["diagnosed"]
+    assert "parts/diagnosed_run.py" in files["diagnosed"] and "models/spline.py" not in files["diagnosed"]
 
 
 def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
@@ -181,15 +181,16 @@ def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
 
     (tmp_path / "pipeline").mkdir()
     (tmp_path / "pipeline" / "__init__.py").touch()
-    (tmp_path / "pipeline" / "a.py").write_text("from pipeline import b\n")
+    (tmp_path / "pipeline" / "a.py").write_text("from . import b\n")
     (tmp_path / "pipeline" / "b.py").write_text("x = 1\n")
-    monkeypatch.setattr(module, "ROOT", tmp_path)
+    monkeypatch.setattr(module, "HOUSE", tmp_path / "pipeline")
 
     def now():
         module._imports.cache_clear()
         return fingerprint("pipeline.a")
 
     before = now()
+    assert {path.name for path in reachable("pipeline.a")} == {"__init__.py", "a.py", "b.py"}
     (tmp_path / "pipeline" / "b.py").write_text("x = 2\n")
     assert now() != before
     (tmp_path / "pipeline" / "c.py").write_text("x = 2\n")

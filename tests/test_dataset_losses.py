@@ -69,7 +69,7 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     samples = processed / "run-1" / "samples.parquet"
     for stage, read in (("ingest", folder), ("strokes", samples)):
         out = samples if stage == "ingest" else samples.with_name("strokes.parquet")
-        command = [sys.executable, "-m", f"pipeline.{stage}", str(read), "--out", str(out)]
+        command = [sys.executable, "-m", f"pipeline.stages.{stage}", str(read), "--out", str(out)]
         done = subprocess.run(command, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
     strokes = schemas.read(samples.with_name("strokes.parquet"), schemas.STROKES)

@@ -129,7 +129,7 @@ def place(tmp_path_factory: pytest.TempPathFactory, saved: Path) -> Path:
 
 GOOD = {  # command lines that work, or end soon; every try spoils at least one word
     "predict": "dataset.parquet questions.csv --model polynomial --settings {} --level 0.9 --seed 0 --out out/a.csv",
-    "train": "dataset.parquet --model polynomial --split within --seed 0 --settings {} --out-model out/m "
+    "stages.train": "dataset.parquet --model polynomial --split within --seed 0 --settings {} --out-model out/m "
     "--out-predictions out/p.parquet",
     "export.__main__": "spline/within-0.model --format c --out out/t.h --name tsa --model spline "
     "--dataset dataset.parquet --split within --string made-01",
@@ -178,11 +178,11 @@ def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong
         ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/recording.csv"),
         ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/run.yaml"),
         ("simulate", "raw/a-1 --simulation simulation.json --out", "simulation.json"),
-        ("ingest", "raw/a-1 --out", "raw/a-1/recording.parquet"),
-        ("strokes", "samples.parquet --out", "samples.parquet"),
-        ("dataset", "raw/a-1 --processed processed --out", "processed/a-1/samples.parquet"),
+        ("stages.ingest", "raw/a-1 --out", "raw/a-1/recording.parquet"),
+        ("stages.strokes", "samples.parquet --out", "samples.parquet"),
+        ("stages.dataset", "raw/a-1 --processed processed --out", "processed/a-1/samples.parquet"),
         (
-            "train",
+            "stages.train",
             "dataset.parquet --model polynomial --split within --out-model m --out-predictions",
             "dataset.parquet",
         ),

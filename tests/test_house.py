@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from imported import imported
 
 ROOT = Path(__file__).parent.parent
 MODULES = {
@@ -19,14 +20,7 @@ MODULES = {
 @cache
 def imports(module):
     """Modules of ours that a module imports."""
-    names = set()
-    for node in ast.walk(ast.parse(MODULES[module].read_text())):
-        if isinstance(node, ast.Import):
-            names.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            names.update(f"{node.module}.{alias.name}" for alias in node.names)
-            names.add(node.module)
-    return {name for name in names if name in MODULES} - {"pipeline", module}
+    return {name for name in imported(MODULES[module]) if name in MODULES} - {"pipeline", module}
 
 
 @cache
@@ -47,49 +41,88 @@ def part(module):
 # the proof's only modules that may use the diagnosis; of them `twins` and `teach` alone see both hands
 BESIDE_THE_DIAGNOSIS = ("pipeline.proof.baselines", "pipeline.proof.twins", "pipeline.proof.teach")
 # the one model, with its parts, that may use the diagnosis: it is what the diagnosis finds
-DIAGNOSED = "pipeline.models.diagnosed"
-GROUND = {"errors", "files", "kinematics", "schemas", "systems", "run_yaml", "runs", "units", "wire"}
-GROUND |= {"complaint", "names", "regular_file", "seal", "strict_yaml", "text_file"}
+DIAGNOSED = ("pipeline.models.diagnosed", "pipeline.models.parts.diagnosed")
+# every room, from the ground up, and the rooms that it stands on
+ROOMS = {
+    "ground": "",
+    "wire": "",
+    "systems": "ground",
+    "formats": "ground",
+    "run": "ground wire systems formats",
+    "string": "ground run",
+    "foreign": "ground systems formats run",
+    "capture": "ground wire run",
+    "rig": "ground wire run",
+    "diagnosis": "ground systems run",
+    "adoption": "ground run diagnosis",
+    "models": "ground formats run diagnosis",
+    "stages": "ground run string models",
+    "export": "ground models stages",
+    "lifespan": "ground run string",
+    "campaign": "ground run string models stages",
+    "proof": "ground systems run rig diagnosis",
+    "real": "ground run diagnosis diagnose import_run",
+    "report": "ground run string campaign real",
+    "workflow": "ground run string",
+}
+PROGRAMS = {"adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
 
 
-def test_the_ground_stands_on_nothing_but_the_ground():
+def test_a_room_stands_on_the_rooms_below_it_and_on_no_other():
+    assert {part(module) for module in MODULES} - {""} == set(ROOMS) | PROGRAMS
+    for room, below in ROOMS.items():
+        used = {part(name) for module in MODULES if part(module) == room for name in imports(module)}
+        assert used - {room} == set(below.split()), room
+        assert set(below.split()) <= {*list(ROOMS)[: list(ROOMS).index(room)], *PROGRAMS}, room
+
+
+def test_the_hall_holds_programs_and_only_the_real_rigs_build_on_one():
     for module in MODULES:
-        if part(module) in GROUND:
-            assert {part(name) for name in imports(module)} <= GROUND, module
+        if part(module) in PROGRAMS:
+            text = MODULES[module].read_text()
+            assert "def main(" in text and 'if __name__ == "__main__":' in text, module
+        assert not {part(name) for name in imports(module)} & PROGRAMS or part(module) == "real", module
+
+
+def test_the_ground_knows_no_room():
     for bottom in ("errors", "kinematics"):
-        assert not imports(f"pipeline.{bottom}")
-    assert imports("pipeline.ground.files") == {"pipeline.ground.errors"}
-    assert {part(name) for module in MODULES if part(module) == "wire" for name in imports(module)} <= {"wire"}
+        assert not imports(f"pipeline.ground.{bottom}") - {"pipeline.ground"}
+    assert imports("pipeline.ground.files") - {"pipeline.ground"} == {"pipeline.ground.errors"}
 
 
 @pytest.mark.parametrize(
     ("one", "others"),
     [
-        ("rig", {"models", "diagnosis", "report", "train"}),
+        ("rig", {"models", "diagnosis", "report", "stages"}),
         ("models", {"rig", "diagnosis", "report", "capture"}),
-        ("report", {"models", "rig", "diagnosis", "train"}),
+        ("report", {"models", "rig", "diagnosis"}),
         ("capture", {"rig", "models", "report"}),
         ("diagnosis", {"rig", "models", "report", "proof"}),
-        ("proof", {"diagnosis", "models", "report", "train"}),
-        ("lifespan", {"rig", "proof", "diagnosis", "models", "report", "capture", "train"}),
+        ("proof", {"diagnosis", "models", "report", "stages"}),
+        ("lifespan", {"rig", "proof", "diagnosis", "models", "report", "capture", "stages"}),
     ],
 )
 def test_neighbours_do_not_reach_into_each_other(one, others):
     for module in MODULES:
         if part(module) == one:
-            allowed = module.startswith((*BESIDE_THE_DIAGNOSIS, DIAGNOSED))
+            allowed = module.startswith((*BESIDE_THE_DIAGNOSIS, *DIAGNOSED))
             never = others - {"diagnosis"} if allowed else others
             assert not {part(name) for name in reach(module)} & never, module
+        assert part(module) != "report" or "pipeline.stages.train" not in reach(module), module
     for module in MODULES:
         if not module.startswith(BESIDE_THE_DIAGNOSIS):
             assert not [name for name in reach(module) if name.startswith(BESIDE_THE_DIAGNOSIS)], module
 
 
 def test_only_the_diagnosed_model_reaches_the_diagnosis_and_nobody_reaches_it():
-    assert DIAGNOSED in MODULES and "pipeline.diagnosis.engine" in reach(DIAGNOSED)
+    assert DIAGNOSED[0] in MODULES and "pipeline.diagnosis.engine" in reach(DIAGNOSED[0])
     for module in MODULES:
         if not module.startswith(DIAGNOSED):
             assert not [name for name in reach(module) if name.startswith(DIAGNOSED)], module
+
+
+# what the rig and the diagnosis share beside ground, systems and wire: what a run folder is, and nothing that reads one
+SHARED = {"pipeline.run", "pipeline.run.description", "pipeline.run.folder"}
 
 
 def test_who_conceals_and_who_diagnoses_share_nothing_but_the_ground():
@@ -98,7 +131,7 @@ def test_who_conceals_and_who_diagnoses_share_nothing_but_the_ground():
     concealing = {name for name in concealing if not name.startswith((*BESIDE_THE_DIAGNOSIS, opening))}
     diagnosing = {name for name in MODULES if part(name) in ("diagnosis", "diagnose", "simulate")}
     common = concealing.union(*map(reach, concealing)) & diagnosing.union(*map(reach, diagnosing))
-    assert {part(name) for name in common} <= GROUND, common
+    assert common <= SHARED | {name for name in MODULES if part(name) in ("ground", "systems", "wire")}, common
     for module in MODULES:
         if module.startswith("pipeline.proof.baselines"):
             assert not reach(module) & concealing, module
@@ -122,7 +155,7 @@ def author_of(module):
 
 
 def test_an_author_of_concealed_physics_knows_nobody_of_us():
-    shared = {"pipeline.ground.kinematics", "pipeline.ground.errors", INTERFACE}
+    shared = {"pipeline.ground", "pipeline.ground.kinematics", "pipeline.ground.errors", INTERFACE}
     for module in filter(author_of, MODULES):
         own = {name for name in imports(module) if author_of(name) == author_of(module)}
         assert imports(module) - own <= shared, module
@@ -156,9 +189,12 @@ def test_imports_have_no_loops():
 
 
 def test_what_needs_no_torch_does_not_import_it():
-    stages = ("ingest", "strokes", "dataset", "floor", "evaluate", "import_run", "new_run", "dag", "capture", "train")
+    stages = [
+        module for module in MODULES if part(module) in ("stages", "workflow") and module != "pipeline.stages.leak"
+    ]
+    programs = [f"pipeline.{name}" for name in ("import_run", "new_run", "diagnose", "simulate", "adopt", "capture")]
     report = [module for module in MODULES if part(module) in ("report", "lifespan")]
-    wanted = [f"pipeline.{stage}" for stage in stages] + report + ["pipeline.models.traditional", DIAGNOSED]
+    wanted = stages + programs + report + ["pipeline.models.traditional", DIAGNOSED[0]]
     program = f"import sys, {', '.join(wanted)}; sys.exit('torch' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", program], cwd=ROOT).returncode == 0
 
@@ -180,14 +216,21 @@ def test_no_stage_writes_to_its_final_path():
             name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
             if name == "open" and isinstance(call.func, ast.Name):
                 mode = call.args[1].value if len(call.args) > 1 else "r"
-                assert not set(mode) & set("wax+") or part(module) in ("files", "capture", "seal"), module
+                assert (
+                    not set(mode) & set("wax+")
+                    or part(module) == "capture"
+                    or module in ("pipeline.ground.files", "pipeline.ground.seal")
+                ), module
             if isinstance(call.func, ast.Attribute) and name in writers:
                 target = ast.unparse(call.func.value) + ast.unparse(ast.Tuple(call.args, ast.Load()))
                 harmless = (
                     "temporary" in target or (name == "to_csv" and not call.args) or ".save" in ast.unparse(call.func)
                 )
                 harmless |= name == "write_text" and "files." in ast.unparse(call.func)
-                assert harmless or part(module) in ("files", "capture"), (module, ast.unparse(call))
+                assert harmless or part(module) == "capture" or module == "pipeline.ground.files", (
+                    module,
+                    ast.unparse(call),
+                )
 
 
 def test_modules_are_short():

@@ -124,7 +124,7 @@ def test_lifespan_and_a_campaign_show_theirs(make_run, tmp_path: Path) -> None:
         assert re.search(r"\rstring 1 of 1", said) and "\n" not in said and said.endswith("\r\x1b[K")
 
 
-@pytest.mark.parametrize("program", ["predict", "train"])
+@pytest.mark.parametrize("program", ["predict", "stages.train"])
 def test_a_program_shows_its_progress_on_a_terminal_and_nothing_in_a_log(program: str, tmp_path: Path) -> None:
     schemas.write(made_dataset(60, 4), schemas.DATASET, tmp_path / "dataset.parquet")
     (tmp_path / "questions.csv").write_text("stroke,direction,motor_turns\n1,1,3\n")

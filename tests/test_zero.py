@@ -134,12 +134,12 @@ def program(module: str, *words: object) -> str:
 def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, said: str) -> None:
     made, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
     for folder in made:
-        program("ingest", folder, "--out", processed / folder.name / "samples.parquet")
+        program("stages.ingest", folder, "--out", processed / folder.name / "samples.parquet")
         words = (processed / folder.name / "samples.parquet", "--out", processed / folder.name / "strokes.parquet")
-        program("strokes", *words)
+        program("stages.strokes", *words)
     notes = tmp_path / "zero_jumps.json"
     words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
-    text = program("dataset", *made, *words)
+    text = program("stages.dataset", *made, *words)
     assert [said in one for one in read_jumps([notes])] == ([True] if tare is None else [])
     assert text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and said in text
     assert len(schemas.read(tmp_path / "dataset.parquet", schemas.DATASET))

@@ -3,12 +3,12 @@
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.adopt import is_number
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.simulation import off, tared
-from pipeline.diagnosis.words.dimensions import name_of
-from pipeline.diagnosis.words.error_table import aligned
-from pipeline.diagnosis.words.quantity import listing, size, times
+from ..diagnosis.adopt import is_number
+from ..diagnosis.problem import Problem
+from ..diagnosis.simulation import off, tared
+from ..diagnosis.words.dimensions import name_of
+from ..diagnosis.words.error_table import aligned
+from ..diagnosis.words.quantity import listing, size, times
 
 WHY = (
     "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured. The effects were fitted "

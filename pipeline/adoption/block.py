@@ -8,10 +8,10 @@ from typing import Any
 
 import yaml
 
-from pipeline.diagnosis.adopt import block
-from pipeline.ground.errors import BadInput
-from pipeline.ground.strict_yaml import parse_yaml
-from pipeline.run.description import parse_run
+from ..diagnosis.adopt import block
+from ..ground.errors import BadInput
+from ..ground.strict_yaml import parse_yaml
+from ..run.description import parse_run
 
 KEY, ORIGIN = "simulation", "adopted"
 

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.campaign.points import SCHEMA
-from pipeline.ground.outputs import file_to_write
-from pipeline.ground.tables import opened
-from pipeline.stages.train import configured, seed
+from ..ground.outputs import file_to_write
+from ..ground.tables import opened
+from ..stages.train import configured, seed
+from .points import SCHEMA
 
 
 def parser(doc: str | None) -> argparse.ArgumentParser:

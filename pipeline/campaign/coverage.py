@@ -5,14 +5,14 @@ import json
 import numpy as np
 import pandas as pd
 
-from pipeline.campaign.asked import parser, points_of
-from pipeline.campaign.tables import COVERAGE
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.progress import steps
-from pipeline.models.interface import make_model
-from pipeline.models.parts.intervals import Intervals, TooFew
-from pipeline.stages.train import fitting
+from ..ground import schemas
+from ..ground.errors import BadInput, program
+from ..ground.progress import steps
+from ..models.interface import make_model
+from ..models.parts.intervals import Intervals, TooFew
+from ..stages.train import fitting
+from .asked import parser, points_of
+from .tables import COVERAGE
 
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.campaign.adapt import Adaptation
-from pipeline.campaign.asked import parser, points_of
-from pipeline.campaign.tables import FEW_SHOT
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.progress import steps
-from pipeline.models.interface import Model, make_model
-from pipeline.stages.train import fitting
+from ..ground import schemas
+from ..ground.errors import BadInput, program
+from ..ground.progress import steps
+from ..models.interface import Model, make_model
+from ..stages.train import fitting
+from .adapt import Adaptation
+from .asked import parser, points_of
+from .tables import FEW_SHOT
 
 SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.campaign.fewshot import asked_and_shown
-from pipeline.campaign.points import SCHEMA
-from pipeline.campaign.tables import FLOOR
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.outputs import file_to_write
-from pipeline.ground.progress import steps
-from pipeline.ground.tables import opened
-from pipeline.stages.floor import FLOORS, residuals
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.outputs import file_to_write
+from ..ground.progress import steps
+from ..ground.tables import opened
+from ..stages.floor import FLOORS, residuals
+from .fewshot import asked_and_shown
+from .points import SCHEMA
+from .tables import FLOOR
 
 
 def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:

@@ -8,16 +8,16 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from pipeline.capture.commit import commit, recover
-from pipeline.capture.fields import names
-from pipeline.capture.handshake import check_rate, greet
-from pipeline.capture.log import LINES, NAME, Log, check_folder
-from pipeline.capture.port import Port
-from pipeline.capture.printed import await_header, follow, tell_lines
-from pipeline.capture.stream import record
-from pipeline.capture.table import commit_lines, recover_lines
-from pipeline.ground.errors import BadInput, program
-from pipeline.run.folder import read_run
+from ..ground.errors import BadInput, program
+from ..run.folder import read_run
+from .commit import commit, recover
+from .fields import names
+from .handshake import check_rate, greet
+from .log import LINES, NAME, Log, check_folder
+from .port import Port
+from .printed import await_header, follow, tell_lines
+from .stream import record
+from .table import commit_lines, recover_lines
 
 GAPS_TOLD = 5
 CLOCK = "time_s"

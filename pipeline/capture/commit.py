@@ -8,13 +8,13 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
-from pipeline.capture.log import NAME, in_use, sync_folder
-from pipeline.capture.losses import locate
-from pipeline.capture.stream import Outcome
-from pipeline.ground.errors import BadInput
-from pipeline.ground.files import write_text
-from pipeline.run.folder import capture_info
-from pipeline.wire import Account, Hello, Reason, read_account
+from ..ground.errors import BadInput
+from ..ground.files import write_text
+from ..run.folder import capture_info
+from ..wire import Account, Hello, Reason, read_account
+from .log import NAME, in_use, sync_folder
+from .losses import locate
+from .stream import Outcome
 
 SCHEMA = 1
 PIECE = 1 << 20  # bytes that are read at once

@@ -1,6 +1,6 @@
 """What a port may be sending, when it is not what was expected: a sentence, and what to do about it."""
 
-from pipeline.wire import Decoder
+from ..wire import Decoder
 
 TEXT_SHARE = 0.9
 SLOW_TURNS = 2.3  # changes from bit to bit in a byte; 3.5 in noise, and half of it where every bit is read twice

@@ -2,11 +2,11 @@
 
 import time
 
-from pipeline.capture.guess import guess
-from pipeline.capture.port import Port, Unplugged
-from pipeline.ground.errors import BadInput
-from pipeline.wire import Decoder, Frame, Hello, Kind, encode
-from pipeline.wire.check import VERSIONS
+from ..ground.errors import BadInput
+from ..wire import Decoder, Frame, Hello, Kind, encode
+from ..wire.check import VERSIONS
+from .guess import guess
+from .port import Port, Unplugged
 
 SILENCE_S = 3.0
 GREET_AGAIN_S = 1.0

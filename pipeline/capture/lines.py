@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass, field
 
-from pipeline.capture.fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
+from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
 
 LISTED = 1000  # so many places are kept; all are counted
 GREETINGS = 5  # so many lines of text are kept

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.run.description import RUN_NAME
-from pipeline.run.folder import RECORDINGS
+from ..ground.errors import BadInput
+from ..run.description import RUN_NAME
+from ..run.folder import RECORDINGS
 
 try:
     import fcntl

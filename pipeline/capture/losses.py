@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import inf
 
-from pipeline.wire import Account, Event, Gap
+from ..wire import Account, Event, Gap
 
 LISTED = 1000  # so many places are named; all are counted
 

@@ -7,7 +7,7 @@ from types import TracebackType
 
 import serial
 
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
 
 try:
     import termios

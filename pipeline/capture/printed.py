@@ -6,13 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from pipeline.capture.fields import MAX_LINE, TIME, is_known
-from pipeline.capture.lines import Lines, Splitter
-from pipeline.capture.log import Log
-from pipeline.capture.port import Port, Unplugged
-from pipeline.capture.screen import Screen, clock
-from pipeline.capture.stream import PERSON, Outcome
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
+from .fields import MAX_LINE, TIME, is_known
+from .lines import Lines, Splitter
+from .log import Log
+from .port import Port, Unplugged
+from .screen import Screen, clock
+from .stream import PERSON, Outcome
 
 HEADER_S = 5.0  # a board that was reset by opening its port needs some of them
 SILENCE_S = 3.0

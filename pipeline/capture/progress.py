@@ -2,12 +2,12 @@
 
 import time
 
-from pipeline.capture.left import Left
-from pipeline.capture.screen import Screen, clock
-from pipeline.capture.watch import Watch
-from pipeline.wire import Event, Frame, Hello, Kind
-from pipeline.wire.belief import LATE, Numbers
-from pipeline.wire.frames import EVENT
+from ..wire import Event, Frame, Hello, Kind
+from ..wire.belief import LATE, Numbers
+from ..wire.frames import EVENT
+from .left import Left
+from .screen import Screen, clock
+from .watch import Watch
 
 PACE_AFTER_S, PACE_DIFFERS = 5.0, 0.1  # from when, and by which share, a device's clock goes at another pace
 SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}

@@ -5,11 +5,11 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pipeline.capture.log import Log
-from pipeline.capture.port import Port, Unplugged
-from pipeline.capture.progress import Progress
-from pipeline.wire import Decoder, Frame, Hello, Kind, Reason, encode
-from pipeline.wire.frames import END
+from ..wire import Decoder, Frame, Hello, Kind, Reason, encode
+from ..wire.frames import END
+from .log import Log
+from .port import Port, Unplugged
+from .progress import Progress
 
 SILENCE_S = 3.0
 STOP_S = 5.0  # so long may a device go on that was told to stop

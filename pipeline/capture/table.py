@@ -6,14 +6,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.capture import holes
-from pipeline.capture.commit import PIECE, check_own, committed, opening, seal, unwritten
-from pipeline.capture.fields import names
-from pipeline.capture.lines import Lines, Splitter
-from pipeline.capture.log import LINES, in_use
-from pipeline.capture.stream import Outcome
-from pipeline.ground.errors import BadInput
-from pipeline.ground.files import sha256, whole
+from ..ground.errors import BadInput
+from ..ground.files import sha256, whole
+from . import holes
+from .commit import PIECE, check_own, committed, opening, seal, unwritten
+from .fields import names
+from .lines import Lines, Splitter
+from .log import LINES, in_use
+from .stream import Outcome
 
 CSV = "recording.csv"
 

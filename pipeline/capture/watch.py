@@ -3,7 +3,7 @@
 import struct
 from collections import deque
 
-from pipeline.wire import Frame, Hello
+from ..wire import Frame, Hello
 
 CODES = {"i8": "b", "u8": "B", "i16": "h", "u16": "H", "i32": "i", "u32": "I"}
 LOOKS_HZ = 50.0  # so many samples a second are looked at

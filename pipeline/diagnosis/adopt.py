@@ -3,12 +3,12 @@
 import sys
 from typing import Any
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.problem import Act
-from pipeline.ground.complaint import key_name, short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.strict_yaml import write_yaml
+from ..ground.complaint import key_name, short
+from ..ground.errors import BadInput
+from ..ground.strict_yaml import write_yaml
+from .drivers import Drivers
+from .library import mechanisms
+from .problem import Act
 
 DIGITS = 6
 NO_USE = "Hardly worth making"  # what `next_experiment` says of a run that decides nothing

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.diagnosis.judge import Judge, Weighed
+from .judge import Judge, Weighed
 
 CHIEF = 2  # aspects that are kept for each explanation
 SIGNS = {

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import butter, sosfiltfilt
 
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
 
 ORDER = 4
 HIGHEST = 0.9  # of the Nyquist frequency: a band that reaches further is none

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.diagnosis.interface import Shape
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Key, Linear
-from pipeline.diagnosis.noise import Noise, white
-from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.record import wild
-from pipeline.diagnosis.step import Steps
+from .interface import Shape
+from .library import mechanisms
+from .linear import Key, Linear
+from .noise import Noise, white
+from .problem import Act, Problem, State
+from .record import wild
+from .step import Steps
 
 ITERATIONS = 4
 MOST_STEPS = 25  # where whole ones lead astray

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from pipeline.diagnosis import generic
-from pipeline.diagnosis.interface import Shape
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.problem import Problem, State, placed
-from pipeline.systems.interface import PORTS
+from ..systems.interface import PORTS
+from . import generic
+from .interface import Shape
+from .library import mechanisms
+from .problem import Problem, State, placed
 
 
 def suggested(problem: Problem, state: State) -> dict[str, list[Shape]]:

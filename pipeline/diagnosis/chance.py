@@ -3,10 +3,10 @@
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
-from pipeline.diagnosis.interface import Shape
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .interface import Shape
+from .library import mechanisms
+from .problem import Act, Problem, State
 
 LEAST_BESIDE = 0.7  # of the random effect's size, that another mechanism must take away: less is chance's own trend
 STILL = 0.01  # of the highest rate: slower is a rest

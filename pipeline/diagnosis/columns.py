@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
 
 ROOM = 1024  # columns: memory that nothing was written to costs nothing
 

@@ -1,6 +1,6 @@
 """Compare by Cox's idea: an explanation beats another if the gap between them is as large as its truth implies."""
 
-from pipeline.diagnosis.search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
+from .search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
 LEAST_GAP = 10.0

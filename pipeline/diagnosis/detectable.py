@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.diagnosis.search import LEAST_EFFECT, LEAST_GAIN, Search
+from .search import LEAST_EFFECT, LEAST_GAIN, Search
 
 
 def detectable(search: Search, floor: float) -> dict[str, float]:

@@ -3,13 +3,13 @@
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from pipeline.diagnosis import form
-from pipeline.diagnosis.interface import Term, physics
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.search import Explanation
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from . import form
+from .interface import Term, physics
+from .library import mechanisms
+from .linear import Linear
+from .problem import Problem, State
+from .search import Explanation
 
 TAKEN_BACK = 1000.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
 STRAIGHT = 1e-3  # of a signal: what a line may leave of it

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
-from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.record import Record
-from pipeline.diagnosis.recursions import play
-from pipeline.ground.kinematics import Array
-from pipeline.run.description import Run
-from pipeline.systems import System
+from ..ground.kinematics import Array
+from ..run.description import Run
+from ..systems import System
+from .naming import Units
+from .record import Record
+from .recursions import play
 
 SMOOTH_S = 0.12
 LOAD_MOVES, LEAST_LOAD = 0.05, 0.01  # of the usual load that tells what follows it; least usual load, in load units

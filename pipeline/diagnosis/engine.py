@@ -7,23 +7,23 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, candidates, chance, form, generic
-from pipeline.diagnosis.adopt import acts_from
-from pipeline.diagnosis.disguise import disguised, no_name
-from pipeline.diagnosis.drivers import Drivers, drivers_of
-from pipeline.diagnosis.judge import Judge, judge
-from pipeline.diagnosis.judged import NOTHING, judged
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.noise import Noise, estimate, robust, white
-from pipeline.diagnosis.outcome import Study, bare, cancels, decide, rms
-from pipeline.diagnosis.problem import Problem, State, placed
-from pipeline.diagnosis.record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
-from pipeline.diagnosis.search import Explanation, Search
-from pipeline.ground.errors import BadInput
-from pipeline.run.description import Run
-from pipeline.systems import Parameter, System
-from pipeline.systems.interface import PORTS
+from ..ground.errors import BadInput
+from ..run.description import Run
+from ..systems import Parameter, System
+from ..systems.interface import PORTS
+from . import calibrate, candidates, chance, form, generic
+from .adopt import acts_from
+from .disguise import disguised, no_name
+from .drivers import Drivers, drivers_of
+from .judge import Judge, judge
+from .judged import NOTHING, judged
+from .library import mechanisms
+from .linear import Linear
+from .noise import Noise, estimate, robust, white
+from .outcome import Study, bare, cancels, decide, rms
+from .problem import Problem, State, placed
+from .record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
+from .search import Explanation, Search
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened

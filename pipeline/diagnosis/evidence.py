@@ -8,12 +8,12 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from pipeline.diagnosis import aspects, engine, generic, locate, named
-from pipeline.diagnosis.compare import price
-from pipeline.diagnosis.outcome import Study, cancels, rms
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.search import Explanation, Search
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from . import aspects, engine, generic, locate, named
+from .compare import price
+from .outcome import Study, cancels, rms
+from .problem import Problem
+from .search import Explanation, Search
 
 T = TypeVar("T")
 LISTED = 11  # explanations

@@ -4,12 +4,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.diagnosis.flexible import foretold
-from pipeline.diagnosis.heldout import first_held_out
-from pipeline.diagnosis.outcome import Study, rms
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.words.quantity import size
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
+from .flexible import foretold
+from .heldout import first_held_out
+from .outcome import Study, rms
+from .problem import Problem, State
+from .words.quantity import size
 
 LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no physics
 

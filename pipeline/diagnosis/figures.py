@@ -12,14 +12,14 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.patches import Patch
 
-from pipeline.diagnosis import panels
-from pipeline.diagnosis.mismatch_map import map_of, mismatch_map
-from pipeline.diagnosis.outcome import Study
-from pipeline.diagnosis.panels import AFTER, SHADES
-from pipeline.diagnosis.words.sight import heading, included
-from pipeline.diagnosis.words.unseen import noises
-from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.ground.files import whole
+from ..ground.files import whole
+from . import panels
+from .mismatch_map import map_of, mismatch_map
+from .outcome import Study
+from .panels import AFTER, SHADES
+from .words.sight import heading, included
+from .words.unseen import noises
+from .words.vocabulary import Vocabulary
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.diagnosis import generic, locate
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from . import generic, locate
+from .drivers import Drivers
+from .problem import Problem, State
 
 MEMORIES = (0.02, 0.1)  # of the range of motion, over which a reversal is felt
 SEED = 0
@@ -41,7 +41,7 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
 
     `fine` is the recording at its own rate, `unseen` the rows of `problem` that no fit saw.
     """
-    from pipeline.ground.regression import boosted_trees  # seconds to import, and asked only where something is left
+    from ..ground.regression import boosted_trees  # seconds to import, and asked only where something is left
 
     left, told = problem.measured - problem.simulate(state), signals(problem.drivers)
     predict = boosted_trees(told[~unseen], left[~unseen], SEED)

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.generic import hats
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .drivers import Drivers
+from .generic import hats
+from .problem import Problem, State
 
 SIGMA = 0.1  # of the effect, in each of the ways below
 MEMORIES = (0.02, 0.08, 0.25)  # half-widths of plays, of the range of motion: how an effect may turn at reversals

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .drivers import Drivers
 
 
 def hats(signal: Array, count: int) -> Array:

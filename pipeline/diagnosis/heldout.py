@@ -5,13 +5,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.diagnosis.engine import fine_floor, polished, study
-from pipeline.diagnosis.flexible import foretold
-from pipeline.diagnosis.outcome import Study, rms
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.record import wild
-from pipeline.diagnosis.words.unseen import WORSE
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .engine import fine_floor, polished, study
+from .flexible import foretold
+from .outcome import Study, rms
+from .problem import Problem, State
+from .record import wild
+from .words.unseen import WORSE
 
 LAST = 0.3
 TARE_S = 1.0

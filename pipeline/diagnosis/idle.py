@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.diagnosis.library import mechanisms
+from .library import mechanisms
 
 
 def without_idle(content: dict[str, Any], ending: str) -> dict[str, Any]:

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .drivers import Drivers
 
 Port = Literal["twist", "radius", "length", "resistance", "sensor"]
 Shape = dict[str, float]

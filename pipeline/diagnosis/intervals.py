@@ -4,12 +4,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.diagnosis import form, generic
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Key, Linear
-from pipeline.diagnosis.noise import Noise
-from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from . import form, generic
+from .library import mechanisms
+from .linear import Key, Linear
+from .noise import Noise
+from .problem import Act, Problem, State
 
 Z90 = 1.6448536269514722
 FORM_SCALES = np.geomspace(0.01, 3.0, 24)  # noise floors: candidates of the random effect's size per column

@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
 
 HERE = Path(__file__).parent
 SIZES = (1, 2, 3)  # mechanisms in an explanation

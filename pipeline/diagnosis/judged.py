@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnosis import compare, order
-from pipeline.diagnosis.interface import physics
-from pipeline.diagnosis.judge import Weighed
-from pipeline.diagnosis.problem import State
-from pipeline.diagnosis.search import Explanation, Search
-from pipeline.diagnosis.weigh import weighed
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from . import compare, order
+from .interface import physics
+from .judge import Weighed
+from .problem import State
+from .search import Explanation, Search
+from .weigh import weighed
 
 HELD = 0.8  # of the probability of all explanations, that the sets of a verdict have together at least
 TAUGHT = 2  # effects in a lesson at most

@@ -4,8 +4,8 @@ import importlib
 import pkgutil
 from functools import cache
 
-from pipeline.diagnosis import mechanisms as mechanisms_folder
-from pipeline.diagnosis.interface import Mechanism
+from . import mechanisms as mechanisms_folder
+from .interface import Mechanism
 
 
 @cache

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.diagnosis.columns import Columns
-from pipeline.diagnosis.interface import Shape
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.noise import Noise
-from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.products import Products
-from pipeline.diagnosis.recursions import boxed, fitted, scan
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .columns import Columns
+from .interface import Shape
+from .library import mechanisms
+from .noise import Noise
+from .problem import Act, Problem, State
+from .products import Products
+from .recursions import boxed, fitted, scan
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
 ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true

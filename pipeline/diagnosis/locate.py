@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.record import PHASES
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .problem import Problem
+from .record import PHASES
 
 SHARE = 0.8
 TURN_BINS, STROKE_BINS = 48, 60

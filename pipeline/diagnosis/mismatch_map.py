@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.panels import BINS, MOTION, ways
-from pipeline.diagnosis.record import PHASES
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .drivers import Drivers
+from .panels import BINS, MOTION, ways
+from .record import PHASES
 
 
 def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:

@@ -4,15 +4,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import chance, locate
-from pipeline.diagnosis.adopt import entries
-from pipeline.diagnosis.interface import Term
-from pipeline.diagnosis.intervals import Interval
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.outcome import Study, rms
-from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from . import chance, locate
+from .adopt import entries
+from .interface import Term
+from .intervals import Interval
+from .library import mechanisms
+from .naming import Units
+from .outcome import Study, rms
+from .problem import Act, Problem, State
 
 RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
 Shapes = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval

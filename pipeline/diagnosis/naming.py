@@ -3,8 +3,8 @@
 import re
 from dataclasses import dataclass
 
-from pipeline.ground.schemas import unit_of
-from pipeline.systems import System
+from ..ground.schemas import unit_of
+from ..systems import System
 
 
 @dataclass(frozen=True)

@@ -5,15 +5,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import drivers_of
-from pipeline.diagnosis.linear import Fit, Key, Linear
-from pipeline.diagnosis.noise import Noise
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.protocol import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
-from pipeline.diagnosis.record import PHASES, Record
-from pipeline.diagnosis.search import Explanation, Search
-from pipeline.ground.kinematics import Array
-from pipeline.run.description import Run
+from ..ground.kinematics import Array
+from ..run.description import Run
+from .drivers import drivers_of
+from .linear import Fit, Key, Linear
+from .noise import Noise
+from .problem import Problem
+from .protocol import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
+from .record import PHASES, Record
+from .search import Explanation, Search
 
 MOST_STEPS = 4000
 Gap = tuple[float, tuple[str, ...], tuple[str, ...]]  # misfit, and the two explanations that it parts

@@ -6,8 +6,8 @@ import numpy as np
 from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
 from scipy.signal import lfilter
 
-from pipeline.diagnosis.recursions import whiten
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .recursions import whiten
 
 MEMORY_S, FEWEST, MOST = 1.2, 6, 30
 FADING = 0.98  # a lag

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.recursions import boxed, whiten
-from pipeline.diagnosis.search import Explanation
+from .linear import Linear
+from .recursions import boxed, whiten
+from .search import Explanation
 
 STRETCHES = 5  # of the recording, each left out once
 FUTURE = 2  # stretches at its end, left out together: nothing tells as well what would run away

@@ -4,14 +4,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.diagnosis import chance, form
-from pipeline.diagnosis.calibrate import calibrate
-from pipeline.diagnosis.interface import Shape, physics
-from pipeline.diagnosis.judged import UNKNOWN, Judged
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.noise import Noise
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.search import EXPLAINED, LEAST_EFFECT, Explanation, Search
+from . import chance, form
+from .calibrate import calibrate
+from .interface import Shape, physics
+from .judged import UNKNOWN, Judged
+from .library import mechanisms
+from .noise import Noise
+from .problem import Problem, State
+from .search import EXPLAINED, LEAST_EFFECT, Explanation, Search
 
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful

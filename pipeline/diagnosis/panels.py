@@ -11,10 +11,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.words import rivals
-from pipeline.diagnosis.words.quantity import percent, size, times
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .drivers import Drivers
+from .words import rivals
+from .words.quantity import percent, size, times
 
 BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them

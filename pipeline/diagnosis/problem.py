@@ -4,13 +4,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.judge import Judge, judge
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.record import Record
-from pipeline.ground.kinematics import Array
-from pipeline.systems import Parameter, System
+from ..ground.kinematics import Array
+from ..systems import Parameter, System
+from .drivers import Drivers
+from .interface import Mechanism, Shape, Term
+from .judge import Judge, judge
+from .library import mechanisms
+from .record import Record
 
 REMEMBERED = 64  # terms of shapes: those of whatever acts are asked for again and again
 STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.blas import dsyrk
 
-from pipeline.diagnosis.noise import Noise
-from pipeline.diagnosis.recursions import whiten
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .noise import Noise
+from .recursions import whiten
 
 STRETCH = 2048  # samples: a whitened copy of all of them at once would be as large as the table
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis.record import Record
-from pipeline.run.description import Run
+from ..run.description import Run
+from .record import Record
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
 LAST = 50  # samples that tell the load at the end

@@ -7,10 +7,10 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from pipeline.ground.kinematics import Array
-from pipeline.run import strokes
-from pipeline.run.description import Run
-from pipeline.systems import System
+from ..ground.kinematics import Array
+from ..run import strokes
+from ..run.description import Run
+from ..systems import System
 
 WORKING_SAMPLES, DRIVES_SAMPLES = 8_000, 15_000  # of a string's recordings; of a drive's, whose ringing is faster
 BETWEEN_RUNS_S = 60.0

@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
 
 
 @njit(cache=True)

@@ -5,9 +5,9 @@ from itertools import combinations
 
 import numpy as np
 
-from pipeline.diagnosis.interface import Shape
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Fit, Key, Linear
+from .interface import Shape
+from .library import mechanisms
+from .linear import Fit, Key, Linear
 
 LEAST_GAIN = 10.0
 EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Shape
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
+from .drivers import Drivers
+from .interface import Shape
 
 BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
 WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third

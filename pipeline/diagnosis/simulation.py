@@ -7,15 +7,15 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis.adopt import acts_from, is_number
-from pipeline.diagnosis.outcome import rms
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.record import averaged, despiked, means, wild
-from pipeline.ground.complaint import short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array
-from pipeline.ground.regular_file import read_regular
-from pipeline.run.description import Run
+from ..ground.complaint import short
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..ground.regular_file import read_regular
+from ..run.description import Run
+from .adopt import acts_from, is_number
+from .outcome import rms
+from .problem import Problem, State
+from .record import averaged, despiked, means, wild
 
 TARE_S = 1.0
 LARGEST_DIAGNOSIS = 100_000_000  # bytes

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.linear import ZERO_SIGMA, Key, Linear
-from pipeline.diagnosis.noise import Noise
-from pipeline.diagnosis.problem import Act, Problem, State
-from pipeline.diagnosis.recursions import whiten
+from .linear import ZERO_SIGMA, Key, Linear
+from .noise import Noise
+from .problem import Act, Problem, State
+from .recursions import whiten
 
 SHORTER, LONGER = 0.25, 3.0  # times the reach of a step, after one that failed and after one that did not
 SHORTEST = 1e-4  # of what calibration may move: who finds no better simulator so near stands at an optimum

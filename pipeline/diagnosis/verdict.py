@@ -4,26 +4,26 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnosis import band, chance, generic, locate, nextrun
-from pipeline.diagnosis.adopt import entries
-from pipeline.diagnosis.bounds import at_bound
-from pipeline.diagnosis.detectable import detectable
-from pipeline.diagnosis.engine import fine_floor
-from pipeline.diagnosis.evidence import evidence
-from pipeline.diagnosis.heldout import worse_than_nominal
-from pipeline.diagnosis.idle import without_idle
-from pipeline.diagnosis.interface import physics
-from pipeline.diagnosis.intervals import intervals
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.named import as_entry, listed
-from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.outcome import Study, rms
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.words.spoken import spoken
-from pipeline.ground.fingerprint import fingerprint
-from pipeline.ground.kinematics import Array
-from pipeline.run.description import Run
+from ..ground.fingerprint import fingerprint
+from ..ground.kinematics import Array
+from ..run.description import Run
+from . import band, chance, generic, locate, nextrun
+from .adopt import entries
+from .bounds import at_bound
+from .detectable import detectable
+from .engine import fine_floor
+from .evidence import evidence
+from .heldout import worse_than_nominal
+from .idle import without_idle
+from .interface import physics
+from .intervals import intervals
+from .library import mechanisms
+from .linear import Linear
+from .named import as_entry, listed
+from .noise import white
+from .outcome import Study, rms
+from .problem import Problem
+from .words.spoken import spoken
 
 HELD_OUT = ("nominal", "calibrated", "explained", "without_physics")
 DIGITS = 5  # more of them would be rounding, which processors do each in their own way

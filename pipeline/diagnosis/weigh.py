@@ -5,9 +5,9 @@ Every sign is a number that a person can check in `diagnosis.json`; the judge we
 
 import numpy as np
 
-from pipeline.diagnosis.judge import SIZES, Weighed
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.search import Explanation, Search
+from .judge import SIZES, Weighed
+from .problem import Problem, State
+from .search import Explanation, Search
 
 SINGLES, PAIRS, TRIPLES = 10, 12, 6  # explanations of each size that are weighed, the cheapest
 BY_ENERGY = 4  # more of each size, by what they leave

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pipeline.export.c_header import header
-from pipeline.export.source import Beside, opened
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import whole, write_text
-from pipeline.ground.outputs import file_to_write, folder_to_write
-from pipeline.stages.train import SPLITS
+from ..ground.errors import BadInput, program
+from ..ground.files import whole, write_text
+from ..ground.outputs import file_to_write, folder_to_write
+from ..stages.train import SPLITS
+from .c_header import header
+from .source import Beside, opened
 
 LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 
@@ -75,7 +75,7 @@ def main() -> None:
         write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text")
         return
-    from pipeline.export.onnx_model import graphs  # a header needs no onnx
+    from .onnx_model import graphs  # a header needs no onnx
 
     with writable(asked.file):
         made = graphs(source, asked.name)

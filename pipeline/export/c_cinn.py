@@ -1,11 +1,11 @@
 """The conditional INN in C: from root to root of contractions over eq. 4, and back by steps of the secant."""
 
-from pipeline.export.c_coupling import chain_of, four_others, restored, scaled
-from pipeline.export.c_physics import physics, standardised
-from pipeline.export.c_text import Body, function, real
-from pipeline.export.source import Source
-from pipeline.export.weights import blocks
-from pipeline.models import cinn
+from ..models import cinn
+from .c_coupling import chain_of, four_others, restored, scaled
+from .c_physics import physics, standardised
+from .c_text import Body, function, real
+from .source import Source
+from .weights import blocks
 
 SECANT = """\
 #define TSA_NOTHING (sizeof(tsa_real) > sizeof(float) ? TSA_R(1e-12) : TSA_R(3e-7)) /* standard deviations */

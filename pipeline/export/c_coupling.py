@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from pipeline.export.c_dense import Net
-from pipeline.export.c_physics import paper_conditions
-from pipeline.export.c_text import Body, function, real
-from pipeline.export.source import Source
-from pipeline.export.weights import Blocks, blocks
-from pipeline.models.parts.scaling import Scaling
+from ..models.parts.scaling import Scaling
+from .c_dense import Net
+from .c_physics import paper_conditions
+from .c_text import Body, function, real
+from .source import Source
+from .weights import Blocks, blocks
 
 CHAIN = """\
 /* The s and t of a block's half, from the other half and the conditions: s bounded softly, as exp(s). */

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.export.c_physics import paper_conditions, standardised
-from pipeline.export.c_text import Body, function, real
-from pipeline.export.source import Source
-from pipeline.export.weights import Layer, Weights, layers
+from .c_physics import paper_conditions, standardised
+from .c_text import Body, function, real
+from .source import Source
+from .weights import Layer, Weights, layers
 
 LANES = 16  # a vector's numbers at most; hidden layers are padded to a multiple of it, with weights of 0
 

@@ -1,10 +1,10 @@
 """A fitted model as one C99 header: its ranges and refusals around the functions of the model."""
 
-from pipeline.export import c_cinn, c_coupling, c_dense, c_physics, c_polynomial, c_spline
-from pipeline.export.c_text import Body, function, real, renamed
-from pipeline.export.inputs import MEANING, Field, Inputs
-from pipeline.export.source import Source
-from pipeline.models.parts.box import COLUMNS
+from ..models.parts.box import COLUMNS
+from . import c_cinn, c_coupling, c_dense, c_physics, c_polynomial, c_spline
+from .c_text import Body, function, real, renamed
+from .inputs import MEANING, Field, Inputs
+from .source import Source
 
 BODIES = {
     "spline": c_spline.body,

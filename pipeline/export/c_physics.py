@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.export.c_text import Body, function, read, real
-from pipeline.export.inputs import Inputs
-from pipeline.export.source import Source
-from pipeline.ground.kinematics import RAD_PER_TURN, loaded_radius
+from ..ground.kinematics import RAD_PER_TURN, loaded_radius
+from .c_text import Body, function, read, real
+from .inputs import Inputs
+from .source import Source
 
 LOADED = ("radius_mm", "length_mm", "stiffness_n_per_mm", "load_n")
 

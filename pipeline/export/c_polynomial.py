@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.export.c_physics import standardised
-from pipeline.export.c_text import Body, function, real
-from pipeline.export.source import Source
-from pipeline.models.polynomial import GIVEN
+from ..models.polynomial import GIVEN
+from .c_physics import standardised
+from .c_text import Body, function, real
+from .source import Source
 
 TERMS = """\
 /* Legendre polynomials of degree 0 to the given one. */

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from pipeline.export.c_curve import CURVE, PREPARED, QUERIES
-from pipeline.export.c_physics import physics, standardised, zone
-from pipeline.export.c_text import Body, function, real
-from pipeline.export.source import Source
-from pipeline.ground.errors import BadInput
-from pipeline.models.spline import MOST
+from ..ground.errors import BadInput
+from ..models.spline import MOST
+from .c_curve import CURVE, PREPARED, QUERIES
+from .c_physics import physics, standardised, zone
+from .c_text import Body, function, real
+from .source import Source
 
 LAWS = {
     "logarithm": "tsa_log({parameter} + n)",

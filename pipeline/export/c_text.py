@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.export.inputs import Inputs
+from .inputs import Inputs
 
 A_LINE = 8  # numbers
 PREFIX = re.compile(r"\b(tsa|TSA)_")

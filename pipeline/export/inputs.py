@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import RAD_PER_TURN, Array, usual_stiffness
-from pipeline.ground.schemas import unit_of
-from pipeline.models.parts.box import Box
-from pipeline.models.parts.conditions import MEASURED, VARIES
+from ..ground.kinematics import RAD_PER_TURN, Array, usual_stiffness
+from ..ground.schemas import unit_of
+from ..models.parts.box import Box
+from ..models.parts.conditions import MEASURED, VARIES
 
 SAME = 1e-6  # spread over size below which a dimension is one number
 WIDE = 8.0 * VARIES  # range over size of a load that is more than its cell's noise (four sigmas each way)

@@ -3,11 +3,11 @@
 import numpy as np
 from onnx import TensorProto
 
-from pipeline.export.graph import Graph
-from pipeline.export.onnx_query import Query
-from pipeline.export.source import Source
-from pipeline.models.parts.growth import Law
-from pipeline.models.spline import MOST
+from ..models.parts.growth import Law
+from ..models.spline import MOST
+from .graph import Graph
+from .onnx_query import Query
+from .source import Source
 
 
 def analytic(query: Query, source: Source) -> str:

@@ -5,13 +5,13 @@ import json
 import numpy as np
 import onnx
 
-from pipeline.export.graph import Graph
-from pipeline.export.inputs import ANSWER
-from pipeline.export.onnx_curves import analytic, polynomial, spline
-from pipeline.export.onnx_networks import coupling, pair_of_mlps
-from pipeline.export.onnx_query import Query
-from pipeline.export.source import Source
-from pipeline.ground.schemas import unit_of
+from ..ground.schemas import unit_of
+from .graph import Graph
+from .inputs import ANSWER
+from .onnx_curves import analytic, polynomial, spline
+from .onnx_networks import coupling, pair_of_mlps
+from .onnx_query import Query
+from .source import Source
 
 ANSWERS = {
     "spline": (spline, np.float64),

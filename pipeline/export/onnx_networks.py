@@ -1,10 +1,10 @@
 """The networks as ONNX nodes: chains of coupling blocks, and the pair of MLPs."""
 
-from pipeline.export.graph import Graph
-from pipeline.export.onnx_query import Query
-from pipeline.export.source import Source
-from pipeline.export.weights import Blocks, Layer, blocks, layers
-from pipeline.models import cinn
+from ..models import cinn
+from .graph import Graph
+from .onnx_query import Query
+from .source import Source
+from .weights import Blocks, Layer, blocks, layers
 
 
 def dense(g: Graph, x: str, net: list[Layer], activation: str) -> str:

@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from pipeline.export.graph import Graph
-from pipeline.export.inputs import Inputs
-from pipeline.export.source import Source
-from pipeline.ground.kinematics import RAD_PER_TURN, Array, loaded_radius
+from ..ground.kinematics import RAD_PER_TURN, Array, loaded_radius
+from .graph import Graph
+from .inputs import Inputs
+from .source import Source
 
 
 class Query:

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.export.inputs import Inputs
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput
-from pipeline.ground.tables import opened as opened_table
-from pipeline.models.interface import make_model
-from pipeline.models.parts.box import Box
-from pipeline.models.parts.conditions import MEASURED
-from pipeline.models.parts.saved import read_bytes
-from pipeline.stages.train import SPLITS, divided
+from ..ground import schemas
+from ..ground.errors import BadInput
+from ..ground.tables import opened as opened_table
+from ..models.interface import make_model
+from ..models.parts.box import Box
+from ..models.parts.conditions import MEASURED
+from ..models.parts.saved import read_bytes
+from ..stages.train import SPLITS, divided
+from .inputs import Inputs
 
 PAPER = ("separator_mm", "length_mm", "radius_mm")
 READS = {  # the measured columns that a model reads whether or not they vary; conditions come on top

@@ -4,8 +4,8 @@ import re
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.complaint import key_name, short
-from pipeline.ground.errors import BadInput
+from ..ground.complaint import key_name, short
+from ..ground.errors import BadInput
 
 AXIS_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 

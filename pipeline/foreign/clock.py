@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
 
 MOST_MOVED = 0.01  # of all stamps
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there

@@ -6,17 +6,17 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.foreign.layout_guess import guess_layout
-from pipeline.foreign.roles import Role, find_roles, numbers
-from pipeline.formats import format_of, read_foreign
-from pipeline.ground.complaint import key_name
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array
-from pipeline.ground.strict_yaml import write_yaml
-from pipeline.ground.text_file import TextFile
-from pipeline.ground.units import conversion
-from pipeline.run.description import String
-from pipeline.systems import System, systems
+from ..formats import format_of, read_foreign
+from ..ground.complaint import key_name
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..ground.strict_yaml import write_yaml
+from ..ground.text_file import TextFile
+from ..ground.units import conversion
+from ..run.description import String
+from ..systems import System, systems
+from .layout_guess import guess_layout
+from .roles import Role, find_roles, numbers
 
 SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
 UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, cm or m"}

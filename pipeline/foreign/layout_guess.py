@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from pipeline.formats import format_of, workbook
-from pipeline.formats.text_layout import DECIMAL_COMMA, NUMBER, cells
-from pipeline.formats.unpacked import GZIP
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..formats import format_of, workbook
+from ..formats.text_layout import DECIMAL_COMMA, NUMBER, cells
+from ..formats.unpacked import GZIP
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
 
 LOOK_BYTES, LOOK_ROWS, MOST_ABOVE = 1_000_000, 300, 5
 DELIMITERS = ("\t", ";", "|", ",", " ")  # the first that parts most rows

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 import numpy as np
 import pandas as pd
 
-from pipeline.foreign.header_units import header_unit, unit_word
-from pipeline.formats.text_layout import with_point
-from pipeline.ground.complaint import key_name
-from pipeline.ground.kinematics import Array
-from pipeline.ground.units import conversion
-from pipeline.systems import System
+from ..formats.text_layout import with_point
+from ..ground.complaint import key_name
+from ..ground.kinematics import Array
+from ..ground.units import conversion
+from ..systems import System
+from .header_units import header_unit, unit_word
 
 WORDS = {  # by the first word of a channel: what people call it
     "time": r"time|zeit|^t$|t_|stamp|millis|micros|temps",

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.formats.interface import Format
-from pipeline.formats.nested import table_of
-from pipeline.ground.complaint import short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..ground.complaint import short
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
+from .interface import Format
+from .nested import table_of
 
 __all__ = ["format_of", "formats", "read_foreign"]
 HELPERS = ("interface", "matlab_child", "nested", "stored", "text_layout", "unpacked")

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.formats.interface import Columns, Format
-from pipeline.formats.nested import DEEPEST, MOST_PARTS, columns_of
-from pipeline.formats.unpacked import IS_IT, NO_READINGS, is_bomb
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
+from .interface import Columns, Format
+from .nested import DEEPEST, MOST_PARTS, columns_of
+from .unpacked import IS_IT, NO_READINGS, is_bomb
 
 MOST_BYTES = 8_000_000_000  # of all data sets, unpacked: a day of ten channels at 10 kHz
 OBJECTS = "#subsystem#"  # where MATLAB puts its tables and timeseries

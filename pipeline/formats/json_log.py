@@ -7,12 +7,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline.formats.interface import Columns, Format
-from pipeline.formats.nested import columns_of, records
-from pipeline.formats.unpacked import unpacked
-from pipeline.ground.complaint import short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.text_file import TextFile
+from ..ground.complaint import short
+from ..ground.errors import BadInput
+from ..ground.text_file import TextFile
+from .interface import Columns, Format
+from .nested import columns_of, records
+from .unpacked import unpacked
 
 LARGEST = 200_000_000  # bytes: Python needs some ten times as much to hold them as values
 SMALLER = "save it as CSV or Parquet, or cut it into runs"

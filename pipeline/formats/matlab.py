@@ -4,12 +4,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pipeline.formats.hdf5 import OBJECT_MEND
-from pipeline.formats.interface import Columns, Format
-from pipeline.formats.matlab_child import TOLD, unpack
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
+from .hdf5 import OBJECT_MEND
+from .interface import Columns, Format
+from .matlab_child import TOLD, unpack
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -20,7 +20,7 @@ def read_matlab(path: Path, _: TextFile | None = None) -> Columns:
     Raises BadInput for a file that is not MATLAB's, or holds nothing but objects that only MATLAB reads.
     """
     open_regular(path).close()
-    command = [sys.executable, "-m", "pipeline.formats.matlab_child", str(path.resolve())]
+    command = [sys.executable, "-m", f"{__package__}.matlab_child", str(path.resolve())]
     done = subprocess.run(command, cwd=ROOT, capture_output=True)
     if done.returncode == TOLD:
         said = done.stderr.decode("utf-8", "replace").strip()

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 import scipy.io
 
-from pipeline.formats.interface import Columns
-from pipeline.formats.nested import columns_of
-from pipeline.ground.errors import program
-from pipeline.ground.regular_file import open_regular
+from ..ground.errors import program
+from ..ground.regular_file import open_regular
+from .interface import Columns
+from .nested import columns_of
 
 TOLD = 3  # exit status where the library said what is wrong
 

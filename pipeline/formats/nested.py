@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.formats.interface import Columns
-from pipeline.ground.complaint import key_name
-from pipeline.ground.errors import BadInput
+from ..ground.complaint import key_name
+from ..ground.errors import BadInput
+from .interface import Columns
 
 DEEPEST = 30
 MOST_PARTS = 1_000  # columns of a matrix, or elements of a list of runs

@@ -6,11 +6,11 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from pipeline.formats.interface import Format
-from pipeline.ground import seal
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..ground import seal
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
+from .interface import Format
 
 MOST_VALUES = 2_000_000_000  # some bytes of a file can stand for any number of rows
 

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.formats.parquet import read_parquet
-from pipeline.formats.text import read_text
-from pipeline.ground.text_file import TextFile
+from ..ground.text_file import TextFile
+from .parquet import read_parquet
+from .text import read_text
 
 
 def read_table(path: Path, layout: TextFile) -> pd.DataFrame:

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.formats.interface import Format
-from pipeline.formats.text_layout import DELIMITERS, LOOK, cells, check_start, other_delimiter, uneven, without_half
-from pipeline.formats.unpacked import BOMB_BYTES, GZIP, IS_IT, NO_READINGS, is_bomb
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
+from .interface import Format
+from .text_layout import DELIMITERS, LOOK, cells, check_start, other_delimiter, uneven, without_half
+from .unpacked import BOMB_BYTES, GZIP, IS_IT, NO_READINGS, is_bomb
 
 IMPORT = "make a run of it with python -m pipeline.import_run, which reads it"
 OTHERS = {  # what else a file that is no text begins with, and what to do about it

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.complaint import short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.text_file import TextFile
+from ..ground.complaint import short
+from ..ground.errors import BadInput
+from ..ground.text_file import TextFile
 
 DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan", re.IGNORECASE)

@@ -5,8 +5,8 @@ import os
 import zlib
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
 
 GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
 PIECE = 1 << 20

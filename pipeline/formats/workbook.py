@@ -10,12 +10,12 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.formats.interface import Format
-from pipeline.formats.unpacked import IS_IT, NO_READINGS, is_bomb
-from pipeline.ground.complaint import key_name, short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import open_regular
-from pipeline.ground.text_file import TextFile
+from ..ground.complaint import key_name, short
+from ..ground.errors import BadInput
+from ..ground.regular_file import open_regular
+from ..ground.text_file import TextFile
+from .interface import Format
+from .unpacked import IS_IT, NO_READINGS, is_bomb
 
 MOST_BYTES, MOST_BESIDE = 700_000_000, 200_000_000  # of all parts, and of a part that is no sheet, unpacked
 MOST_ROWS, MOST_COLUMNS = 1_048_576, 2_000  # a sheet's, and a recording's

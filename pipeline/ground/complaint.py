@@ -9,8 +9,8 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.units import ending_of
+from .errors import BadInput
+from .units import ending_of
 
 LONGEST = 60
 JSON_KEY = re.compile(r'^[ \t\[{]*"[^"\n]*"[ \t]*:', re.MULTILINE)

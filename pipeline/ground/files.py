@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
+from .errors import BadInput
 
 
 @contextmanager

@@ -7,12 +7,18 @@ from functools import cache
 from pathlib import Path
 
 SOURCES = (".py", ".yaml", ".json")
-ROOT = Path(__file__).resolve().parents[2]
+HOUSE = (
+    Path(__file__).resolve().parents[1]
+)  # the package, which is called `pipeline` here and may be installed as another
+NAME = "pipeline"
 
 
 def _file(module: str) -> Path | None:
     """Source file of a module of ours, or None for anything else."""
-    base = ROOT.joinpath(*module.split("."))
+    first, *rest = module.split(".")
+    if first != NAME:
+        return None
+    base = HOUSE.joinpath(*rest)
     candidates = (base.with_suffix(".py"), base / "__init__.py")
     return next((path for path in candidates if path.is_file()), None)
 
@@ -25,6 +31,14 @@ def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
             yield from _statements(getattr(node, field, []))
 
 
+def _absolute(node: ast.ImportFrom, path: Path) -> str:
+    """Name of the module that an import statement of a source file names, its leading dots resolved."""
+    if not node.level:
+        return node.module or ""
+    package = (NAME, *path.relative_to(HOUSE).parts[: -node.level])
+    return ".".join((*package, *(node.module or "").split("."))).removesuffix(".")
+
+
 @cache
 def _imports(path: Path) -> frozenset[str]:
     """Modules of ours that a source file imports, at any depth of its code, parents included."""
@@ -32,10 +46,11 @@ def _imports(path: Path) -> frozenset[str]:
     for node in _statements(ast.parse(path.read_text(encoding="utf-8")).body):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            names.add(node.module)
-            names.update(f"{node.module}.{alias.name}" for alias in node.names)
-    parts = [name.split(".") for name in names if name.split(".")[0] == "pipeline"]
+        elif isinstance(node, ast.ImportFrom):
+            base = _absolute(node, path)
+            names.add(base)
+            names.update(f"{base}.{alias.name}" for alias in node.names)
+    parts = [name.split(".") for name in names if name.split(".")[0] == NAME]
     return frozenset(".".join(part[:end]) for part in parts for end in range(1, len(part) + 1))
 
 
@@ -44,10 +59,11 @@ def reachable(*modules: str) -> list[Path]:
 
     `package.*` stands for every file of a package, data too: what it finds by name at run time, imports do not show.
     """
-    whole = [ROOT.joinpath(*module.split(".")[:-1]) for module in modules if module.endswith(".*")]
+    whole = [HOUSE.joinpath(*module.split(".")[1:-1]) for module in modules if module.endswith(".*")]
     files = [path for folder in whole for path in folder.rglob("*") if path.suffix in SOURCES]
     found = {path for path in files if path.suffix != ".py"}
-    waiting = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in files if path.suffix == ".py"]
+    sources = [path for path in files if path.suffix == ".py"]
+    waiting = [".".join((NAME, *path.relative_to(HOUSE).with_suffix("").parts)) for path in sources]
     waiting = [name.removesuffix(".__init__") for name in waiting]
     waiting += [module for module in modules if not module.endswith(".*")]
     while waiting:
@@ -73,5 +89,5 @@ def fingerprint(*modules: str) -> str:
             raise ModuleNotFoundError(f"{module} is not a module of this project")
     digest = hashlib.sha256()
     for path in reachable(*modules):
-        digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes() + b"\0")
+        digest.update(path.relative_to(HOUSE).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
     return digest.hexdigest()[:16]

@@ -8,7 +8,7 @@ import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
+from .errors import BadInput
 
 LONGEST = 100  # characters: files are named after them, and a file's name has 255 bytes
 LONGEST_BYTES = 200

@@ -7,9 +7,9 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from pipeline.ground import seal
-from pipeline.ground.errors import BadInput
-from pipeline.ground.files import whole
+from . import seal
+from .errors import BadInput
+from .files import whole
 
 MEND = "delete it and run snakemake: it is made again"
 REFUSED = b"refused"  # the key under which a file tells why there is no table in it

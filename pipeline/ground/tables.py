@@ -5,8 +5,8 @@ from pathlib import Path
 import pandas as pd
 import pyarrow as pa
 
-from pipeline.ground import schemas, seal
-from pipeline.ground.errors import BadInput
+from . import schemas, seal
+from .errors import BadInput
 
 
 def opened(path: Path, schema: pa.Schema, mend: str) -> pd.DataFrame:

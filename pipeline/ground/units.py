@@ -3,7 +3,7 @@
 import difflib
 import math
 
-from pipeline.ground.schemas import unit_of
+from .schemas import unit_of
 
 # What one of each unit is in the base of its quantity: turn, mm, N, Nm, s, A, Pa.
 _TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE = (

@@ -8,15 +8,15 @@ import argparse
 import json
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.outputs import folder_to_write
-from pipeline.ground.progress import clear, steps
-from pipeline.lifespan import figure, record, sentences
-from pipeline.lifespan.ask import Answer, model_error, stroke_loss
-from pipeline.lifespan.gather import strings
-from pipeline.lifespan.health import Health
-from pipeline.lifespan.left import LEAST_STROKES
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from ..ground.outputs import folder_to_write
+from ..ground.progress import clear, steps
+from . import figure, record, sentences
+from .ask import Answer, model_error, stroke_loss
+from .gather import strings
+from .health import Health
+from .left import LEAST_STROKES
 
 
 def ask(one: Health, loss: float, drift_mm: float) -> list[Answer]:

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from pipeline.lifespan.ask import Answer
-from pipeline.lifespan.left import LEAST_STROKES, Span
-from pipeline.lifespan.whole import strokes
+from .ask import Answer
+from .left import LEAST_STROKES, Span
+from .whole import strokes
 
 SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
 LEVEL = 0.9

@@ -5,9 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.lifespan.indicators import REFERENCE
-from pipeline.string.zero import LEAST_FLOOR_MM
+from ..ground.kinematics import Array
+from ..string.zero import LEAST_FLOOR_MM
+from .indicators import REFERENCE
 
 YOUNG = ("stroke_mm", "loop_mm")  # both change as a string beds in, and neither depends on the sensor's zero
 NEARER = 4.0  # times nearer to the string's first strokes than to those just before

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.lifespan.health import Health
-from pipeline.lifespan.indicators import REFERENCE
-from pipeline.lifespan.left import Left, strokes_left
+from ..ground.kinematics import Array
+from .health import Health
+from .indicators import REFERENCE
+from .left import Left, strokes_left
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.ground.progress import steps
-from pipeline.lifespan.fit import Fit, fit
-from pipeline.lifespan.laws import LAWS, Law
+from ..ground.kinematics import Array
+from ..ground.progress import steps
+from .fit import Fit, fit
+from .laws import LAWS, Law
 
 MOST_POINTS = 80  # strokes beyond are averaged in blocks: the laws are smooth
 ORIGINS = (0.4, 0.5, 0.6, 0.7, 0.8, 0.9)  # of the strokes seen: fitted up to there, scored on what comes after

@@ -11,13 +11,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from pipeline.ground.files import whole
-from pipeline.lifespan.ask import Answer
-from pipeline.lifespan.health import Health
-from pipeline.lifespan.indicators import REFERENCE
-from pipeline.lifespan.left import BAND_LEVELS, LEAST_STROKES
-from pipeline.lifespan.percent import percent
-from pipeline.lifespan.whole import at_least, at_most, strokes
+from ..ground.files import whole
+from .ask import Answer
+from .health import Health
+from .indicators import REFERENCE
+from .left import BAND_LEVELS, LEAST_STROKES
+from .percent import percent
+from .whole import at_least, at_most, strokes
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 OTHERS = (

@@ -11,8 +11,8 @@ from itertools import product
 import numpy as np
 from scipy.special import ndtr, ndtri
 
-from pipeline.ground.kinematics import Array
-from pipeline.lifespan.laws import Law
+from ..ground.kinematics import Array
+from .laws import Law
 
 FINER, SETTLED = 3, 0.5  # grids laid within each other while one shape takes most of the weight
 RIDGE = 1e-10  # keeps shapes that a short recording cannot tell apart solvable

@@ -3,11 +3,11 @@
 import os
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.progress import steps
-from pipeline.lifespan.health import Health, health
-from pipeline.string.from_raw import read
-from pipeline.string.history import Recorded
+from ..ground.errors import BadInput
+from ..ground.progress import steps
+from ..string.from_raw import read
+from ..string.history import Recorded
+from .health import Health, health
 
 
 def strings(folders: list[Path]) -> list[Health]:

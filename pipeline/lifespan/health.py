@@ -5,15 +5,15 @@ from dataclasses import dataclass, field
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import BadInput
-from pipeline.lifespan.anew import runs_anew
-from pipeline.lifespan.indicators import REFERENCE, ends_mm, loop, model_errors
-from pipeline.lifespan.readings import Stroke, readings
-from pipeline.lifespan.stiffness import stiffness
-from pipeline.run.description import STRING_ACTUATORS
-from pipeline.run.samples import geometry
-from pipeline.string.history import Recorded, in_order
-from pipeline.string.zero import Jump, jumps, offsets_mm
+from ..ground.errors import BadInput
+from ..run.description import STRING_ACTUATORS
+from ..run.samples import geometry
+from ..string.history import Recorded, in_order
+from ..string.zero import Jump, jumps, offsets_mm
+from .anew import runs_anew
+from .indicators import REFERENCE, ends_mm, loop, model_errors
+from .readings import Stroke, readings
+from .stiffness import stiffness
 
 SAME_RANGE = 0.05  # of the reference's range by which a stroke's ends may differ from the reference's
 INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_error_mm")

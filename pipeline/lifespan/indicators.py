@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.lifespan.readings import Stroke
+from ..ground.kinematics import Array
+from .readings import Stroke
 
 REFERENCE = 3  # first complete strokes: what later ones are compared with
 END_BAND = 0.04  # of the twist range: readings that tell the rest, or the top

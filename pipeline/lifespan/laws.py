@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
 
 Columns = Callable[..., tuple[Array, ...]]
 STEPS = 16  # of a grid over one shape

@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.lifespan.choose import Choice, choose
+from ..ground.kinematics import Array
+from .choose import Choice, choose
 
 LEAST_STROKES = 12  # 3 set the reference, 6 are fitted at least, 3 are left out at least
 FUTURES = 2000

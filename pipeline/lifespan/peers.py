@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.lifespan.fit import fit
-from pipeline.lifespan.laws import LAWS, Law
-from pipeline.lifespan.left import FUTURES, HORIZON, STEPS, Left, passages
+from ..ground.kinematics import Array
+from .fit import fit
+from .laws import LAWS, Law
+from .left import FUTURES, HORIZON, STEPS, Left, passages
 
 ONE_LOG = Law("one logarithm", "a + b ln(1 + n)", lambda n: (np.log1p(n),))
 LINE = next(law for law in LAWS if law.name == "linear")

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.run.samples import geometry
-from pipeline.string.history import Recorded
+from ..ground.kinematics import Array
+from ..run.samples import geometry
+from ..string.history import Recorded
 
 Readings = tuple[Array, Array]  # twist in turns, what the nominal model leaves in mm
 

@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.lifespan.advice import ask_again_after, recalibrate_after
-from pipeline.lifespan.ask import Answer, first
-from pipeline.lifespan.choose import Choice
-from pipeline.lifespan.health import INDICATORS, Health
-from pipeline.lifespan.sentences import UNFORESEEN
+from .advice import ask_again_after, recalibrate_after
+from .ask import Answer, first
+from .choose import Choice
+from .health import INDICATORS, Health
+from .sentences import UNFORESEEN
 
 STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
 SHOWN_WEIGHT = 0.005

@@ -9,18 +9,18 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import whole, write_text
-from pipeline.ground.outputs import folder_to_write
-from pipeline.ground.progress import steps
-from pipeline.lifespan.ask import Answer, model_error, stroke_loss
-from pipeline.lifespan.health import Health, health
-from pipeline.lifespan.indicators import REFERENCE
-from pipeline.lifespan.left import LEAST_STROKES, Left, first_passed
-from pipeline.lifespan.peers import PEERS, peer
-from pipeline.lifespan.scorefigure import page
-from pipeline.lifespan.scoretable import words
-from pipeline.string.from_raw import read
+from ..ground.errors import BadInput, program
+from ..ground.files import whole, write_text
+from ..ground.outputs import folder_to_write
+from ..ground.progress import steps
+from ..string.from_raw import read
+from .ask import Answer, model_error, stroke_loss
+from .health import Health, health
+from .indicators import REFERENCE
+from .left import LEAST_STROKES, Left, first_passed
+from .peers import PEERS, peer
+from .scorefigure import page
+from .scoretable import words
 
 SHARES = (0.25, 0.5, 0.75)  # of the strokes to the limit
 NUMBERS = (15, 30, 60)  # strokes

@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from pipeline.lifespan.advice import advice
-from pipeline.lifespan.ask import Answer
-from pipeline.lifespan.health import Health
-from pipeline.lifespan.indicators import REFERENCE
-from pipeline.lifespan.left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
-from pipeline.lifespan.measured import measured
-from pipeline.lifespan.percent import of_100, percent, tail
-from pipeline.lifespan.whole import at_least, at_most, strokes
-from pipeline.string.zero import Jump
+from ..string.zero import Jump
+from .advice import advice
+from .ask import Answer
+from .health import Health
+from .indicators import REFERENCE
+from .left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
+from .measured import measured
+from .percent import of_100, percent, tail
+from .whole import at_least, at_most, strokes
 
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "

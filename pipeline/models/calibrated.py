@@ -10,8 +10,8 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
-from pipeline.ground.kinematics import Array, point_contraction_mm, point_motor_turns
-from pipeline.models.parts.saved import read_json, write_json
+from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .parts.saved import read_json, write_json
 
 LARGEST_MOVE = 3.0  # sigmas by which the contract lets a dimension move
 ROUNDS = 5  # of fit and re-estimate of the error's size; it settles in two or three

@@ -17,14 +17,14 @@ import pandas as pd
 import torch
 from torch.nn.functional import mse_loss
 
-from pipeline.ground.kinematics import Array, point_contraction_mm, point_motor_turns
-from pipeline.models.coupling import InvertibleNet
-from pipeline.models.parts.box import Box
-from pipeline.models.parts.conditions import Conditions
-from pipeline.models.parts.features import conditions
-from pipeline.models.parts.scaling import Scaling
-from pipeline.models.parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
-from pipeline.models.parts.training import minimise, read_weights, repeatable, tensor, write_weights
+from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .coupling import InvertibleNet
+from .parts.box import Box
+from .parts.conditions import Conditions
+from .parts.features import conditions
+from .parts.scaling import Scaling
+from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
+from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are among the five

@@ -14,16 +14,16 @@ import numpy as np
 import pandas as pd
 from pydantic import Field, field_validator
 
-from pipeline.diagnosis import calibrate, engine, faint, library, order, outcome
-from pipeline.diagnosis.problem import State
-from pipeline.diagnosis.search import LARGEST, TRIED, apart
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array, point_contraction_mm, point_motor_turns
-from pipeline.models.parts.diagnosed_problem import SAMPLES, holed, plain
-from pipeline.models.parts.diagnosed_run import Simulator
-from pipeline.models.parts.saved import read_json, write_json
-from pipeline.models.parts.settings import checked
-from pipeline.run.description import Run
+from ..diagnosis import calibrate, engine, faint, library, order, outcome
+from ..diagnosis.problem import State
+from ..diagnosis.search import LARGEST, TRIED, apart
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from ..run.description import Run
+from .parts.diagnosed_problem import SAMPLES, holed, plain
+from .parts.diagnosed_run import Simulator
+from .parts.saved import read_json, write_json
+from .parts.settings import checked
 
 FORESEEING = 10  # explanations that are tried, those first that foresee best
 MIDDLE, HELD_BACK = 0.5, 0.12  # of every winding, hold and unwinding: parts that are held back, at its end too

@@ -25,12 +25,12 @@ import torch
 from pydantic import Field
 from torch.nn.functional import mse_loss
 
-from pipeline.ground.kinematics import Array
-from pipeline.models.coupling import InvertibleNet
-from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
-from pipeline.models.parts.scaling import Scaling
-from pipeline.models.parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
-from pipeline.models.parts.training import minimise, read_weights, repeatable, tensor, write_weights
+from ..ground.kinematics import Array
+from .coupling import InvertibleNet
+from .parts.features import contraction_and_conditions, twist_and_conditions
+from .parts.scaling import Scaling
+from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
+from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 

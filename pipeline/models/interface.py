@@ -8,7 +8,7 @@ from typing import Protocol
 
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
 
 
 class Model(Protocol):
@@ -39,11 +39,11 @@ def names() -> tuple[str, ...]:
 
 def settings_of(name: str) -> type | None:
     """The dataclass of a model's settings, None for a model without any."""
-    found: type | None = getattr(importlib.import_module(f"pipeline.models.{name}"), "Settings", None)
+    found: type | None = getattr(importlib.import_module(f"{__package__}.{name}"), "Settings", None)
     return found
 
 
 def make_model(name: str, **settings: object) -> Model:
     """The unfitted model that `pipeline/models/<name>.py` holds, with its settings from the configuration."""
-    model: Model = importlib.import_module(f"pipeline.models.{name}").MODEL(**settings)
+    model: Model = importlib.import_module(f"{__package__}.{name}").MODEL(**settings)
     return model

@@ -14,12 +14,12 @@ import torch
 from torch import nn
 from torch.nn.functional import mse_loss
 
-from pipeline.ground.kinematics import Array
-from pipeline.models.parts.conditions import Conditions
-from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
-from pipeline.models.parts.scaling import Scaling
-from pipeline.models.parts.settings import Batch, Epochs, Layers, Rate, Width, checked, values
-from pipeline.models.parts.training import minimise, read_weights, repeatable, tensor, write_weights
+from ..ground.kinematics import Array
+from .parts.conditions import Conditions
+from .parts.features import contraction_and_conditions, twist_and_conditions
+from .parts.scaling import Scaling
+from .parts.settings import Batch, Epochs, Layers, Rate, Width, checked, values
+from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are inputs in any case
 

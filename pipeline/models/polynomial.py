@@ -13,11 +13,11 @@ import pandas as pd
 from numpy.polynomial.legendre import legvander
 from pydantic import Field
 
-from pipeline.ground.kinematics import Array
-from pipeline.models.parts.box import Box
-from pipeline.models.parts.conditions import Conditions
-from pipeline.models.parts.saved import read_json, write_json
-from pipeline.models.parts.settings import checked, values
+from ..ground.kinematics import Array
+from .parts.box import Box
+from .parts.conditions import Conditions
+from .parts.saved import read_json, write_json
+from .parts.settings import checked, values
 
 GIVEN = ("motor_turns", "displacement_mm")  # of the forward and of the inverse map; each gives the other
 

@@ -17,14 +17,14 @@ import numpy as np
 import pandas as pd
 from pydantic import Field
 
-from pipeline.ground.kinematics import Array, point_contraction_mm, point_motor_turns
-from pipeline.models.parts import rational
-from pipeline.models.parts.box import Box
-from pipeline.models.parts.conditions import Conditions
-from pipeline.models.parts.growth import Law, chosen
-from pipeline.models.parts.marquardt import least_squares
-from pipeline.models.parts.saved import read_json, write_json
-from pipeline.models.parts.settings import checked, values
+from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .parts import rational
+from .parts.box import Box
+from .parts.conditions import Conditions
+from .parts.growth import Law, chosen
+from .parts.marquardt import least_squares
+from .parts.saved import read_json, write_json
+from .parts.settings import checked, values
 
 SHORTEST = 1e-9  # of what the knots span: one twist only is still a spline
 CHOICE_POINTS, CHOICE_STEPS = 2000, 2  # with which the law of n is chosen

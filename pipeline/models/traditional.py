@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground.kinematics import Array, point_contraction_mm, point_motor_turns
-from pipeline.models.parts.saved import read_json, write_json
+from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .parts.saved import read_json, write_json
 
 
 class Traditional:

@@ -10,16 +10,16 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.ground.errors import program
-from pipeline.ground.kinematics import Array
-from pipeline.proof.case import Case
-from pipeline.proof.conceal import write_run
-from pipeline.proof.conceal_batch import drawn
-from pipeline.proof.nuisance import Recorded, late_s, record
-from pipeline.proof.perform import perform
-from pipeline.proof.plan import read
-from pipeline.proof.protocol import Protocol
-from pipeline.rig.motion import Commands
+from ..ground.errors import program
+from ..ground.kinematics import Array
+from ..rig.motion import Commands
+from .case import Case
+from .conceal import write_run
+from .conceal_batch import drawn
+from .nuisance import Recorded, late_s, record
+from .perform import perform
+from .plan import read
+from .protocol import Protocol
 
 SAME_LOAD = 0.02  # relative: what a load cell's noise makes of the same weight
 

@@ -5,13 +5,13 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from scipy.optimize import nnls
 
-from pipeline.ground.kinematics import Array
-from pipeline.proof.bench import Bench
-from pipeline.proof.case import Case
-from pipeline.proof.draws import EITHER_SIGN, NAMED, Parameters, draw_effect
-from pipeline.proof.perform import perform
-from pipeline.proof.protocol import Protocol
-from pipeline.proof.size import calibrated, measure, rms
+from ..ground.kinematics import Array
+from .bench import Bench
+from .case import Case
+from .draws import EITHER_SIGN, NAMED, Parameters, draw_effect
+from .perform import perform
+from .protocol import Protocol
+from .size import calibrated, measure, rms
 
 SHAPES = 6  # of each effect, drawn; a copy may mix them, which is more than one set of parameters can
 MOST_STRENGTH = 30.0

@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.run.folder import find_runs
+from ..ground.errors import program
+from ..ground.files import write_text
+from ..run.folder import find_runs
 
 JUDGES = Path(__file__).parent / "teach" / "judges"
 REFUSED = 2  # exit status of the diagnosis when some run cannot be decided; the others are written

@@ -4,9 +4,9 @@ from typing import Any, cast
 
 import numpy as np
 
-from pipeline.proof.plan import Planned
-from pipeline.rig.authors import authors
-from pipeline.rig.authors.interface import Asked, Made, OutOfReach, Protocol
+from ..rig.authors import authors
+from ..rig.authors.interface import Asked, Made, OutOfReach, Protocol
+from .plan import Planned
 
 __all__ = ["OutOfReach", "answer", "asked_of", "made"]
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.ground.kinematics import TOLERANCE, Geometry
+from ..ground.kinematics import TOLERANCE, Geometry
 
 MATERIALS = {"UHMWPE": (12.0, 40.0), "Vectran": (20.0, 60.0), "aramid": (15.0, 50.0), "nylon": (3.0, 10.0)}  # K, N/mm
 DIMENSION = {

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import least_squares
 
-from pipeline.ground.kinematics import TOLERANCE, Array, Geometry
+from ..ground.kinematics import TOLERANCE, Array, Geometry
 
 FREE = ("radius", "separator_mm", "torsion_zone_mm", "length_mm", "scale")
 SCALE_SIGMA = 0.01

@@ -6,14 +6,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.proof.bench import Bench, draw_bench, mismeasure
-from pipeline.proof.draws import NAMED, OPEN_SET, Parameters, draw_effect
-from pipeline.proof.location import location
-from pipeline.proof.nuisance import Nuisance, Recorded, draw_nuisance, late_s, record
-from pipeline.proof.perform import perform
-from pipeline.proof.protocol import Kind, Protocol, draw_protocol
-from pipeline.proof.referee import Ruling, rule
-from pipeline.proof.size import OutOfReach, Size, measure, rms, strength_for
+from .bench import Bench, draw_bench, mismeasure
+from .draws import NAMED, OPEN_SET, Parameters, draw_effect
+from .location import location
+from .nuisance import Nuisance, Recorded, draw_nuisance, late_s, record
+from .perform import perform
+from .protocol import Kind, Protocol, draw_protocol
+from .referee import Ruling, rule
+from .size import OutOfReach, Size, measure, rms, strength_for
 
 Stratum = Literal["none", "parameters", "noise", "single", "pair", "open"]
 STRATA: tuple[Stratum, ...] = ("none", "parameters", "noise", "single", "pair", "open")

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pipeline.ground.errors import program
+from ..ground.errors import program
 
 
 @program

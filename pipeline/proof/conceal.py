@@ -9,12 +9,12 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import whole, write_text
-from pipeline.proof.case import HIDES, STRATA, answer, draw_case, performed
-from pipeline.proof.draws import NAMED, OPEN_SET
-from pipeline.proof.size import OutOfReach
-from pipeline.run.description import parse_run
+from ..ground.errors import BadInput, program
+from ..ground.files import whole, write_text
+from ..run.description import parse_run
+from .case import HIDES, STRATA, answer, draw_case, performed
+from .draws import NAMED, OPEN_SET
+from .size import OutOfReach
 
 
 def write_run(content: dict[str, Any], recording: pd.DataFrame, folder: Path) -> None:

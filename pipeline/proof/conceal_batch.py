@@ -6,14 +6,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, cast
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.proof import authored
-from pipeline.proof.case import Case, Stratum, answer, draw_case, performed
-from pipeline.proof.conceal import plain, write_run
-from pipeline.proof.plan import Planned, read
-from pipeline.proof.protocol import Kind
-from pipeline.proof.size import OutOfReach
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from . import authored
+from .case import Case, Stratum, answer, draw_case, performed
+from .conceal import plain, write_run
+from .plan import Planned, read
+from .protocol import Kind
+from .size import OutOfReach
 
 
 def drawn(planned: Planned) -> Case:

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.ground.kinematics import RAD_PER_TURN, Array
-from pipeline.proof.bench import Bench
-from pipeline.proof.protocol import Protocol
-from pipeline.proof.wander import WANDERS, wander
-from pipeline.rig import effects
+from ..ground.kinematics import RAD_PER_TURN, Array
+from ..rig import effects
+from .bench import Bench
+from .protocol import Protocol
+from .wander import WANDERS, wander
 
 Parameters = dict[str, Any]
 Strength = Callable[[float], Parameters]  # at 1 the effect is of a size that is often met

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array
-from pipeline.proof.perform import Performed
+from ..ground.kinematics import Array
+from .perform import Performed
 
 SHARE = 0.80
 BINS = 24  # of the twist

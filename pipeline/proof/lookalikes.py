@@ -5,12 +5,12 @@ import json
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.proof.alike import copies, left_over
-from pipeline.proof.conceal_batch import drawn
-from pipeline.proof.draws import NAMED
-from pipeline.proof.plan import Planned, read
+from ..ground.errors import program
+from ..ground.files import write_text
+from .alike import copies, left_over
+from .conceal_batch import drawn
+from .draws import NAMED
+from .plan import Planned, read
 
 
 def named_beside(verdict: dict[str, Any], truth: tuple[str, ...]) -> list[str]:

@@ -8,8 +8,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-from pipeline.ground.kinematics import Array
-from pipeline.proof.perform import Performed
+from ..ground.kinematics import Array
+from .perform import Performed
 
 ENCODER_QUANTUM_TURNS = 1.0 / 4096.0
 

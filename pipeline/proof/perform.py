@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array, Geometry
-from pipeline.proof.bench import Bench
-from pipeline.proof.protocol import STEPS_PER_SAMPLE, Protocol, phases
-from pipeline.rig import effects
-from pipeline.rig.motion import Commands
-from pipeline.rig.string import String
+from ..ground.kinematics import Array, Geometry
+from ..rig import effects
+from ..rig.motion import Commands
+from ..rig.string import String
+from .bench import Bench
+from .protocol import STEPS_PER_SAMPLE, Protocol, phases
 
 Hidden = Mapping[str, Mapping[str, Any]]  # parameters by effect
 

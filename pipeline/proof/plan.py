@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
 
 RIG = Path(__file__).parent.parent / "rig"  # effects and authors by their files' names: the DAG's plan imports no rig
 EFFECTS, AUTHORS = RIG / "effects", RIG / "authors"

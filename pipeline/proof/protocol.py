@@ -8,9 +8,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array
-from pipeline.proof.bench import Bench
-from pipeline.rig.motion import Commands, Motion, commands
+from ..ground.kinematics import Array
+from ..rig.motion import Commands, Motion, commands
+from .bench import Bench
 
 Kind = Literal["rich", "poor"]
 SAMPLES = 12_000

@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.proof.bench import Bench
-from pipeline.proof.protocol import Protocol
-from pipeline.rig import effects
-from pipeline.rig.motion import Commands
-from pipeline.rig.string import String
+from ..ground.kinematics import Array
+from ..rig import effects
+from ..rig.motion import Commands
+from ..rig.string import String
+from .bench import Bench
+from .protocol import Protocol
 
 LEAST_CARRIED = 0.90
 MOST_CHANGED = 0.10

@@ -4,9 +4,9 @@ import argparse
 import json
 from pathlib import Path
 
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.proof.ask import ask
+from ..ground.errors import program
+from ..ground.files import write_text
+from .ask import ask
 
 
 @program

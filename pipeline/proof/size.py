@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.proof.bench import Bench
-from pipeline.proof.calibration import Calibrated, calibrate
-from pipeline.proof.draws import Parameters, Strength
-from pipeline.proof.perform import Performed, perform
-from pipeline.proof.protocol import Protocol
+from ..ground.kinematics import Array
+from .bench import Bench
+from .calibration import Calibrated, calibrate
+from .draws import Parameters, Strength
+from .perform import Performed, perform
+from .protocol import Protocol
 
 CLOSE = 0.01  # relative: how near to the wanted size is near enough
 CLOSE_ENOUGH = 0.05  # for effects that change by leaps when they grow, as stick-slip does

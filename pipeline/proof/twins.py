@@ -8,22 +8,22 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import calibrate, engine
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.search import Search
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.ground.kinematics import Array
-from pipeline.proof.baselines.frozen import frozen
-from pipeline.proof.case import Case, draw_case
-from pipeline.proof.draws import NAMED
-from pipeline.proof.perform import perform
-from pipeline.proof.protocol import Kind
-from pipeline.proof.size import OutOfReach, rms
-from pipeline.run.description import parse_run
+from ..diagnosis import calibrate, engine
+from ..diagnosis.library import mechanisms
+from ..diagnosis.linear import Linear
+from ..diagnosis.noise import white
+from ..diagnosis.problem import Problem
+from ..diagnosis.search import Search
+from ..ground.errors import program
+from ..ground.files import write_text
+from ..ground.kinematics import Array
+from ..run.description import parse_run
+from .baselines.frozen import frozen
+from .case import Case, draw_case
+from .draws import NAMED
+from .perform import perform
+from .protocol import Kind
+from .size import OutOfReach, rms
 
 LEAST = 0.03  # of an effect's rms, which the library must leave of each
 SEEDS = 3

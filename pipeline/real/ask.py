@@ -3,10 +3,10 @@
 import argparse
 from pathlib import Path
 
-from pipeline.diagnose import diagnose
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.real.bring import REFUSED, usable
+from ..diagnose import diagnose
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from .bring import REFUSED, usable
 
 
 def ask(folders: list[Path], out: Path) -> str:

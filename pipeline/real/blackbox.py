@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 from sklearn.exceptions import ConvergenceWarning
 from sklearn.neural_network import MLPRegressor
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.regression import boosted_trees, evenly, gaussian_process
-from pipeline.real.bring import usable
-from pipeline.real.features import Array, averaged, features, span_of
-from pipeline.run.description import Run
-from pipeline.run.samples import read_samples
-from pipeline.run.strokes import label
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from ..ground.regression import boosted_trees, evenly, gaussian_process
+from ..run.description import Run
+from ..run.samples import read_samples
+from ..run.strokes import label
+from .bring import usable
+from .features import Array, averaged, features, span_of
 
 LAST, LEAST_TRAINING = 0.3, 0.4  # of the strokes, of the samples: the diagnosis' own rule
 POINTS, TUNED_ON, NETWORK_POINTS = 1000, 300, 5000

@@ -3,9 +3,9 @@
 import argparse
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.import_run import import_run
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from ..import_run import import_run
 
 REFUSED = "refused.txt"
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import BadInput
-from pipeline.real.rigs import MAPPINGS, Rig, read_rigs
+from ..ground.errors import BadInput
+from .rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2
 LONGEST_SLUG = 60

@@ -7,7 +7,7 @@ from typing import Annotated
 import yaml
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
 
 RIGS = Path(__file__).parent.parent / "config" / "real.yaml"
 MAPPINGS = Path(__file__).parent.parent / "mappings"

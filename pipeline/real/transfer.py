@@ -7,17 +7,17 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis.engine import at_own_rate
-from pipeline.diagnosis.simulation import read_diagnosis, state_of, tare
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import whole
-from pipeline.real.ask import ask
-from pipeline.real.blackbox import METHODS, Asked, Learnt, learn
-from pipeline.real.bring import usable
-from pipeline.real.features import Array, span_of
-from pipeline.real.plan import ALL_OTHERS
-from pipeline.run.description import Run
-from pipeline.run.samples import read_samples
+from ..diagnosis.engine import at_own_rate
+from ..diagnosis.simulation import read_diagnosis, state_of, tare
+from ..ground.errors import BadInput, program
+from ..ground.files import whole
+from ..run.description import Run
+from ..run.samples import read_samples
+from .ask import ask
+from .blackbox import METHODS, Asked, Learnt, learn
+from .bring import usable
+from .features import Array, span_of
+from .plan import ALL_OTHERS
 
 COLUMNS = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]
 LEAST_OTHERS = 2

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from pipeline.report import paper
+from . import paper
 
 MODEL = "traditional"
 WORST = 0.10  # relative difference from the paper's number up to which an error agrees

@@ -5,15 +5,15 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.names import SYNTHETIC
-from pipeline.report import paper
-from pipeline.report.agreement import agreement
-from pipeline.report.marks import add_mark, mark_from, write_page
-from pipeline.report.plain import plain
-from pipeline.report.strokes_there import missing_of, tabled, there_of
-from pipeline.report.titles import titles_of
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.names import SYNTHETIC
+from . import paper
+from .agreement import agreement
+from .marks import add_mark, mark_from, write_page
+from .plain import plain
+from .strokes_there import missing_of, tabled, there_of
+from .titles import titles_of
 
 NOTES = """\
 Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of

@@ -6,10 +6,10 @@ from typing import Any
 
 from markupsafe import Markup
 
-from pipeline.ground.schemas import unit_of
-from pipeline.report.web.glossary import word
-from pipeline.report.web.page import Text, anchor, folded, link, paragraph, picture, together
-from pipeline.report.web.table import table
+from ..ground.schemas import unit_of
+from .web.glossary import word
+from .web.page import Text, anchor, folded, link, paragraph, picture, together
+from .web.table import table
 
 HEAD = ("Run", "Mismatch", "Nominal", "Calibrated", "Explained", "Noise")
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")

@@ -10,8 +10,8 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pipeline.ground.files import whole
-from pipeline.report.made_by import MadeBy, sentence, warning
+from ..ground.files import whole
+from .made_by import MadeBy, sentence, warning
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 WARNING = "#c2410c"

@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
-from pipeline.run.left_out import LeftOut, from_json, to_json
+from ..run.left_out import LeftOut, from_json, to_json
 
 ALL = "all of "  # before a material's name, where a whole material is left out
 

@@ -6,9 +6,9 @@ import matplotlib.pyplot as plt
 import pandas as pd
 from matplotlib.figure import Figure
 
-from pipeline.report.drawing import COLOURS, MILLIMETRES, TURNS, name
-from pipeline.report.strokes_there import drawn
-from pipeline.report.winding import SHOWN, strokes_of, winding
+from .drawing import COLOURS, MILLIMETRES, TURNS, name
+from .strokes_there import drawn
+from .winding import SHOWN, strokes_of, winding
 
 STROKES = (1, 3, 5, 7)
 

@@ -9,11 +9,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
-from pipeline.ground.kinematics import Array
-from pipeline.report import paper
-from pipeline.report.drawing import MILLIMETRES, TURNS, name
-from pipeline.report.strokes_there import drawn
-from pipeline.report.winding import strokes_of, winding
+from ..ground.kinematics import Array
+from . import paper
+from .drawing import MILLIMETRES, TURNS, name
+from .strokes_there import drawn
+from .winding import strokes_of, winding
 
 Ends = tuple[float, float]
 MEASURED: dict[str, Any] = {"color": "0.72", "lw": 4.0, "solid_capstyle": "butt"}

@@ -6,14 +6,14 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.report.drawing import STYLE, save
-from pipeline.report.figure_4 import figure_4
-from pipeline.report.figure_5 import figure_5
-from pipeline.report.marks import add_mark, mark_from
-from pipeline.report.titles import titles_of
-from pipeline.report.winding import with_median, with_nominal
+from ..ground import schemas
+from ..ground.errors import program
+from .drawing import STYLE, save
+from .figure_4 import figure_4
+from .figure_5 import figure_5
+from .marks import add_mark, mark_from
+from .titles import titles_of
+from .winding import with_median, with_nominal
 
 INN, TRADITIONAL = "inn", "traditional"
 

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from pipeline.report.diagnoses import content_of, named_of, tag, verdict_of
-from pipeline.report.web.page import Text, anchor, paragraph, together
-from pipeline.report.web.table import table
+from .diagnoses import content_of, named_of, tag, verdict_of
+from .web.page import Text, anchor, paragraph, together
+from .web.table import table
 
 FLOORS = ("floor", "floor_blind")
 LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict

@@ -6,16 +6,16 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.report import diagnoses, jumps, left_out, materials
-from pipeline.report.glance import glance
-from pipeline.report.made_by import MadeBy
-from pipeline.report.marks import add_mark, mark_from
-from pipeline.report.web.glossary import glossary
-from pipeline.report.web.page import Text, anchor, document, paragraph, together
-from pipeline.run.left_out import LeftOut
-from pipeline.string.jump_notes import read_jumps
+from ..ground.errors import program
+from ..ground.files import write_text
+from ..run.left_out import LeftOut
+from ..string.jump_notes import read_jumps
+from . import diagnoses, jumps, left_out, materials
+from .glance import glance
+from .made_by import MadeBy
+from .marks import add_mark, mark_from
+from .web.glossary import glossary
+from .web.page import Text, anchor, document, paragraph, together
 
 OTHERS = {
     "campaign/campaign.html": "What a new string teaches a model",

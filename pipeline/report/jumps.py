@@ -6,8 +6,8 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from pipeline.report.plain import plain
-from pipeline.report.web.page import paragraph, together
+from .plain import plain
+from .web.page import paragraph, together
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

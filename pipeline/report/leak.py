@@ -10,10 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.report.drawing import COLOURS, STYLE, save
-from pipeline.report.marks import add_mark, mark_from
+from ..ground import schemas
+from ..ground.errors import program
+from .drawing import COLOURS, STYLE, save
+from .marks import add_mark, mark_from
 
 GROUPS = {
     "random_forward": "random,\nforward loss",

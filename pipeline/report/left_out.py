@@ -6,13 +6,13 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.report.plain import plain
-from pipeline.report.web.page import paragraph, together
-from pipeline.report.web.table import table
-from pipeline.run.left_out import LeftOut, from_json, read_left_out, to_json
+from ..ground import schemas
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from ..run.left_out import LeftOut, from_json, read_left_out, to_json
+from .plain import plain
+from .web.page import paragraph, together
+from .web.table import table
 
 HEAD = ("Run", "Material", "Why, and how to mend it")
 

@@ -3,11 +3,11 @@
 import argparse
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.files import write_text
-from pipeline.report.made_by import MadeBy, unpacked
-from pipeline.report.plain import note
-from pipeline.report.web.markdown import web_page
+from ..ground.errors import BadInput
+from ..ground.files import write_text
+from .made_by import MadeBy, unpacked
+from .plain import note
+from .web.markdown import web_page
 
 
 def add_mark(parser: argparse.ArgumentParser) -> None:

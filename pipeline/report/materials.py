@@ -4,11 +4,11 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from pipeline.report import paper
-from pipeline.report.strokes_there import NOT_SHOWN
-from pipeline.report.table_forms import from_markdown
-from pipeline.report.web.page import Text, anchor, folded, link, paragraph, picture, together
-from pipeline.report.web.table import table
+from . import paper
+from .strokes_there import NOT_SHOWN
+from .table_forms import from_markdown
+from .web.page import Text, anchor, folded, link, paragraph, picture, together
+from .web.table import table
 
 FIGURES = {
     "figure_4": "Figure 4: strokes against the traditional model, and its errors.",

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.report.marks import add_mark, mark_from
-from pipeline.report.sidecar import Column, describe
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.files import write_text
+from .marks import add_mark, mark_from
+from .sidecar import Column, describe
 
 COLUMNS: list[Column] = [
     ("material", "string", "the string's material"),

@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.report import paper
-from pipeline.report.comparison import line
-from pipeline.report.marks import add_mark, mark_from, write_page
-from pipeline.report.plain import plain
-from pipeline.report.sidecar import Column, describe
-from pipeline.report.titles import titles_of
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.files import write_text
+from . import paper
+from .comparison import line
+from .marks import add_mark, mark_from, write_page
+from .plain import plain
+from .sidecar import Column, describe
+from .titles import titles_of
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach

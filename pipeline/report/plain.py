@@ -2,7 +2,7 @@
 
 import re
 
-from pipeline.report.made_by import MadeBy, sentence
+from .made_by import MadeBy, sentence
 
 SPECIAL = re.compile(r"([\\`*\[\]<|])")
 ESCAPED = re.compile(r"\\([\\`*\[\]<|])")

@@ -4,12 +4,12 @@ import argparse
 import csv
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.report.marks import add_mark, mark_from
-from pipeline.report.plain import note
-from pipeline.report.sidecar import Column, describe
-from pipeline.report.web.markdown import web_page
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from .marks import add_mark, mark_from
+from .plain import note
+from .sidecar import Column, describe
+from .web.markdown import web_page
 
 TABLES = {
     "authors": "Scores by who made the recordings",

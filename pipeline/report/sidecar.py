@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.files import write_text
-from pipeline.report.made_by import MadeBy, sentence
+from ..ground.files import write_text
+from .made_by import MadeBy, sentence
 
 Column = tuple[str, str, str]  # head, datatype (string, integer, number or boolean), what it holds
 STATUS = {

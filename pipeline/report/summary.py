@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from pipeline.report.diagnoses import verdicts
-from pipeline.report.plain import spoken
+from .diagnoses import verdicts
+from .plain import spoken
 
 PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
 FIGURES = ("figure_4.png", "figure_5.png")

@@ -5,8 +5,8 @@ import io
 import re
 from itertools import pairwise
 
-from pipeline.report import paper
-from pipeline.report.plain import plain
+from . import paper
+from .plain import plain
 
 Row = tuple[str, str, list[str]]  # model's title, stroke, cells
 TEX = {

@@ -6,19 +6,19 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.report import jumps, left_out, paper
-from pipeline.report.made_by import MadeBy, sentence, warning
-from pipeline.report.marks import add_mark, mark_from
-from pipeline.report.plain import note
-from pipeline.report.sidecar import Column, describe
-from pipeline.report.strokes_there import missing_of, tabled, there_of
-from pipeline.report.table_forms import Row, to_csv, to_latex, to_markdown
-from pipeline.report.titles import titles_of
-from pipeline.run.left_out import LeftOut
-from pipeline.string.jump_notes import read_jumps
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.files import write_text
+from ..run.left_out import LeftOut
+from ..string.jump_notes import read_jumps
+from . import jumps, left_out, paper
+from .made_by import MadeBy, sentence, warning
+from .marks import add_mark, mark_from
+from .plain import note
+from .sidecar import Column, describe
+from .strokes_there import missing_of, tabled, there_of
+from .table_forms import Row, to_csv, to_latex, to_markdown
+from .titles import titles_of
 
 
 def shown(metrics: pd.DataFrame, number: int) -> pd.DataFrame:

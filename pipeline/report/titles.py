@@ -1,6 +1,6 @@
 """What the models are called in the reports, and in which order they stand."""
 
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
 
 
 def titles_of(pairs: list[str]) -> dict[str, str]:

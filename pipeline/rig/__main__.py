@@ -7,12 +7,12 @@ import sys
 from pathlib import Path
 from types import FrameType
 
-from pipeline.ground.errors import program
-from pipeline.rig.device import Device
-from pipeline.rig.line import line, serve
-from pipeline.rig.options import command, free_name
-from pipeline.rig.setup import names, read_setup
-from pipeline.rig.simulate import simulate
+from ..ground.errors import program
+from .device import Device
+from .line import line, serve
+from .options import command, free_name
+from .setup import names, read_setup
+from .simulate import simulate
 
 MOST_STROKES = 1000
 FORECAST = 12  # strokes that a forecast of the life needs at least; a test holds it to that program's own number

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from pipeline.rig.simulate import Simulated
-from pipeline.wire import Decoder, Event, Frame, Kind, Reason, encode
-from pipeline.wire.frames import END, EVENT
+from ..wire import Decoder, Event, Frame, Kind, Reason, encode
+from ..wire.frames import END, EVENT
+from .simulate import Simulated
 
 AT_ONCE = 128  # samples in one go: a STOP is heard between them
 

@@ -7,7 +7,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numba import njit
 
-from pipeline.ground.kinematics import Array, Geometry
+from ..ground.kinematics import Array, Geometry
 
 ActsOn = Literal["twist", "radius", "length", "contraction", "reading"]
 compiled = njit(cache=True)  # for loops over the steps; compiled once a machine

@@ -7,10 +7,10 @@ from typing import Any
 import pandas as pd
 import yaml
 
-from pipeline.ground import schemas
-from pipeline.ground.files import write_text
-from pipeline.ground.folders import whole_folder
-from pipeline.run.description import parse_run
+from ..ground import schemas
+from ..ground.files import write_text
+from ..ground.folders import whole_folder
+from ..run.description import parse_run
 
 
 def whole_recordings(folder: Path) -> AbstractContextManager[Path]:

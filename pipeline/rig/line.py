@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.rig.device import Device
+from ..ground.errors import BadInput
+from .device import Device
 
 try:
     import pty

@@ -4,7 +4,7 @@ import os
 from itertools import count
 from pathlib import Path
 
-from pipeline.rig.setup import SetUp
+from .setup import SetUp
 
 MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
 STRING = ("radius_mm", "length_mm", "stiffness_n_per_mm")

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import yaml
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.rig.setup import SetUp, described, names, read_setup
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from .setup import SetUp, described, names, read_setup
 
 PATIENCE_S = 30.0  # for the rig to be there, and to be gone
 

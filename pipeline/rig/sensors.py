@@ -5,9 +5,9 @@ from typing import Annotated
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.ground.kinematics import Array
-from pipeline.ground.schemas import unit_of
-from pipeline.wire.hello import INTEGERS, Channel
+from ..ground.kinematics import Array
+from ..ground.schemas import unit_of
+from ..wire.hello import INTEGERS, Channel
 
 
 class Sensor(BaseModel):

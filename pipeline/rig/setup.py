@@ -6,12 +6,12 @@ from typing import Annotated, Any
 import yaml
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Geometry
-from pipeline.rig import effects
-from pipeline.rig.motion import Motion
-from pipeline.rig.sensors import Sensor
-from pipeline.run.description import Run, parse_run
+from ..ground.errors import BadInput
+from ..ground.kinematics import Geometry
+from ..run.description import Run, parse_run
+from . import effects
+from .motion import Motion
+from .sensors import Sensor
 
 SHIPPED = Path(__file__).parent / "setups"
 CHANNELS = ("motor_turns", "displacement_mm", "load_n")

@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig import effects, sensors
-from pipeline.rig.motion import commands
-from pipeline.rig.setup import SetUp, described, dimensions
-from pipeline.rig.string import String
-from pipeline.wire import Event, Hello
+from ..ground.kinematics import Array
+from ..wire import Event, Hello
+from . import effects, sensors
+from .motion import commands
+from .setup import SetUp, described, dimensions
+from .string import String
 
 DEVICE = "twistbench synthetic rig"
 FIRMWARE = "1"

@@ -4,8 +4,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from pipeline.ground.kinematics import RAD_PER_TURN, Array, Geometry, loaded_radius, separator_contraction
-from pipeline.rig.effect import ActsOn, Effect, Lived
+from ..ground.kinematics import RAD_PER_TURN, Array, Geometry, loaded_radius, separator_contraction
+from .effect import ActsOn, Effect, Lived
 
 ROOM_C = 22.0
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline import wire
-from pipeline.ground.errors import BadInput
-from pipeline.run.folder import capture_info
+from .. import wire
+from ..ground.errors import BadInput
+from .folder import capture_info
 
 
 def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:

@@ -14,14 +14,14 @@ from pydantic import (
 )
 from typing_extensions import TypedDict
 
-from pipeline.ground import names
-from pipeline.ground.complaint import bad_section, key_name, meant, short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import usual_stiffness
-from pipeline.ground.names import MATERIAL_NAME, RUN_NAME
-from pipeline.ground.strict_yaml import Unclear, plain_value
-from pipeline.ground.text_file import TextFile
-from pipeline.systems import System, systems
+from ..ground import names
+from ..ground.complaint import bad_section, key_name, meant, short
+from ..ground.errors import BadInput
+from ..ground.kinematics import usual_stiffness
+from ..ground.names import MATERIAL_NAME, RUN_NAME
+from ..ground.strict_yaml import Unclear, plain_value
+from ..ground.text_file import TextFile
+from ..systems import System, systems
 
 __all__ = ["MATERIAL_NAME", "RUN_NAME", "STRING_ACTUATORS", "Channel", "Run", "String", "TextFile", "parse_run"]
 STRING_ACTUATORS = ("separator", "twisted_pair")

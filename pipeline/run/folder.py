@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
-from pipeline.ground.regular_file import read_regular
-from pipeline.ground.strict_yaml import read_yaml
-from pipeline.run.description import Run, parse_run
+from ..ground.errors import BadInput
+from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
+from ..ground.regular_file import read_regular
+from ..ground.strict_yaml import read_yaml
+from .description import Run, parse_run
 
 CAPTURED = ("recording.frames", "recording.lines")  # what the capture program writes while it runs
 MOST_SAMPLES = 2**53  # in a recording: more than any that there is

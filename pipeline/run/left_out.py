@@ -7,9 +7,9 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import read_regular
+from ..ground import schemas
+from ..ground.errors import BadInput
+from ..ground.regular_file import read_regular
 
 LARGEST = 100_000_000  # bytes of a file of runs that were left out
 

@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.strict_yaml import read_yaml
-from pipeline.run.folder import read_run
+from ..ground.errors import BadInput
+from ..ground.strict_yaml import read_yaml
+from .folder import read_run
 
 OF_ONE_RUN = ("run", "mended", "tare")  # what a run.yaml says of its own recording alone
 SECTIONS = ("string", "rig")

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import BadInput
+from ..ground.errors import BadInput
 
 LOSSES_LISTED = 1000  # capture.json lists no more: what comes after the last one may be touched too
 MOVING = ("winding", "unwinding")

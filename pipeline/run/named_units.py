@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
-from pipeline.ground.schemas import unit_of
-from pipeline.ground.units import UNITS, conversion
+from ..ground.schemas import unit_of
+from ..ground.units import UNITS, conversion
 
 TIMES = {"time_ms": "ms", "t_ms": "ms", "time_us": "us", "t_us": "us", "millis": "ms", "micros": "us"}
 

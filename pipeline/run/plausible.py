@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array, Geometry
-from pipeline.ground.units import conversion
-from pipeline.run.description import Channel, Run
-from pipeline.run.plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array, Geometry
+from ..ground.units import conversion
+from .description import Channel, Run
+from .plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
 SPAN_RATIO = 4.0

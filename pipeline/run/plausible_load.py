@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Geometry
-from pipeline.run.description import Run
+from ..ground.errors import BadInput
+from ..ground.kinematics import Geometry
+from .description import Run
 
 STRONGEST_MPA = 3000.0  # no fibre bears more
 MOST_STRETCH = 1 / 3  # of the length: no string stretches by more,

@@ -7,16 +7,16 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.formats.stored import read_table
-from pipeline.formats.text_layout import DECIMAL_COMMA, with_point
-from pipeline.ground.complaint import key_name, short
-from pipeline.ground.errors import BadInput
-from pipeline.ground.text_file import TextFile
-from pipeline.ground.units import conversion
-from pipeline.run.captured import check_lines, read_frames
-from pipeline.run.description import STRING_ACTUATORS, Channel, Run
-from pipeline.run.folder import recording_path
-from pipeline.run.named_units import in_its_unit
+from ..formats.stored import read_table
+from ..formats.text_layout import DECIMAL_COMMA, with_point
+from ..ground.complaint import key_name, short
+from ..ground.errors import BadInput
+from ..ground.text_file import TextFile
+from ..ground.units import conversion
+from .captured import check_lines, read_frames
+from .description import STRING_ACTUATORS, Channel, Run
+from .folder import recording_path
+from .named_units import in_its_unit
 
 
 def _place(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool, described: Path) -> int:

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Geometry
-from pipeline.run.description import STRING_ACTUATORS, Run
-from pipeline.run.folder import checked_info, read_run, recording_path
-from pipeline.run.plausible import check_string, doubts
-from pipeline.run.recording import read_recording
-from pipeline.run.strokes import segment
-from pipeline.run.wild_samples import without_wild
+from ..ground.errors import BadInput
+from ..ground.kinematics import Geometry
+from .description import STRING_ACTUATORS, Run
+from .folder import checked_info, read_run, recording_path
+from .plausible import check_string, doubts
+from .recording import read_recording
+from .strokes import segment
+from .wild_samples import without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill

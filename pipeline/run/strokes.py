@@ -12,9 +12,9 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput
-from pipeline.ground.kinematics import Array
+from ..ground import schemas
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
 
 STROKE_REVERSAL = 0.25  # of the range: what parts a winding from an unwinding
 PHASE_REVERSAL = 0.02  # of the range: what counts as moving the other way within a stroke

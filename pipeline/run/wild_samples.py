@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 from scipy.ndimage import median_filter
 
-from pipeline.ground.errors import BadInput
-from pipeline.run.description import Run
+from ..ground.errors import BadInput
+from .description import Run
 
 BESIDE = 5  # neighbours on either side, by whose median a sample is judged
 RANGES = 3.0  # of the channel's whole range: a sample further from its neighbours was never measured

@@ -12,17 +12,17 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.kinematics import TOLERANCE
-from pipeline.ground.outputs import file_to_write
-from pipeline.run.folder import checked_info
-from pipeline.run.left_out import LeftOut, to_json
-from pipeline.run.lossy import MOVING, all_lossy, moving_strokes, touched
-from pipeline.string import jump_notes
-from pipeline.string.history import Recorded, by_string, read_usable
-from pipeline.string.zero import jumps, offsets_mm
+from ..ground import schemas
+from ..ground.errors import BadInput, program
+from ..ground.files import write_text
+from ..ground.kinematics import TOLERANCE
+from ..ground.outputs import file_to_write
+from ..run.folder import checked_info
+from ..run.left_out import LeftOut, to_json
+from ..run.lossy import MOVING, all_lossy, moving_strokes, touched
+from ..string import jump_notes
+from ..string.history import Recorded, by_string, read_usable
+from ..string.zero import jumps, offsets_mm
 
 TRAINING_POINTS = 5000  # as in the paper
 HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes

@@ -4,12 +4,12 @@ import argparse
 import sys
 from pathlib import Path
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.outputs import file_to_write
-from pipeline.run.folder import recording_path
-from pipeline.run.left_out import noted
-from pipeline.run.samples import questions, read_samples
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.outputs import file_to_write
+from ..run.folder import recording_path
+from ..run.left_out import noted
+from ..run.samples import questions, read_samples
 
 
 @program

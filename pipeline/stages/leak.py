@@ -12,14 +12,14 @@ import numpy as np
 import pandas as pd
 import torch
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.kinematics import Array
-from pipeline.ground.outputs import file_to_write
-from pipeline.models.inn import Inn
-from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
-from pipeline.models.parts.training import repeatable, tensor
-from pipeline.stages.train import divided
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.kinematics import Array
+from ..ground.outputs import file_to_write
+from ..models.inn import Inn
+from ..models.parts.features import contraction_and_conditions, twist_and_conditions
+from ..models.parts.training import repeatable, tensor
+from .train import divided
 
 SPLIT = "within"
 CONDITIONS = ("b", "l", "r", "n")  # the outputs behind the displacement, in their order

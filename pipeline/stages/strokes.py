@@ -3,11 +3,11 @@
 import argparse
 from pathlib import Path
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.outputs import file_to_write
-from pipeline.run.left_out import noted
-from pipeline.run.strokes import segment
+from ..ground import schemas
+from ..ground.errors import program
+from ..ground.outputs import file_to_write
+from ..run.left_out import noted
+from ..run.strokes import segment
 
 
 @program

@@ -12,13 +12,13 @@ import numpy as np
 import pandas as pd
 from pydantic import ValidationError
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.outputs import file_to_write
-from pipeline.ground.tables import opened
-from pipeline.models.interface import Model, make_model, names, settings_of
-from pipeline.models.parts.saved import write_bytes
-from pipeline.models.parts.settings import Refused, refusal, shown, told
+from ..ground import schemas
+from ..ground.errors import BadInput, program
+from ..ground.outputs import file_to_write
+from ..ground.tables import opened
+from ..models.interface import Model, make_model, names, settings_of
+from ..models.parts.saved import write_bytes
+from ..models.parts.settings import Refused, refusal, shown, told
 
 SPLITS = ("within", "later")
 

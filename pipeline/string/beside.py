@@ -4,13 +4,13 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground.errors import BadInput
-from pipeline.run.description import STRING_ACTUATORS, Run
-from pipeline.run.folder import capture_info, find_runs, read_run
-from pipeline.run.strokes import segment
-from pipeline.string.from_raw import read
-from pipeline.string.history import Recorded
-from pipeline.string.zero import Jump, jumps
+from ..ground.errors import BadInput
+from ..run.description import STRING_ACTUATORS, Run
+from ..run.folder import capture_info, find_runs, read_run
+from ..run.strokes import segment
+from .from_raw import read
+from .history import Recorded
+from .zero import Jump, jumps
 
 
 def jumps_into(folders: list[Path], runs: list[Run], tables: list[pd.DataFrame]) -> list[Jump]:

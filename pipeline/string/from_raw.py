@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from pipeline.run.folder import capture_info, recording_path
-from pipeline.run.samples import read_samples
-from pipeline.run.strokes import segment
-from pipeline.string.history import Recorded
+from ..run.folder import capture_info, recording_path
+from ..run.samples import read_samples
+from ..run.strokes import segment
+from .history import Recorded
 
 
 def read(folder: Path) -> Recorded:

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.ground import schemas
-from pipeline.ground.errors import BadInput
-from pipeline.run.description import Run
-from pipeline.run.folder import capture_info, read_run
-from pipeline.run.left_out import LeftOut
-from pipeline.run.samples import geometry
+from ..ground import schemas
+from ..ground.errors import BadInput
+from ..run.description import Run
+from ..run.folder import capture_info, read_run
+from ..run.left_out import LeftOut
+from ..run.samples import geometry
 
 
 @dataclass(frozen=True)

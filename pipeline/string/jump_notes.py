@@ -5,8 +5,8 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.regular_file import read_regular
+from ..ground.errors import BadInput
+from ..ground.regular_file import read_regular
 
 NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note

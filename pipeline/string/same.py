@@ -5,9 +5,9 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput
-from pipeline.run.description import Run, String
-from pipeline.run.folder import find_runs, read_run
+from ..ground.errors import BadInput
+from ..run.description import Run, String
+from ..run.folder import find_runs, read_run
 
 SIZE = ("material", "radius_mm", "length_mm")
 

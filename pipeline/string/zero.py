@@ -11,9 +11,9 @@ from itertools import pairwise
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.run.samples import geometry
-from pipeline.string.history import Recorded, in_order, tare_mm
+from ..ground.kinematics import Array
+from ..run.samples import geometry
+from .history import Recorded, in_order, tare_mm
 
 FLOORS = 6.0  # noise floors that a jump is larger than
 STROKES = 3.0  # times the usual change of the rest from stroke to stroke, that it is larger than too

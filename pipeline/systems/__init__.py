@@ -4,7 +4,7 @@ import importlib
 import pkgutil
 from functools import cache
 
-from pipeline.systems.interface import Parameter, System
+from .interface import Parameter, System
 
 __all__ = ["Parameter", "System", "systems"]
 

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
+from ..ground.kinematics import Array
+from .interface import Described, Inputs, Parameter, System, sigma_of
 
 
 class CableDrive(System):

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from pipeline.ground.kinematics import Array
-from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
+from ..ground.kinematics import Array
+from .interface import Described, Inputs, Parameter, System, sigma_of
 
 DEGREE = 5  # of the spline that is differentiated: a few samples make a period, which plain differences flatten
 

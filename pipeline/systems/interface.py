@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
+from ..ground.kinematics import Array
 
 LISTENED = ("temperature_c", "motor_current_a")  # channels that any rig may have
 PORTS = ("twist", "radius", "length", "resistance", "sensor")

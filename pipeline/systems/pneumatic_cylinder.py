@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
+from ..ground.kinematics import Array
+from .interface import Described, Inputs, Parameter, System, sigma_of
 
 N_PER_MM2_BAR, M_PER_MM = 0.1, 1e-3
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, UNKNOWN_STIFFNESS, Array, loaded_radius, usual_stiffness
-from pipeline.systems.interface import Described, Inputs, Parameter, System, sigma_of
+from ..ground.kinematics import RAD_PER_TURN, TOLERANCE, UNKNOWN_STIFFNESS, Array, loaded_radius, usual_stiffness
+from .interface import Described, Inputs, Parameter, System, sigma_of
 
 LOAD_UNIT_N = 10.0
 SEPARATOR = {"torsion_zone_mm": "the length in mm", "separator_mm": "the length in mm"}

@@ -1,10 +1,10 @@
 """Frames to bytes and back; no I/O, no clock, and nothing of ours is imported (docs/protocol.md)."""
 
-from pipeline.wire.account import Account, End, Gap
-from pipeline.wire.check import PROTOCOL
-from pipeline.wire.frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
-from pipeline.wire.hello import Channel, Hello
-from pipeline.wire.recording import Recording, read_account, read_recording
+from .account import Account, End, Gap
+from .check import PROTOCOL
+from .frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
+from .hello import Channel, Hello
+from .recording import Recording, read_account, read_recording
 
 __all__ = [
     "PROTOCOL",

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from pipeline.wire.stamps import no_clock
+from .stamps import no_clock
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.wire.check import CRC, PROTOCOL
-from pipeline.wire.counters import Whole
-from pipeline.wire.frames import HEAD, MAX_STUFFED, Kind, decode
-from pipeline.wire.hello import Hello
+from .check import CRC, PROTOCOL
+from .counters import Whole
+from .frames import HEAD, MAX_STUFFED, Kind, decode
+from .hello import Hello
 
 Bytes = NDArray[np.uint8]
 

@@ -3,7 +3,7 @@
 import struct
 from dataclasses import dataclass
 
-from pipeline.wire.frames import END, EVENT, Kind
+from .frames import END, EVENT, Kind
 
 LATE = 1000  # so many frames may be lost in one place, or come late, without anything else that speaks for it
 STAMP = struct.Struct("<I")

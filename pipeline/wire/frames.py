@@ -4,9 +4,9 @@ import struct
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-from pipeline.wire.check import CRC, MAX_PAYLOAD, PROTOCOL, VERSIONS, checksum
-from pipeline.wire.cobs import stuff, unstuff
-from pipeline.wire.hello import Hello
+from .check import CRC, MAX_PAYLOAD, PROTOCOL, VERSIONS, checksum
+from .cobs import stuff, unstuff
+from .hello import Hello
 
 HEAD = struct.Struct("<BI")
 MAX_STUFFED = (HEAD.size + MAX_PAYLOAD + CRC[2].size) * 255 // 254 + 1  # what a frame can be without its zero byte

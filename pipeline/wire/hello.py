@@ -6,7 +6,7 @@ import re
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from pipeline.wire.check import CRC, MAX_PAYLOAD, PROTOCOL
+from .check import CRC, MAX_PAYLOAD, PROTOCOL
 
 MAX_CHANNELS = 16
 RATES_HZ = (1.0, 100_000.0)

@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.wire.account import Account, End
-from pipeline.wire.batch import Batch, read_batch, samples_of
-from pipeline.wire.belief import LATE, Numbers
-from pipeline.wire.counters import Whole, from_one, steps_of
-from pipeline.wire.frames import END, EVENT, MAX_STUFFED, Kind, decode, greeting
-from pipeline.wire.hello import Hello
-from pipeline.wire.timeline import FIRST, Timeline
+from .account import Account, End
+from .batch import Batch, read_batch, samples_of
+from .belief import LATE, Numbers
+from .counters import Whole, from_one, steps_of
+from .frames import END, EVENT, MAX_STUFFED, Kind, decode, greeting
+from .hello import Hello
+from .timeline import FIRST, Timeline
 
 NONE: Whole = np.zeros(0, np.int64)
 

@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pipeline.wire.account import Account, Event
-from pipeline.wire.counters import Whole
-from pipeline.wire.hello import Hello
-from pipeline.wire.ledger import Ledger
-from pipeline.wire.stamps import Array, mend, unwrap_us
+from .account import Account, Event
+from .counters import Whole
+from .hello import Hello
+from .ledger import Ledger
+from .stamps import Array, mend, unwrap_us
 
 PIECE = 1 << 20  # bytes that are decoded at once
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.wire.counters import Whole, steps_of
+from .counters import Whole, steps_of
 
 Array = NDArray[np.float64]
 

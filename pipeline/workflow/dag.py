@@ -6,14 +6,14 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import BadInput
-from pipeline.ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
-from pipeline.ground.regular_file import read_regular
-from pipeline.ground.strict_yaml import LARGEST, read_yaml
-from pipeline.run.description import STRING_ACTUATORS
-from pipeline.run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
-from pipeline.run.left_out import LeftOut
-from pipeline.string import jump_notes
+from ..ground.errors import BadInput
+from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
+from ..ground.regular_file import read_regular
+from ..ground.strict_yaml import LARGEST, read_yaml
+from ..run.description import STRING_ACTUATORS
+from ..run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
+from ..run.left_out import LeftOut
+from ..string import jump_notes
 
 # The material in a run.yaml that cannot be read as a whole, such as one with a NaN: on a line that is no comment.
 NAMED = re.compile(r"""^[^#\n]*\bmaterial: *(["']?)([A-Za-z0-9][A-Za-z0-9_-]*)\1 *([,}\n#]|$)""", re.MULTILINE)

@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.run.left_out import LeftOut, from_json, to_json
+from ..ground.errors import BadInput, program
+from ..run.left_out import LeftOut, from_json, to_json
 
 SHOWN = 5  # names of new recordings
 
@@ -29,7 +29,7 @@ def answers(folders: list[Path]) -> dict[str, list[LeftOut]]:
     project = str(Path(__file__).resolve().parents[2])
     environment = {**os.environ, "PYTHONPATH": project, "TWISTBENCH_PARENT": str(os.getpid())}
     while waiting:
-        command = [sys.executable, "-m", "pipeline.workflow.usable", *map(str, waiting)]
+        command = [sys.executable, "-m", f"{__package__}.usable", *map(str, waiting)]
         lines = subprocess.run(command, capture_output=True, text=True, env=environment).stdout.splitlines()
         for folder, line in zip(waiting, lines, strict=False):
             with contextlib.suppress(BadInput):
@@ -65,7 +65,7 @@ def main() -> None:
     """Print, a line of JSON a run, why ingest would refuse it: an empty list for one that it takes."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
-    from pipeline.run.samples import read_samples
+    from ..run.samples import read_samples
 
     for folder in parser.parse_args().run_dir:
         told: list[LeftOut] = []

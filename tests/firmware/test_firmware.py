@@ -78,7 +78,7 @@ def test_on_the_simulated_uno_it_is_recorded_without_a_loss_and_cut_into_strokes
     (folder / "run.yaml").write_text(yaml.safe_dump({"run": "uno-1", "actuator": "twisted_pair", "string": string}))
     samples, strokes = processed / "samples.parquet", processed / "strokes.parquet"
     for stage, read, made in (("ingest", folder, samples), ("strokes", samples, strokes)):
-        program = start(f"pipeline.{stage}", read, "--out", made)
+        program = start(f"pipeline.stages.{stage}", read, "--out", made)
         said, _ = program.communicate(timeout=120)
         assert program.returncode == 0, said
     found = schemas.read(strokes, schemas.STROKES)

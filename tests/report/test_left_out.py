@@ -108,19 +108,19 @@ def test_a_material_goes_on_without_a_run_of_no_use(make_run, tmp_path):
         command = [sys.executable, "-m", f"pipeline.{name}", *map(str, words)]
         return subprocess.run(command, capture_output=True, text=True, cwd=root)
 
-    assert program("ingest", folders[1], "--out", processed / "a-02/samples.parquet").returncode == 2
+    assert program("stages.ingest", folders[1], "--out", processed / "a-02/samples.parquet").returncode == 2
     assert not processed.exists()
     for folder in folders:
         samples = processed / folder.name / "samples.parquet"
-        assert program("ingest", folder, "--out", samples, "--note-refusals").returncode == 0
-        assert program("strokes", samples, "--out", samples.with_name("strokes.parquet")).returncode == 0
+        assert program("stages.ingest", folder, "--out", samples, "--note-refusals").returncode == 0
+        assert program("stages.strokes", samples, "--out", samples.with_name("strokes.parquet")).returncode == 0
     out = ["--processed", processed, "--out", processed / "d.parquet", "--out-left-out", processed / "left.json"]
-    done = program("dataset", *folders, *out)
+    done = program("stages.dataset", *folders, *out)
     assert done.returncode == 0, done.stderr
     assert set(schemas.read(processed / "d.parquet", schemas.DATASET)["run"]) == {"a-01"}
     (one,) = from_json((processed / "left.json").read_text())
     assert one.run == "a-02" and one.field == "displacement_mm" and "a-02: left out" not in done.stdout
-    done = program("dataset", folders[1], *out)
+    done = program("stages.dataset", folders[1], *out)
     assert done.returncode == 2 and "never changes" in done.stderr
 
 

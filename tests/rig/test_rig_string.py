@@ -1,10 +1,10 @@
 """The string: every effect can be switched off, does what its name says, and remembers."""
 
-import ast
 from pathlib import Path
 
 import numpy as np
 import pytest
+from imported import imported
 
 import pipeline.rig
 from pipeline.ground.kinematics import Geometry
@@ -99,10 +99,7 @@ def test_a_finer_step_changes_little():
 
 def test_the_rig_knows_neither_diagnosis_nor_models():
     for path in Path(pipeline.rig.__file__).parent.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
-            modules = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-            modules += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
-            assert not [m for m in modules if m.startswith(("pipeline.diagnosis", "pipeline.models"))], path
+        assert not [name for name in imported(path) if name.startswith(("pipeline.diagnosis", "pipeline.models"))], path
 
 
 def test_the_paper_rig_is_measured_right():

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import play
-from pipeline.diagnosis.shapes import grid
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import play
+from ..shapes import grid
 
 INSIDE = {"share": 1.0, "inner_share": 0.5}  # of the half-width: contacts that yield close a part of it earlier
 

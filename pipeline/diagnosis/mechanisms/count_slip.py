@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import jump_mark, slipped, slips, slips_seen
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import jump_mark, slipped, slips, slips_seen
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

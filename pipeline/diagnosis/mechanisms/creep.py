@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import lowpass
-from pipeline.diagnosis.shapes import time_constants, within
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import lowpass
+from ..shapes import time_constants, within
 
 TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)
 

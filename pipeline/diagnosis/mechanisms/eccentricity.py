@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
 
 WAVES = {"sine": np.sin, "cosine": np.cos}
 HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import hinge
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import hinge
 
 UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins

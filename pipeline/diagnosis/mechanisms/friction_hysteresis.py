@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import play
-from pipeline.diagnosis.shapes import grid
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import play
+from ..shapes import grid
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import hinge
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import hinge
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

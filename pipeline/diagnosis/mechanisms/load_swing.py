@@ -3,10 +3,10 @@
 import numpy as np
 from scipy.ndimage import median_filter
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import resonator
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import resonator
 
 STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3  # of the spectrum that tells where a residual rings
 NEAR = (0.98, 1.0, 1.02)  # of a line's frequency

@@ -3,11 +3,11 @@
 import numpy as np
 from numba import njit
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import lowpass, play
-from pipeline.diagnosis.shapes import hinge
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import lowpass, play
+from ..shapes import hinge
 
 LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of the coil's loop
 BORN = (0.15, 0.5, 0.85)  # of the way from the critical to the highest twist: where more coils are born

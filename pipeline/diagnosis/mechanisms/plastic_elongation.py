@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import saturations
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import saturations
 
 SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
 

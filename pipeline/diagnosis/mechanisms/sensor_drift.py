@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import half_waves
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import lowpass
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import lowpass
 
 TIMES_S = (0.03, 0.1, 0.3, 1.0)
 DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

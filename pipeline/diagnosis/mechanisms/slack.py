@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import hinge
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import hinge
 
 SHARES = (0.015, 0.03, 0.05, 0.075, 0.1, 0.14, 0.18, 0.24, 0.3, 0.38, 0.46)
 

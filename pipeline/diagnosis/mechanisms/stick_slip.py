@@ -3,11 +3,11 @@
 import numpy as np
 from scipy.ndimage import median_filter
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.noise import resolution
-from pipeline.diagnosis.recursions import sticking
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..noise import resolution
+from ..recursions import sticking
 
 AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate

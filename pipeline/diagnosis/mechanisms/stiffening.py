@@ -1,8 +1,8 @@
 """The string gets stiffer with work, so that it stretches less under the same load [A6]."""
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import saturations
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import saturations
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import lowpass
-from pipeline.diagnosis.shapes import time_constants, within
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import lowpass
+from ..shapes import time_constants, within
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)
 LEAST_RANGE_K = 0.3

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.recursions import lowpass
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..recursions import lowpass
 
 RELAXING_S = (0.08, 0.2, 0.5)  # a loss with a memory of its own, as a Kelvin-Voigt element in series with a spring
 

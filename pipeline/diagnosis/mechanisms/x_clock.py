@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import half_waves
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most
 MOST_S = 2.0  # of delay that comes or goes

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
 
 BOTH_SIDES = 0.2  # of the range of motion, that must lie on either side of the spring's rest
 

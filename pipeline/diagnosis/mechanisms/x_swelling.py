@@ -1,8 +1,8 @@
 """The radius changes with time, at work and at rest alike: the string takes up moisture, or dries."""
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.shapes import growths
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
+from ..shapes import growths
 
 
 def shapes(drivers: Drivers) -> list[Shape]:

@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.ndimage import median_filter
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..drivers import Drivers
+from ..interface import Mechanism, Shape, Term
 
 LEAST_PERIODS = 3
 AROUND = 61  # bins of the spectrum that make the background of a line

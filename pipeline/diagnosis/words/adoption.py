@@ -4,11 +4,11 @@ import shlex
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import sight, unseen, worth
-from pipeline.diagnosis.words.dimensions import far_moved
-from pipeline.diagnosis.words.quantity import listing
-from pipeline.diagnosis.words.rivals import called
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import sight, unseen, worth
+from .dimensions import far_moved
+from .quantity import listing
+from .rivals import called
+from .vocabulary import Vocabulary
 
 NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = "python -m pipeline.adopt"

@@ -4,12 +4,12 @@ import shlex
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import commands, sight, still, unseen, worth
-from pipeline.diagnosis.words.adoption import predictions
-from pipeline.diagnosis.words.dimensions import GAIN, far_moved, name_of, tolerance_keys
-from pipeline.diagnosis.words.headline import moved_in_vain
-from pipeline.diagnosis.words.quantity import listing
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import commands, sight, still, unseen, worth
+from .adoption import predictions
+from .dimensions import GAIN, far_moved, name_of, tolerance_keys
+from .headline import moved_in_vain
+from .quantity import listing
+from .vocabulary import Vocabulary
 
 HEADING = "What to do next"
 

@@ -3,14 +3,14 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.interface import physics
-from pipeline.diagnosis.search import EXPLAINED
-from pipeline.diagnosis.words import probability
-from pipeline.diagnosis.words.places import EVERYWHERE, place
-from pipeline.diagnosis.words.quantity import listing, size, times
-from pipeline.diagnosis.words.reasons import why
-from pipeline.diagnosis.words.rivals import ALIKE, ALLOWED, called, entries, left, told
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from ..interface import physics
+from ..search import EXPLAINED
+from . import probability
+from .places import EVERYWHERE, place
+from .quantity import listing, size, times
+from .reasons import why
+from .rivals import ALIKE, ALLOWED, called, entries, left, told
+from .vocabulary import Vocabulary
 
 CLOSEST = 4  # explanations that are shown where none does
 SHOWN = 8  # of those that were beaten

@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words import probability
-from pipeline.diagnosis.words.quantity import listing, percent
+from ..library import mechanisms
+from . import probability
+from .quantity import listing, percent
 
 SURE, PROBABLE = 0.8, 0.5
 # drivers that go on over a whole recording

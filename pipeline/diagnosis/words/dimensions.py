@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from pipeline.diagnosis.bounds import BOUND, at_bound
-from pipeline.diagnosis.words.headline import LITTLE
-from pipeline.diagnosis.words.quantity import listing, number, quantity, said_unit, size, times
-from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.ground.schemas import unit_of
+from ...ground.schemas import unit_of
+from ..bounds import BOUND, at_bound
+from .headline import LITTLE
+from .quantity import listing, number, quantity, said_unit, size, times
+from .vocabulary import Vocabulary
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was

@@ -4,11 +4,11 @@ import re
 from string import Formatter
 from typing import Any
 
-from pipeline.diagnosis.interface import Mechanism
-from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.words.certainty import SURE
-from pipeline.diagnosis.words.quantity import duration, listing, quantity, size
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from ..interface import Mechanism
+from ..naming import Units
+from .certainty import SURE
+from .quantity import duration, listing, quantity, size
+from .vocabulary import Vocabulary
 
 HALF = "half_loop_mm"  # what the strengths add up to that follow neither load nor twist
 MOST_OF = 0.2  # of all strengths: time constants with less are not worth a word

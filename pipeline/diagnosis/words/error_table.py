@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import rivals, sight, unseen
-from pipeline.diagnosis.words.quantity import duration, size, times
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import rivals, sight, unseen
+from .quantity import duration, size, times
+from .vocabulary import Vocabulary
 
 HEADING = "Error, rms"
 UNKNOWN, GAP = "–", 3  # what an older file does not hold; spaces between columns

@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import worth
-from pipeline.diagnosis.words.quantity import number
-from pipeline.diagnosis.words.technician import Part, lasting, parts
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import worth
+from .quantity import number
+from .technician import Part, lasting, parts
+from .vocabulary import Vocabulary
 
 
 def title(run: dict[str, Any], words: Vocabulary) -> str:

@@ -3,9 +3,9 @@
 import re
 from typing import Any
 
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.ground.glossary import MEANING
+from ...ground.glossary import MEANING
+from ..library import mechanisms
+from .vocabulary import Vocabulary
 
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
 

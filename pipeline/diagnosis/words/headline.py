@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from pipeline.diagnosis.bounds import at_bound
-from pipeline.diagnosis.words import rivals, sight, unseen
-from pipeline.diagnosis.words.quantity import listing, percent, size, times
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from ..bounds import at_bound
+from . import rivals, sight, unseen
+from .quantity import listing, percent, size, times
+from .vocabulary import Vocabulary
 
 LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
 UNNAMED = ("consistent", "parameters")

@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import sight
-from pipeline.diagnosis.words.places import EVERYWHERE, place
-from pipeline.diagnosis.words.quantity import size
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import sight
+from .places import EVERYWHERE, place
+from .quantity import size
+from .vocabulary import Vocabulary
 
 BETTER = 2.0 / 3.0  # times the error of the verdict's simulator: a regression below finds what the physics misses
 NO_BETTER = 0.95  # times the other error: who errs by more improves nothing

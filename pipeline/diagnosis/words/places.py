@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import span
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from .quantity import span
+from .vocabulary import Vocabulary
 
 EVERYWHERE = "over the whole range"
 NEARLY_ALL = 0.75  # of the range of motion, and of the strokes

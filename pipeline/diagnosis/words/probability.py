@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from pipeline.diagnosis.judged import HELD, UNKNOWN
-from pipeline.diagnosis.words.quantity import percent
+from ..judged import HELD, UNKNOWN
+from .quantity import percent
 
 HELD_STANDINGS = ("named", "tied")
 SEEN = 0.005  # a probability that is worth a word

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import number, times
+from .quantity import number, times
 
 # of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger
 SAID = {

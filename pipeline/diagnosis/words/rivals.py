@@ -3,10 +3,10 @@
 from collections import Counter
 from typing import Any
 
-from pipeline.diagnosis.words import probability
-from pipeline.diagnosis.words.quantity import listing, size, times
-from pipeline.diagnosis.words.reasons import why
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import probability
+from .quantity import listing, size, times
+from .reasons import why
+from .vocabulary import Vocabulary
 
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
 MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides in part, and for the most part

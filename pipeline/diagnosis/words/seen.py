@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from pipeline.diagnosis.words import unseen
-from pipeline.diagnosis.words.headline import UNNAMED
-from pipeline.diagnosis.words.places import EVERYWHERE, place
-from pipeline.diagnosis.words.quantity import listing, size, times
-from pipeline.diagnosis.words.rivals import called, left
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import unseen
+from .headline import UNNAMED
+from .places import EVERYWHERE, place
+from .quantity import listing, size, times
+from .rivals import called, left
+from .vocabulary import Vocabulary
 
 LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
 

@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.words import effects, experiment
-from pipeline.diagnosis.words.quantity import listing
-from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.systems import System
+from ...systems import System
+from ..library import mechanisms
+from ..naming import Units
+from . import effects, experiment
+from .quantity import listing
+from .vocabulary import Vocabulary
 
 
 def spoken(content: dict[str, Any], system: System) -> dict[str, Any]:

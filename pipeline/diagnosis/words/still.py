@@ -5,10 +5,10 @@ import shlex
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.adopt import NO_USE
-from pipeline.diagnosis.words import commands
-from pipeline.diagnosis.words.headline import UNNAMED
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from ..adopt import NO_USE
+from . import commands
+from .headline import UNNAMED
+from .vocabulary import Vocabulary
 
 STILL = "Others were likely as well as what was adopted. The run that decides is still that of the adopted verdict:"
 HARDLY = (

@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pipeline.diagnosis.words.quantity import at, duration, listing, number, quantity
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from .quantity import at, duration, listing, number, quantity
+from .vocabulary import Vocabulary
 
 LEAST_TOLD_S = 1.0  # shorter pauses go without words
 SAME_LOAD, SAME_SPEED = 0.08, 0.05  # shares: smaller changes are none

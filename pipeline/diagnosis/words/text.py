@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from pipeline.diagnosis.words import (
+from ...systems import System
+from . import (
     adoption,
     advice,
     beaten,
@@ -23,14 +24,13 @@ from pipeline.diagnosis.words import (
     unseen,
     worth,
 )
-from pipeline.diagnosis.words.dimensions import corrected, each_moved, remeasured, suspicious
-from pipeline.diagnosis.words.headline import headline, moved_in_vain, no_run
-from pipeline.diagnosis.words.places import EVERYWHERE, place
-from pipeline.diagnosis.words.quantity import duration, listing, percent, size, times
-from pipeline.diagnosis.words.sections import section
-from pipeline.diagnosis.words.spoken import whole
-from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.systems import System
+from .dimensions import corrected, each_moved, remeasured, suspicious
+from .headline import headline, moved_in_vain, no_run
+from .places import EVERYWHERE, place
+from .quantity import duration, listing, percent, size, times
+from .sections import section
+from .spoken import whole
+from .vocabulary import Vocabulary
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"

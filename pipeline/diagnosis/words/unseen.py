@@ -3,10 +3,10 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.words import level, sight
-from pipeline.diagnosis.words.level import NO_BETTER
-from pipeline.diagnosis.words.quantity import duration, size, times
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from . import level, sight
+from .level import NO_BETTER
+from .quantity import duration, size, times
+from .vocabulary import Vocabulary
 
 NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no more is missing on others
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing

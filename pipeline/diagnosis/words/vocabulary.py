@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from pipeline.ground.schemas import unit_of
-from pipeline.systems import System
+from ...ground.schemas import unit_of
+from ...systems import System
 
 ANGLES = ("deg", "rad", "turns")
 PHASES = ("winding", "hold", "unwinding", "rest", "all")

@@ -3,10 +3,10 @@
 import math
 from typing import Any
 
-from pipeline.diagnosis.adopt import NO_USE
-from pipeline.diagnosis.words import probability, rivals, unseen
-from pipeline.diagnosis.words.quantity import listing, number, times
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from ..adopt import NO_USE
+from . import probability, rivals, unseen
+from .quantity import listing, number, times
+from .vocabulary import Vocabulary
 
 PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
 LITTLE = 2.0  # times further apart, expected: less may not decide

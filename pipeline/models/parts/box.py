@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 COLUMNS = (
     "motor_turns", "displacement_mm", "stroke", "direction", "load_n", "separator_mm", "length_mm", "radius_mm",

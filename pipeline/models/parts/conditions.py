@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 MEASURED = ("separator_mm", "length_mm", "radius_mm", "torsion_zone_mm", "load_n", "stiffness_n_per_mm")
 VARIES = 0.02  # spread over mean above which a condition is one; below, it is a load cell's noise

@@ -5,14 +5,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import engine
-from pipeline.diagnosis.drivers import Drivers, drivers_of
-from pipeline.diagnosis.interface import Mechanism, Shape, Term
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.record import joined
-from pipeline.ground.kinematics import Array
-from pipeline.models.parts.motion import Motion
-from pipeline.run.description import Run
+from ...diagnosis import engine
+from ...diagnosis.drivers import Drivers, drivers_of
+from ...diagnosis.interface import Mechanism, Shape, Term
+from ...diagnosis.problem import Problem
+from ...diagnosis.record import joined
+from ...ground.kinematics import Array
+from ...run.description import Run
+from .motion import Motion
 
 SAMPLES = ["time_s", "motor_turns", "displacement_mm", "load_n"]
 FOLLOWED = ("rate", "moved", "path")  # what drivers find in neighbouring samples, and would find wrong at a hole

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.diagnosis import drivers
-from pipeline.diagnosis.problem import Act, State
-from pipeline.ground.kinematics import Array
-from pipeline.models.parts.diagnosed_problem import along
-from pipeline.models.parts.motion import Motion, path
-from pipeline.run.description import Run
+from ...diagnosis import drivers
+from ...diagnosis.problem import Act, State
+from ...ground.kinematics import Array
+from ...run.description import Run
+from .diagnosed_problem import along
+from .motion import Motion, path
 
 ROUNDS = 6  # of way and twist; each brings the twist several times nearer
 HALVINGS = 40  # of the range in which a twist is sought

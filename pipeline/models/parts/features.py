@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 CONDITIONS = ("separator_mm", "length_mm", "radius_mm", "stroke")
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.ground.progress import steps
+from ...ground.kinematics import Array
+from ...ground.progress import steps
 
 FAMILIES: dict[str, Callable[[Array, float], Array]] = {
     "logarithm": lambda stroke, before: np.log(before + stroke),

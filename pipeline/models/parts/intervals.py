@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.ground.progress import steps
-from pipeline.models.interface import Model
-from pipeline.models.parts.box import Box
+from ...ground.kinematics import Array
+from ...ground.progress import steps
+from ..interface import Model
+from .box import Box
 
 TWISTS = 6  # ranges of twist, equally populated, that have a scatter of their own
 FOLDS = 4  # into which seen strokes are cut to be foreseen from each other

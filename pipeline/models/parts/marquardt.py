@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from pipeline.ground.kinematics import Array
-from pipeline.ground.progress import steps as shown
+from ...ground.kinematics import Array
+from ...ground.progress import steps as shown
 
 Problem = Callable[[Array], tuple[Array, Array]]  # parameters → residuals (rows,), Jacobian (rows, parameters)
 FIRST_DAMPING, SOFTER, HARDER, HARDEST = 1e-3, 0.2, 8.0, 1e9

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.signal import savgol_filter
 from sklearn.isotonic import IsotonicRegression
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 MOST_IN_A_GAP = 100  # steps: in a long pause nothing moves, and hours of it need no more samples
 SMOOTH_S, SMOOTHED = 0.5, 25  # time, and points of it, in which a motor's speed changes evenly

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.formats.text import read_text
-from pipeline.ground.complaint import key_name, meant
-from pipeline.ground.errors import BadInput
-from pipeline.ground.text_file import TextFile
+from ...formats.text import read_text
+from ...ground.complaint import key_name, meant
+from ...ground.errors import BadInput
+from ...ground.text_file import TextFile
 
 IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the mend
     "file.delimiter": ("columns", "part the columns by commas"),

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 
 @dataclass(frozen=True)

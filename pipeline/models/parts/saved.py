@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from pipeline.ground import files, seal
-from pipeline.ground.errors import BadInput
+from ...ground import files, seal
+from ...ground.errors import BadInput
 
 
 def write_bytes(path: Path, content: bytes) -> None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 CONSTANT = 1e-9  # spread over size below which a column is the same number, give or take its rounding
 

@@ -11,8 +11,8 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from pipeline.ground.progress import steps
-from pipeline.models.parts.saved import read_bytes, write_bytes
+from ...ground.progress import steps
+from .saved import read_bytes, write_bytes
 
 log = logging.getLogger(__name__)
 

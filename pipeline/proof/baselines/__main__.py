@@ -9,18 +9,18 @@ from typing import Any
 
 from threadpoolctl import threadpool_limits
 
-from pipeline.diagnosis import engine
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.proof.baselines.learnt import Method, calibrated, held_out_mm
-from pipeline.run.samples import read_samples
+from ...diagnosis import engine
+from ...ground.errors import program
+from ...ground.files import write_text
+from ...run.samples import read_samples
+from .learnt import Method, calibrated, held_out_mm
 
 METHODS = ("residual_sindy", "frozen_fit", "gradient_boosting", "gaussian_process")
 
 
 def method(name: str) -> Method:
     """A method by the name of its module."""
-    learn: Method = importlib.import_module(f"pipeline.proof.baselines.{name}").learn
+    learn: Method = importlib.import_module(f"{__package__}.{name}").learn
     return learn
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnosis.drivers import Drivers
-from pipeline.diagnosis.recursions import lowpass
-from pipeline.ground.kinematics import Array
+from ...diagnosis.drivers import Drivers
+from ...diagnosis.recursions import lowpass
+from ...ground.kinematics import Array
 
 DIRECTION = 0.02  # of the range of motion, over which a reversal is felt
 WARM_S = 60.0  # over which a string keeps its heat, where nobody measured it

@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.systems import Parameter
+from ...diagnosis.problem import Problem, State
+from ...systems import Parameter
 
 
 def frozen(problem: Problem, state: State) -> Problem:

@@ -1,14 +1,14 @@
 """Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if clearly better."""
 
-from pipeline.diagnosis import calibrate, candidates, engine, generic
-from pipeline.diagnosis.interface import physics
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.search import LEAST_GAIN, Search
-from pipeline.ground.kinematics import Array
-from pipeline.proof.baselines.frozen import frozen
-from pipeline.proof.baselines.learnt import Calibrated, Learnt
+from ...diagnosis import calibrate, candidates, engine, generic
+from ...diagnosis.interface import physics
+from ...diagnosis.linear import Linear
+from ...diagnosis.noise import white
+from ...diagnosis.problem import Problem, State
+from ...diagnosis.search import LEAST_GAIN, Search
+from ...ground.kinematics import Array
+from .frozen import frozen
+from .learnt import Calibrated, Learnt
 
 
 def learn(seen: Calibrated) -> Learnt:

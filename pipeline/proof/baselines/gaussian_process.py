@@ -1,10 +1,10 @@
 """A Gaussian process on at most 1,000 points of the residual over a few drivers: smooth, and names nothing."""
 
-from pipeline.diagnosis.problem import Problem
-from pipeline.ground.kinematics import Array
-from pipeline.ground.regression import gaussian_process
-from pipeline.proof.baselines.features import plain, standard, table
-from pipeline.proof.baselines.learnt import Calibrated, Learnt
+from ...diagnosis.problem import Problem
+from ...ground.kinematics import Array
+from ...ground.regression import gaussian_process
+from .features import plain, standard, table
+from .learnt import Calibrated, Learnt
 
 POINTS, TUNED_ON = 1000, 300  # points that it knows, and of these those on which its lengths are chosen
 FEW = ("twist", "direction", "rate", "load", "time")

@@ -2,10 +2,10 @@
 
 from sklearn.ensemble import HistGradientBoostingRegressor
 
-from pipeline.diagnosis.problem import Problem
-from pipeline.ground.kinematics import Array
-from pipeline.proof.baselines.features import plain, standard, table
-from pipeline.proof.baselines.learnt import Calibrated, Learnt
+from ...diagnosis.problem import Problem
+from ...ground.kinematics import Array
+from .features import plain, standard, table
+from .learnt import Calibrated, Learnt
 
 
 def learn(seen: Calibrated) -> Learnt:

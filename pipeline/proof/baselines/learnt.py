@@ -6,12 +6,12 @@ from functools import cached_property
 
 import numpy as np
 
-from pipeline.diagnosis import calibrate
-from pipeline.diagnosis.engine import rms
-from pipeline.diagnosis.heldout import first_held_out
-from pipeline.diagnosis.problem import Problem, State
-from pipeline.diagnosis.record import wild
-from pipeline.ground.kinematics import Array
+from ...diagnosis import calibrate
+from ...diagnosis.engine import rms
+from ...diagnosis.heldout import first_held_out
+from ...diagnosis.problem import Problem, State
+from ...diagnosis.record import wild
+from ...ground.kinematics import Array
 
 
 @dataclass(frozen=True)

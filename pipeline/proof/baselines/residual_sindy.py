@@ -5,10 +5,10 @@ import warnings
 import numpy as np
 from pysindy import STLSQ, IdentityLibrary, SINDy
 
-from pipeline.diagnosis.problem import Problem
-from pipeline.ground.kinematics import Array
-from pipeline.proof.baselines.features import products, standard, table
-from pipeline.proof.baselines.learnt import Calibrated, Learnt
+from ...diagnosis.problem import Problem
+from ...ground.kinematics import Array
+from .features import products, standard, table
+from .learnt import Calibrated, Learnt
 
 THRESHOLDS = np.geomspace(0.02, 2.0, 14)  # of the residual's rms, on columns of unit spread
 RIDGE = 1e-2  # for each sample: keeps columns that look alike from cancelling each other, which would name at random

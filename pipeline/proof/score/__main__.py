@@ -5,15 +5,15 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.proof.score import beside
-from pipeline.proof.score.authors import by_author, by_law
-from pipeline.proof.score.cases import OWN, gather
-from pipeline.proof.score.figures import draw
-from pipeline.proof.score.hands import section
-from pipeline.proof.score.metrics import scores
-from pipeline.proof.score.page import page
+from ...ground.errors import program
+from ...ground.files import write_text
+from . import beside
+from .authors import by_author, by_law
+from .cases import OWN, gather
+from .figures import draw
+from .hands import section
+from .metrics import scores
+from .page import page
 
 
 @program

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 import pandas as pd
 
-from pipeline.proof.score import intervals
-from pipeline.proof.score.metrics import CHANCE, FIRM_WRONG, LARGE
+from . import intervals
+from .metrics import CHANCE, FIRM_WRONG, LARGE
 
 ALL = "all"
 AUTHOR_COLUMNS = ("author", "quantity", "count", "of", "value", "low", "high")

@@ -7,8 +7,8 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.proof.score.judge import outcome
-from pipeline.proof.score.metrics import CHANCE, COLUMNS, LARGE, Score, middle, share
+from .judge import outcome
+from .metrics import CHANCE, COLUMNS, LARGE, Score, middle, share
 
 OWN = "diagnosis"
 TABLE = ("run", "stratum", "effects", "kappa", "method", "names", "named", "outcome", "heldout_ratio", "seconds")

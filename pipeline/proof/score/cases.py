@@ -7,8 +7,8 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.proof.score.judge import RIGHT, outcome, said, sets_of
-from pipeline.proof.score.overlap import overlap
+from .judge import RIGHT, outcome, said, sets_of
+from .overlap import overlap
 
 TIE = 0.2  # noise floors: what copies the truth to less than this cannot be told from it
 DIMENSIONS = {"radius_mm": "radius", "separator_mm": "separator", "torsion_zone_mm": "zone"}

@@ -10,8 +10,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
-from pipeline.ground.files import whole
-from pipeline.proof.score import intervals
+from ...ground.files import whole
+from . import intervals
 
 COLOURS = ("#0072b2", "#009e73", "#d55e00", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 RATIOS = (0.1, 0.2, 0.5, 0.8, 1.0, 1.25, 2.0, 5.0, 10.0)  # ticks

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 import pandas as pd
 
-from pipeline.proof.score import intervals
-from pipeline.proof.score.judge import RIGHT
+from . import intervals
+from .judge import RIGHT
 
 LARGE = 0.5  # noise floors from which on an effect must be named
 CHANCE = ("clamp_slip", "count_slip", "stick_slip")  # random events: no fit knows the next one

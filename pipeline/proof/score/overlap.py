@@ -8,8 +8,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pipeline.ground.kinematics import Array
-from pipeline.run.strokes import label
+from ...ground.kinematics import Array
+from ...run.strokes import label
 
 EDGE_TURNS = 1e-3  # what rounding moves an edge by
 

@@ -5,12 +5,12 @@ import json
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.progress import steps
-from pipeline.proof.teach import across, fit
-from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written
-from pipeline.rig.authors import names
+from ...ground.errors import BadInput, program
+from ...ground.files import write_text
+from ...ground.progress import steps
+from ...rig.authors import names
+from . import across, fit
+from .lesson import Lesson, curriculum, learnt, read, written
 
 AT_ONCE = 8  # lessons between two savings
 

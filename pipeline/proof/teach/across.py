@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnosis.judge import Judge
-from pipeline.diagnosis.judged import UNKNOWN, held, helpers_share
-from pipeline.proof.teach.fit import explanations, fitted
-from pipeline.proof.teach.lesson import Lesson
+from ...diagnosis.judge import Judge
+from ...diagnosis.judged import UNKNOWN, held, helpers_share
+from .fit import explanations, fitted
+from .lesson import Lesson
 
 STRATA = {1: "single", 2: "pair"}
 

@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.optimize import minimize
 
-from pipeline.diagnosis.judge import SIZES, Judge, Weighed, none_of
-from pipeline.ground.kinematics import Array
-from pipeline.proof.teach.lesson import Lesson
+from ...diagnosis.judge import SIZES, Judge, Weighed, none_of
+from ...ground.kinematics import Array
+from .lesson import Lesson
 
 QUANTILES = (0.02, 0.35, 0.65, 0.98)  # of a sign over all explanations: knots of its ramps
 PRIOR = 1.0  # one over the variance of a weight

@@ -5,13 +5,13 @@ import random
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from pipeline.diagnosis.engine import make_problem, study
-from pipeline.diagnosis.interface import physics
-from pipeline.diagnosis.judge import Weighed
-from pipeline.diagnosis.weigh import weighed
-from pipeline.rig.authors import authors
-from pipeline.rig.authors.interface import Asked, OutOfReach, Protocol
-from pipeline.run.description import parse_run
+from ...diagnosis.engine import make_problem, study
+from ...diagnosis.interface import physics
+from ...diagnosis.judge import Weighed
+from ...diagnosis.weigh import weighed
+from ...rig.authors import authors
+from ...rig.authors.interface import Asked, OutOfReach, Protocol
+from ...run.description import parse_run
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
 SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm

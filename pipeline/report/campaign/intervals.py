@@ -2,8 +2,8 @@
 
 import pandas as pd
 
-from pipeline.report.campaign.results import MAPS, TOLERANCE, by_string, pooled
-from pipeline.report.comparison import line
+from ..comparison import line
+from .results import MAPS, TOLERANCE, by_string, pooled
 
 SHOWN_LEVEL = 0.9  # of the tables by material and by string
 

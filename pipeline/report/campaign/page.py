@@ -6,20 +6,20 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from pipeline.campaign.points import SCHEMA
-from pipeline.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
-from pipeline.ground import schemas
-from pipeline.ground.errors import program
-from pipeline.ground.files import write_text
-from pipeline.report.campaign import figures
-from pipeline.report.campaign.intervals import intervals
-from pipeline.report.campaign.results import MAPS
-from pipeline.report.campaign.words import by_material, leaders, nearest, shots_table, untold, without_others
-from pipeline.report.drawing import STYLE, save
-from pipeline.report.marks import add_mark, mark_from, write_page
-from pipeline.report.plain import plain
-from pipeline.report.sidecar import Column, describe
-from pipeline.report.titles import titles_of
+from ...campaign.points import SCHEMA
+from ...campaign.tables import COVERAGE, FEW_SHOT, FLOOR
+from ...ground import schemas
+from ...ground.errors import program
+from ...ground.files import write_text
+from ..drawing import STYLE, save
+from ..marks import add_mark, mark_from, write_page
+from ..plain import plain
+from ..sidecar import Column, describe
+from ..titles import titles_of
+from . import figures
+from .intervals import intervals
+from .results import MAPS
+from .words import by_material, leaders, nearest, shots_table, untold, without_others
 
 STRING: list[Column] = [("string", "string", "the string asked about"), ("material", "string", "its material")]
 FEW_SHOT_COLUMNS: list[Column] = [

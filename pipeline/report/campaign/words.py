@@ -2,7 +2,8 @@
 
 import pandas as pd
 
-from pipeline.report.campaign.results import (
+from ..comparison import line
+from .results import (
     ALONE,
     MAPS,
     NEAR_FLOOR,
@@ -14,7 +15,6 @@ from pipeline.report.campaign.results import (
     runs_of_best,
     title,
 )
-from pipeline.report.comparison import line
 
 MATERIAL_SHOTS = (0, 2)  # strokes shown, of the tables by material
 CALLED = {

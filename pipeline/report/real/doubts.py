@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from pipeline.ground.schemas import unit_of
-from pipeline.real.rigs import Answer, Expected
+from ...ground.schemas import unit_of
+from ...real.rigs import Answer, Expected
 
 SHOWN = 4  # of the explanations that tie
 

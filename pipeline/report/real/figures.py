@@ -13,7 +13,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from pipeline.report.real.results import BLACK_BOXES, SIMULATORS, TITLES, Result, apart
+from .results import BLACK_BOXES, SIMULATORS, TITLES, Result, apart
 
 COLOURS = {
     "nominal": "0.75", "calibrated": "0.45", "explained": "#d55e00",

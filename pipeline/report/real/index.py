@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pandas as pd
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import whole, write_text
-from pipeline.ground.regular_file import read_regular
-from pipeline.real.rigs import Rig, read_rigs
-from pipeline.report.real.page import WIDE, sizes, table
-from pipeline.report.real.results import BLACK_BOXES, CARRIED, ELSEWHERE, OTHERS, TITLES
-from pipeline.report.web.page import STYLE, link
+from ...ground.errors import BadInput, program
+from ...ground.files import whole, write_text
+from ...ground.regular_file import read_regular
+from ...real.rigs import Rig, read_rigs
+from ..web.page import STYLE, link
+from .page import WIDE, sizes, table
+from .results import BLACK_BOXES, CARRIED, ELSEWHERE, OTHERS, TITLES
 
 LARGEST = 10_000_000  # bytes of a rig's table
 

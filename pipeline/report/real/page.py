@@ -8,15 +8,15 @@ from typing import Any
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import whole, write_text
-from pipeline.ground.schemas import unit_of
-from pipeline.real.plan import ALL_OTHERS
-from pipeline.real.rigs import Rig, read_rigs
-from pipeline.report.real.doubts import found_answer
-from pipeline.report.real.figures import figure
-from pipeline.report.real.results import CARRIED, TITLES, Result, apart, expected_words, read_results
-from pipeline.report.web.page import STYLE, link
+from ...ground.errors import BadInput, program
+from ...ground.files import whole, write_text
+from ...ground.schemas import unit_of
+from ...real.plan import ALL_OTHERS
+from ...real.rigs import Rig, read_rigs
+from ..web.page import STYLE, link
+from .doubts import found_answer
+from .figures import figure
+from .results import CARRIED, TITLES, Result, apart, expected_words, read_results
 
 WIDE = """
 body { max-width: 76rem } table { font-size: 13px } .scroll { overflow-x: auto } td.left, th.left { text-align: left }

@@ -7,10 +7,10 @@ from typing import Any
 
 import pandas as pd
 
-from pipeline.ground.schemas import unit_of
-from pipeline.real.plan import ALL_OTHERS
-from pipeline.real.rigs import Expected, Rig, expected_of
-from pipeline.report.real.doubts import doubt
+from ...ground.schemas import unit_of
+from ...real.plan import ALL_OTHERS
+from ...real.rigs import Expected, Rig, expected_of
+from .doubts import doubt
 
 SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
 BLACK_BOXES = {"gradient_boosting": "boosted trees", "gaussian_process": "Gaussian process", "mlp": "neural network"}

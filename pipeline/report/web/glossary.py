@@ -2,8 +2,8 @@
 
 from markupsafe import Markup
 
-from pipeline.ground.glossary import MEANING, TERMS
-from pipeline.report.web.page import folded, together
+from ...ground.glossary import MEANING, TERMS
+from .page import folded, together
 
 
 def word(text: str) -> Markup:

@@ -9,8 +9,8 @@ from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 from markupsafe import Markup
 
-from pipeline.report.made_by import MadeBy
-from pipeline.report.web.page import anchor, document
+from ..made_by import MadeBy
+from .page import anchor, document
 
 INDEX = Markup('<a href="../index.html">All reports</a>')
 RANGE, UNBROKEN = re.compile(r"(?<=\d)–(?=\d)"), "\u2060–\u2060"  # no line ends between lowest and highest

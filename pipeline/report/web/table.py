@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from pipeline.report.web.page import Text
+from .page import Text
 
 
 def table(

@@ -5,7 +5,7 @@ import pkgutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from pipeline.rig.authors.interface import Asked, Made
+from .interface import Asked, Made
 
 
 @dataclass(frozen=True)

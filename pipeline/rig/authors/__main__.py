@@ -6,12 +6,12 @@ from pathlib import Path
 
 import yaml
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.ground.folders import whole_folder
-from pipeline.rig.authors import Author, authors, names
-from pipeline.rig.authors.interface import PROTOCOLS, Asked, Made, OutOfReach
-from pipeline.run.description import RUN_NAME
+from ...ground.errors import BadInput, program
+from ...ground.files import write_text
+from ...ground.folders import whole_folder
+from ...run.description import RUN_NAME
+from . import Author, authors, names
+from .interface import PROTOCOLS, Asked, Made, OutOfReach
 
 
 def check_places(run: str, raw: Path, answer: Path) -> None:

@@ -3,9 +3,9 @@
 import argparse
 from pathlib import Path
 
-from pipeline.ground.errors import program
-from pipeline.rig.campaign.plan import plan
-from pipeline.rig.folder import whole_recordings, write_run
+from ...ground.errors import program
+from ..folder import whole_recordings, write_run
+from .plan import plan
 
 
 @program

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.rig import effects
-from pipeline.rig.campaign.recorded import Recorded, recorded
-from pipeline.rig.campaign.specimen import Specimen, draw_specimen, materials
-from pipeline.rig.motion import Motion, Strokes
+from .. import effects
+from ..motion import Motion, Strokes
+from .recorded import Recorded, recorded
+from .specimen import Specimen, draw_specimen, materials
 
 RAMP_S = 0.3
 

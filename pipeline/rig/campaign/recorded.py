@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig import sensors
-from pipeline.rig.campaign.specimen import Specimen
-from pipeline.rig.effect import Effect
-from pipeline.rig.motion import Commands, Motion, commands
-from pipeline.rig.sensors import Sensor
-from pipeline.rig.string import String
+from ...ground.kinematics import Array
+from .. import sensors
+from ..effect import Effect
+from ..motion import Commands, Motion, commands
+from ..sensors import Sensor
+from ..string import String
+from .specimen import Specimen
 
 STEPS_PER_SAMPLE = 4
 SENSORS = {

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import yaml
 
-from pipeline.ground.kinematics import RAD_PER_TURN, Geometry
+from ...ground.kinematics import RAD_PER_TURN, Geometry
 
 SIGMA = {"radius": 0.015, "separator_mm": 0.2, "torsion_zone_mm": 0.5, "length_mm": 1.0}  # of how well it is measured
 STIFFNESS_SIGMA = 0.05  # relative

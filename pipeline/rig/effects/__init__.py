@@ -9,8 +9,8 @@ import pkgutil
 from collections.abc import Mapping
 from typing import Any
 
-from pipeline.rig.effect import Effect
-from pipeline.rig.unsteady import Unsteady
+from ..effect import Effect
+from ..unsteady import Unsteady
 
 
 def names() -> list[str]:

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.effect import Effect, Lived, compiled
+from ...ground.kinematics import Array
+from ..effect import Effect, Lived, compiled
 
 
 class Model(Effect):

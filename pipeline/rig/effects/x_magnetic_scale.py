@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.effect import Effect, Lived
+from ...ground.kinematics import Array
+from ..effect import Effect, Lived
 
 
 class Model(Effect):

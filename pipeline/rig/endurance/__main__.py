@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.errors import program
-from pipeline.ground.files import whole
-from pipeline.rig.endurance.life import live
-from pipeline.rig.endurance.plan import plan
-from pipeline.rig.folder import whole_recordings, write_run
+from ...ground.errors import program
+from ...ground.files import whole
+from ..folder import whole_recordings, write_run
+from .life import live
+from .plan import plan
 
 
 @program

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.rig import effects
-from pipeline.rig.campaign.specimen import Specimen
-from pipeline.rig.effect import Effect
-from pipeline.rig.endurance import x_fatigue, x_galling
-from pipeline.rig.motion import Strokes
+from .. import effects
+from ..campaign.specimen import Specimen
+from ..effect import Effect
+from ..motion import Strokes
+from . import x_fatigue, x_galling
 
 LOST_RADIUS = 0.06  # share with which about a tenth of the stroke is lost
 LOST_FIBRES = 1.0 - (1.0 - LOST_RADIUS) ** 2  # share with which the radius loses that, when it goes with their root

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.campaign.recorded import STEPS_PER_SAMPLE, sampled
-from pipeline.rig.endurance.ageing import made
-from pipeline.rig.endurance.plan import Planned
-from pipeline.rig.motion import Commands, Motion, commands
-from pipeline.rig.string import String
+from ...ground.kinematics import Array
+from ..campaign.recorded import STEPS_PER_SAMPLE, sampled
+from ..motion import Commands, Motion, commands
+from ..string import String
+from .ageing import made
+from .plan import Planned
 
 FIRST_REST_S = 3.0
 ENOUGH_LOST = 0.25  # of the stroke

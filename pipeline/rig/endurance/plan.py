@@ -6,10 +6,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.rig.campaign.plan import material_of
-from pipeline.rig.campaign.specimen import Bands, Specimen, draw_specimen
-from pipeline.rig.endurance.ageing import Work, ageing
-from pipeline.rig.motion import Strokes
+from ..campaign.plan import material_of
+from ..campaign.specimen import Bands, Specimen, draw_specimen
+from ..motion import Strokes
+from .ageing import Work, ageing
 
 Life = Literal["saturates", "wears", "breaks"]
 LIVES: dict[Life, float] = {"saturates": 0.22, "wears": 0.38, "breaks": 0.40}  # shares

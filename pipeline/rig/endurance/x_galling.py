@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.ground.kinematics import RAD_PER_TURN, Array
-from pipeline.rig.effect import Lived
-from pipeline.rig.effects import friction_hysteresis
+from ...ground.kinematics import RAD_PER_TURN, Array
+from ..effect import Lived
+from ..effects import friction_hysteresis
 
 
 class Model(friction_hysteresis.Model):

@@ -4,10 +4,10 @@ import argparse
 import json
 from pathlib import Path
 
-from pipeline.ground.errors import BadInput, program
-from pipeline.ground.files import write_text
-from pipeline.rig.others.cases import CASES, make
-from pipeline.rig.others.made import NOISES, write_run
+from ...ground.errors import BadInput, program
+from ...ground.files import write_text
+from .cases import CASES, make
+from .made import NOISES, write_run
 
 
 @program

@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.others import cable_parts as parts
-from pipeline.rig.others.cable_plan import STEP_S, TIME_S, Told, told
-from pipeline.rig.others.capstan import Capstans
-from pipeline.rig.others.chance import coloured, counted, stream, wander
-from pipeline.rig.others.made import Kind, Made, check
-from pipeline.rig.others.made import told as truth_of
+from ...ground.kinematics import Array
+from . import cable_parts as parts
+from .cable_plan import STEP_S, TIME_S, Told, told
+from .capstan import Capstans
+from .chance import coloured, counted, stream, wander
+from .made import Kind, Made, check
+from .made import told as truth_of
 
 NOMINAL_GEAR, GEAR_TOLERANCE = 0.9, 0.05
 MOTOR_QUANTUM_DEG, JAW_QUANTUM_DEG = 360.0 / 8192, 360.0 / 4000

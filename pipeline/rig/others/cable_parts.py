@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.effect import compiled
+from ...ground.kinematics import Array
+from ..effect import compiled
 
 FULL_NM = 0.05  # the torque at which stretch and creep are told
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 STEP_S = 1e-3
 TIME_S: Array = np.arange(20_000, dtype=np.float64) * STEP_S

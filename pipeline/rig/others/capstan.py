@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.effect import compiled
+from ...ground.kinematics import Array
+from ..effect import compiled
 
 PULLEYS, BRISTLES = 5, 4
 REFERENCE_NM = 0.03  # the torque at which a loop's half-height is told

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pipeline.rig.others import cable_drive, moving_mass
-from pipeline.rig.others.chance import stream
-from pipeline.rig.others.made import Made
+from . import cable_drive, moving_mass
+from .chance import stream
+from .made import Made
 
 DRAWN = (0.7, 1.4)  # of the size that a case tells
 

@@ -5,7 +5,7 @@ import zlib
 import numpy as np
 from scipy.signal import lfilter
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 
 def stream(seed: int, *names: object) -> np.random.Generator:

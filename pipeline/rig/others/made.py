@@ -9,9 +9,9 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from pipeline.ground import schemas
-from pipeline.ground.files import write_text
-from pipeline.ground.kinematics import Array
+from ...ground import schemas
+from ...ground.files import write_text
+from ...ground.kinematics import Array
 
 NOISES = ("none", "usual", "trap")
 

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
-from pipeline.rig.effect import compiled
+from ...ground.kinematics import Array
+from ..effect import compiled
 
 FINE = 10  # steps of the carriage in one of the controller
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.ground.kinematics import Array
+from ...ground.kinematics import Array
 
 STEP_S = 1e-3
 TIME_S: Array = np.arange(25_000, dtype=np.float64) * STEP_S
