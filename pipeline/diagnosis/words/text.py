@@ -20,6 +20,7 @@ from pipeline.diagnosis.words import (
     seen,
     sight,
     still,
+    tolerances,
     unseen,
     worth,
 )
@@ -50,14 +51,15 @@ def verdict_text(
     """
     words = Vocabulary.of(system)
     sections = [
-        (headline(content, words), certainty.summary(content)),
+        (headline(content, words), [*certainty.summary(content), *certainty.sizes(content, words)]),
         (
             DOUBTS,
             [
                 *doubts,
                 *adoption.cautions(content),
                 *unseen.cautions(content, words),
-                *certainty.alike(content),
+                *certainty.alike(content, words),
+                *tolerances.doubts(content, words),
                 *suspicious(content),
             ],
         ),
@@ -167,9 +169,9 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
-    again = remeasured(content, sight.included(content), unseen.inexact(content, words), in_vain)
-    hiding = each_moved(content) if rivals.hidden(content, words) else []
-    return [*corrected(content, words), *hiding, *again]
+    again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
+    hiding = each_moved(content, words) if rivals.hidden(content, words) else []
+    return [*corrected(content, words), *hiding, *again, *tolerances.in_force(content, words)]
 
 
 def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
@@ -177,8 +179,9 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], o
     run = content["next_run"]
     if not run:
         return still.lines(content, words, folders, out) or no_run(content, words)
-    lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
+    lines = worth.first(run)
+    lines += [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    lines += [worth.care(content, words), worth.purpose(content, words)]
+    lines += [worth.care(content, words), worth.purpose(content, words, worth.first(run) == [])]
     found = commands.lines(folders, out, experiment.loads(run, words))
     return [line for line in (*lines, *commands.block(found, folders[-1].name, words.twisted)) if line]
