@@ -10,11 +10,13 @@ from typing import Any
 from pipeline import adopted_error
 from pipeline.adopted_block import KEY, ORIGIN, adopted, bare
 from pipeline.complaint import short
-from pipeline.diagnosis.adopt import adoptions, checked
+from pipeline.diagnosis.adopt import acts_from, adoptions, checked
 from pipeline.diagnosis.engine import at_own_rate
+from pipeline.diagnosis.words import coefficients
 from pipeline.diagnosis.words.quantity import listing
 from pipeline.diagnosis.words.rivals import called
 from pipeline.diagnosis.words.sections import wrapped
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.errors import program
 from pipeline.files import whole
 from pipeline.ingest import read_samples
@@ -37,7 +39,14 @@ def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
         return []
     run, samples = read_samples(folder)
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-    return adopted_error.told(bare, run.run, run.simulation, content, source)
+    said = adopted_error.told(bare, run.run, run.simulation, content, source, taken_out(folder))
+    acts = acts_from(content[KEY], bare.drivers, str(source))
+    return [*said, *coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))]
+
+
+def taken_out(folder: Path) -> str:
+    """The command that takes what was adopted out of a run's run.yaml, as a line to print."""
+    return f"  python -m pipeline.adopt --remove {shlex.quote(str(folder))}"
 
 
 def write(path: Path, text: str) -> None:
@@ -64,9 +73,14 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.adopt", description=__doc__)
-    parser.add_argument("diagnosis", type=Path, nargs="?", help="a diagnosis.json; its effects are adopted")
-    parser.add_argument("run_dir", type=Path, nargs="?", help="the run whose run.yaml takes them over")
+    usage = "python -m pipeline.adopt DIAGNOSIS.json RUN_DIR\n       python -m pipeline.adopt --remove RUN_DIR"
+    parser = argparse.ArgumentParser(prog="python -m pipeline.adopt", usage=usage, description=__doc__)
+    parser.add_argument(
+        "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
+    )
+    parser.add_argument(
+        "run_dir", type=Path, nargs="?", metavar="RUN_DIR", help="the run whose run.yaml takes them over"
+    )
     parser.add_argument(
         "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
     )
@@ -106,10 +120,8 @@ def adopt(source: Path, folder: Path) -> None:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely as well"
         told.append(f"{many}: {listing([called(ids) for ids in others[:MOST]], 'or')}.")
     told += [*errors, adopted_error.why(content), adopted_error.NEXT]
-    told += [
-        "To take the effects out of run.yaml again:",
-        f"  python -m pipeline.adopt --remove {shlex.quote(str(folder))}",
-    ]
+    if taken_out(folder) not in told:
+        told += ["To take the effects out of run.yaml again:", taken_out(folder)]
     for line in told:
         print("\n".join(wrapped(line, "")))
 

@@ -19,7 +19,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.named import as_entry, listed
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import Study, rms
-from pipeline.diagnosis.problem import Problem
+from pipeline.diagnosis.problem import Problem, State
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.fingerprint import fingerprint
 from pipeline.kinematics import Array
@@ -50,9 +50,15 @@ def mismatch_signal(found: Study) -> tuple[Array, list[str]]:
         if found.random:
             signal = np.hypot(signal, chance.trace(problem, found.best, found.floor))
         return signal, driven
+    return systematic(found, found.base)
+
+
+def systematic(found: Study, state: State) -> tuple[Array, list[str]]:
+    """What the generic dictionary finds in the residual of a simulator, and the driver of most of it."""
+    problem = found.problem
     columns = generic.groups(problem.drivers)
-    linear = Linear(problem, found.base, white(found.floor), {}, np.vstack(list(columns.values())))
-    table, target = linear.table[:-1], (problem.measured - before)[: problem.rows]
+    linear = Linear(problem, state, white(found.floor), {}, np.vstack(list(columns.values())))
+    table, target = linear.table[:-1], (problem.measured - problem.simulate(state))[: problem.rows]
     whole = np.concatenate([linear.calibration, linear.extra])
     known = table[linear.calibration]
     left: dict[str, float] = {}
@@ -115,6 +121,9 @@ def diagnosis(
             pattern = {"location": locate.box(signal, problem), "driver": driver}
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
             driver = ["the dimensions themselves"]
+        elif named and not found.random:
+            rest, follows = systematic(found, found.state)
+            pattern = {"location": locate.box(rest, problem), "driver": follows, f"rms_{unit}": rms(rest)}
         place = locate.box(signal, problem)
         mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}

@@ -422,7 +422,7 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
         "0.02909 is 2.91 %).",
     ]
     made["mechanisms"][1]["rms_mm"]["value"] = 0.4
-    assert "\nDimensions\n" not in told(made)
+    assert "\nDimensions\n  Now in force, as run.yaml writes it: `tolerance:" in told(made)
 
 
 def test_events_are_told_one_by_one():
@@ -675,7 +675,7 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
     head = " ".join(text.partition("\n\n")[0].split())
     assert head == (
         f"nylon-3: {verdict}: nothing further can be named beside what was adopted (creep), and 0.052 mm rms stays "
-        "unexplained, 2.5 times the noise."
+        "unexplained, 2.5 times the noise. run.yaml as it stands errs by 0.053 mm rms, calibrated by 0.052 mm."
     )
     assert "Something systematic is still missing" in text
     assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
@@ -1074,8 +1074,12 @@ def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little
     lines = seen.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
     assert len(lines) == said
     if said:
-        assert lines[0].startswith("Nearest comes wear: it would leave 0.50 mm rms (")
-        assert lines[0].endswith("too little less for an effect to be named.")
+        assert lines[0].startswith("The best that an effect could do: with wear 0.50 mm rms (")
+        assert lines[0].endswith("would be left instead of 0.60 mm. That gain is too small to name it.")
+        made["evidence"]["explanations"][2]["ids"] = ["x_swelling"]
+        made["simulation"] = [{"id": "backlash", "parameters": {}}]
+        (line,) = seen.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+        assert "that one more effect could do: with x_swelling (x_marks a stand-in" in line.replace("x_ m", "x_m")
 
 
 @pytest.mark.parametrize(
@@ -1214,3 +1218,46 @@ def test_effects_that_work_against_each_other_more_do_so_by_a_number():
     made["evidence"]["explanations"][3]["because"] = [{"aspect": "cancels", "log_odds": -0.9, "more": 0.19565}]
     said = "work against each other more: its parts are 1.22 times as large, beside what they do together."
     assert said in " ".join(told(made).split())
+
+
+def test_the_first_line_says_by_how_much_a_run_with_adopted_effects_errs_and_when_not_to_predict_with_it():
+    bad = adopted(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034).partition("\n\n")[0]
+    said = (
+        "run.yaml as it stands errs by 1.0 mm rms, 29 times as much as calibrated (0.034 mm): do not predict with it."
+    )
+    assert said in " ".join(bad.split())
+    fair = " ".join(adopted(evidence__nominal_mm=0.05, evidence__calibrated_mm=0.034).partition("\n\n")[0].split())
+    assert (
+        "run.yaml as it stands errs by 0.050 mm rms, calibrated by 0.034 mm." in fair and "do not predict" not in fair
+    )
+    assert "as it stands" not in told(content(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034))
+
+
+def test_what_is_adopted_already_is_not_listed_among_what_would_have_been_seen():
+    text = adopted()
+    listed = text.partition("\nWhat would have been seen\n")[2].partition("\n\n")[0]
+    assert "backlash 0.0040 mm." in listed and "creep 0.020" not in listed
+    assert "Not listed, for run.yaml has adopted it: creep." in listed
+    bare = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
+    assert "creep 0.020 mm" in bare and "Not listed" not in bare
+
+
+@pytest.mark.parametrize(("low", "said"), [(0.02, True), (0.0305, False)])
+def test_diamonds_that_all_lie_below_the_noise_are_said_to_decide_nothing(low, said):
+    made = content()
+    for one in made["evidence"]["explanations"]:
+        one["bent_mm"] = low if one["ids"] else 0.45
+    alone = copy.deepcopy(made) | {"verdict": "explained", "alternatives": [], "next_run": None}
+    for each in (made, alone):
+        assert ("the diamonds decide nothing" in " ".join(told(each).split())) is said
+
+
+@pytest.mark.parametrize(("left", "said"), [(0.04, True), (0.031, False)])
+def test_the_pattern_that_the_best_explanation_leaves_is_told_with_place_and_driver(left, said):
+    box = {"motor_turns": [20.0, 26.0], "strokes": [1, 2], "phase": "winding", "share": 0.8}
+    made = content(evidence__pattern={"location": box, "driver": ["time"], "rms_mm": 0.021})
+    made["evidence"]["explanations"][-1]["left_mm"] = left
+    line = (
+        "What is left holds a pattern of 0.021 mm rms beside the noise. It lies mostly at 20 to 26 turns, in strokes 1 "
+    )
+    assert (f"{line}to 2, while winding, and follows the time." in " ".join(told(made).split())) is said

@@ -72,6 +72,7 @@ def verdict_text(
                 *likely(content),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
+                *seen.remains(content, words),
             ],
         ),
         ("What is likely beside it", tied(content, words)),
@@ -149,7 +150,10 @@ def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What ties, with what all share first."""
     if not content["alternatives"]:
         return []
-    return [rivals.shared(content), *rivals.ties(content, words), *probability.rule(content)]
+    return [
+        rivals.shared(content), *rivals.ties(content, words), *rivals.undecided(content, words),
+        *probability.rule(content),
+    ]  # fmt: skip
 
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -163,7 +167,8 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
             more,
         ]
     lines = beaten.beaten(content, words) if content["mechanisms"] else []
-    return [*(probability.rule(content) if content["verdict"] == "explained" else []), *lines]
+    alone = content["verdict"] == "explained"
+    return [*(probability.rule(content) if alone else []), *(rivals.undecided(content, words) if alone else []), *lines]
 
 
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
