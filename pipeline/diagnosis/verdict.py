@@ -114,7 +114,8 @@ def diagnosis(
     unit = problem.system.channel.rpartition("_")[2]
     parameters, sizes, shapes = intervals(problem, found.state, found.noise)
     named = found.verdict in ("explained", "ambiguous")
-    mismatch, pattern = None, None
+    mismatch: dict[str, Any] | None = None
+    pattern: dict[str, Any] | None = None
     if found.verdict != "consistent":
         signal, driver = mismatch_signal(found)
         if found.verdict == "parameters":
