@@ -7,11 +7,10 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.problem import Act
 from pipeline.diagnosis.words.quantity import listing, said_unit
 from pipeline.diagnosis.words.vocabulary import Vocabulary
-from pipeline.schemas import unit_of
 
 HEAD = "What the numbers under simulation mean, by effect, each with the equation of its kind:"
 DOES = {
-    "twist": "add to the {motion}",
+    "twist": "act on the {motion}",
     "radius": "change the radius, as a share of it",
     "length": "lengthen the {string}",
     "resistance": "are lost where motion is resisted",
@@ -35,12 +34,5 @@ def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]
                     groups.setdefault(does, []).append(drivers.units.name(term.name))
         said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
         fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
-        shown = [f"{name} (in {unit})" if (unit := shape_unit(name)) else name for name in fixed]
-        said += [f"    {listing(shown)}: the shape, chosen and held"] if shown else []
+        said += [f"    {listing(list(fixed))}: the shape, chosen and held"] if fixed else []
     return [HEAD, *said] if said else []
-
-
-def shape_unit(name: str) -> str:
-    """The unit of a shape's value, from its name; nothing for a plain number."""
-    unit = unit_of(name)
-    return "" if unit == "1" else said_unit(unit)
