@@ -3,6 +3,7 @@
 import gzip
 from pathlib import Path
 
+import downloaded
 import pytest
 
 from pipeline.diagnosis import engine, heldout
@@ -11,27 +12,13 @@ from pipeline.import_run import import_run
 from pipeline.ingest import read_samples
 
 ROOT = Path(__file__).parent.parent.parent
-RECORDINGS = ROOT.parent / "shared" / "recordings"
-SOURCES = {
-    "emps": "wmkouw/NSI-EMPS (DATA_EMPS.mat)",
-    "davinci_tool": "MRDLab/mis-tool-characterization (Tool_4_Maryland_R_5_*.TXT)",
-    "tsa_haptic": "FaragSeif/tsa_haptic (scripts/data/*.csv)",
-}
 ANSWERS = {"mass_kg": 95.11, "viscous": 203.5, "coulomb": 20.39, "offset": -3.16}  # of the benchmark's authors
 DIRECTION = {"friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip"}  # what parts by direction
 
 
-def recording(rig, name):
-    """A recording, or a skip that says where to get it."""
-    path = RECORDINGS / rig / name
-    if not path.is_file():
-        pytest.skip(f"needs {name} of the public repository {SOURCES[rig]}")
-    return path
-
-
 def imported(tmp_path, rig, name, mapping, run, rows=None):
     """Run folder of a recording, or of its first rows."""
-    path = recording(rig, name)
+    (path,) = downloaded.files(rig, name)
     if rows:
         text = gzip.decompress(path.read_bytes()).decode("latin1").splitlines(keepends=True)
         path = tmp_path / f"{run}.csv"
