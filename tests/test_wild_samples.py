@@ -1,12 +1,11 @@
 """One damaged sample is left out and said; an ordinary outlier, and every sample of a good recording, stays."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import downloaded
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 from made_recording import recording
 
@@ -27,8 +26,7 @@ GOOD = recording()
 
 
 def ingested(folder, out):
-    command = [sys.executable, "-m", "pipeline.ingest", str(folder), "--out", str(out)]
-    return subprocess.run(command, capture_output=True, text=True)
+    return programs.run("pipeline.ingest", folder, "--out", out)
 
 
 @pytest.mark.parametrize(
