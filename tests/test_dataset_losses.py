@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pandas as pd
+import programs
 import pytest
 from made_recording import content, recording
 
@@ -50,17 +51,7 @@ def test_gaps_that_are_no_longer_listed_may_be_anywhere_later():
 
 def made(folder, processed, out, *options):
     folders = [str(one) for one in (folder if isinstance(folder, list) else [folder])]
-    command = [
-        sys.executable,
-        "-m",
-        "pipeline.stages.dataset",
-        *folders,
-        "--processed",
-        str(processed),
-        "--out",
-        str(out),
-    ]
-    done = subprocess.run([*command, *options], capture_output=True, text=True)
+    done = programs.run("pipeline.stages.dataset", *folders, "--processed", processed, "--out", out, *options)
     return done, schemas.read(out, schemas.DATASET) if done.returncode == 0 else None
 
 
@@ -69,8 +60,7 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     samples = processed / "run-1" / "samples.parquet"
     for stage, read in (("ingest", folder), ("strokes", samples)):
         out = samples if stage == "ingest" else samples.with_name("strokes.parquet")
-        command = [sys.executable, "-m", f"pipeline.stages.{stage}", str(read), "--out", str(out)]
-        done = subprocess.run(command, capture_output=True, text=True)
+        done = programs.run(f"pipeline.stages.{stage}", read, "--out", out)
         assert done.returncode == 0, done.stderr
     strokes = schemas.read(samples.with_name("strokes.parquet"), schemas.STROKES)
     second = strokes[(strokes["stroke"] == 2) & (strokes["phase"] == "winding")].iloc[0]

@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 import scipy.io
 import yaml
+from forked import fork_the_reader
 from made_damage import YAML, damaged, twisted
 from made_recording import content, recording
+from shares import shares
 
 from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
@@ -75,20 +77,22 @@ def of_run_yaml(chance, number):
     return yaml.safe_dump(twisted(FULL, chance), allow_unicode=True, sort_keys=False).encode("utf-8", "replace")
 
 
+@shares
 @pytest.mark.parametrize("seed", range(4))
-def test_no_run_yaml_is_a_crash(make_run, seed):
+def test_no_run_yaml_is_a_crash(make_run, seed, share):
     chance, folder, taken = random.Random(f"run.yaml {seed}"), make_run("a-01", SHORT, ".csv"), 0
-    for number in range(750):
+    for number in range(round(750 * share)):
         (folder / "run.yaml").write_bytes(of_run_yaml(chance, number))
         if outcome(lambda: read_run(folder)):
             taken += outcome(lambda: read_samples(folder))
-    assert 10 < taken < 700
+    assert 10 * share < taken < 700 * share
 
 
-def test_no_mapping_is_a_crash(tmp_path):
+@shares
+def test_no_mapping_is_a_crash(tmp_path, share):
     chance, taken, raw = random.Random("mapping"), 0, tmp_path / "raw"
     (tmp_path / "log.csv").write_bytes(CSV)
-    for number in range(1000):
+    for number in range(round(1000 * share)):
         text = of_run_yaml(chance, number).replace(b"run: a-01\n", b"", 1)
         text = text[: text.rfind(b"mended")] if b"mended" in text else text
         (tmp_path / "map.yaml").write_bytes(text)
@@ -97,7 +101,7 @@ def test_no_mapping_is_a_crash(tmp_path):
             taken += 1
             shutil.rmtree(raw / "a-02")
         assert not raw.exists() or not list(raw.iterdir())
-    assert 10 < taken < 900
+    assert 10 * share < taken < 900 * share
 
 
 def csv():
@@ -129,6 +133,7 @@ def frames():
     return b"".join([*sent, encode(Kind.END, len(sent), END.pack(len(rows), 0))])
 
 
+@shares
 @pytest.mark.parametrize(
     ("make", "suffix", "tries"),
     [
@@ -139,7 +144,8 @@ def frames():
         (frames, ".frames", 500),
     ],
 )
-def test_no_recording_is_a_crash(make_run, tmp_path, make, suffix, tries):
+def test_no_recording_is_a_crash(make_run, tmp_path, monkeypatch, make, suffix, tries, share):
+    fork_the_reader(monkeypatch)
     chance, good, taken = random.Random(suffix), make(), 0
     folder = make_run("a-01", SHORT, ".csv")
     (folder / "recording.csv").unlink()
@@ -157,18 +163,19 @@ def test_no_recording_is_a_crash(make_run, tmp_path, make, suffix, tries):
 
     path.write_bytes(good)
     assert outcome(read), "the good one"
-    for _ in range(tries):
+    for _ in range(round(tries * share)):
         path.write_bytes(damaged(good, chance, NUMBERS if suffix == ".csv" else []))
         taken += outcome(read)
-    assert taken < tries
+    assert taken < tries * share
 
 
-def test_no_capture_json_is_a_crash(make_run):
+@shares
+def test_no_capture_json_is_a_crash(make_run, share):
     chance, folder = random.Random("capture.json"), make_run("a-01", SHORT, ".csv")
     (folder / "recording.csv").rename(folder / "recording.frames")
     (folder / "recording.frames").write_bytes(frames())
     good = {"sha256": "0", "hello": {"device": "x"}, "started_utc": "2026", "counts": [1, {"lost": 2}]}
-    for number in range(900):
+    for number in range(round(900 * share)):
         text = (
             json.dumps(twisted(good, chance)).encode()
             if number % 2

@@ -13,6 +13,7 @@ from export.made_models import QUICK
 from hostile import NAMES, NUMBERS, damaged, ended
 from made_recording import content, recording
 from models.made_dataset import made_dataset
+from shares import shares
 
 from pipeline.ground import schemas, seal
 from pipeline.ground.errors import BadInput
@@ -75,16 +76,17 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@shares
 @pytest.mark.parametrize("name", MODELS)
 def test_a_damaged_model_is_refused_and_one_that_is_sealed_again_exported_or_refused(
-    saved: Path, tmp_path: Path, name: str
+    saved: Path, tmp_path: Path, name: str, share: float
 ) -> None:
     shutil.copy(saved / "dataset.parquet", tmp_path)
     (tmp_path / name).mkdir()
     path, rng = tmp_path / name / "within-0.model", np.random.default_rng(1)
     whole = (saved / name / "within-0.model").read_bytes()
     inside = bytes(seal.opened(whole))
-    for number in range(HURTS):
+    for number in range(round(HURTS * share)):
         resealed = number % 2 == 0  # as if written so: what the check sum cannot see
         path.write_bytes(hurt := seal.sealed(damaged(inside, rng)) if resealed else damaged(whole, rng))
         code, complaint = ended("pipeline.export.__main__", [str(path), "--format", "c"], tmp_path)
@@ -145,10 +147,11 @@ GOOD = {  # command lines that work, or end soon; every try spoils at least one 
 OTHERS = ("junk", "empty", "locked", "nowhere/at/all", "dataset.parquet", "raw/a-1", "questions.csv", "junk/under")
 
 
+@shares
 @pytest.mark.parametrize("program", GOOD)
-def test_a_spoilt_command_line_is_answered_or_refused(program: str, place: Path) -> None:
+def test_a_spoilt_command_line_is_answered_or_refused(program: str, place: Path, share: float) -> None:
     rng, before = np.random.default_rng(list(program.encode())), sorted(Path("/dev").iterdir())
-    for number in range(COMMANDS):  # each spoils one word or two, and may end early
+    for number in range(round(COMMANDS * share)):  # each spoils one word or two, and may end early
         words = GOOD[program].split()
         spoils = rng.choice(len(words), size=int(rng.integers(1, 3)), replace=False)
         for at in spoils:

@@ -22,7 +22,7 @@ def tool(*command):
         ("ruff", "check", "."),
         ("ruff", "format", "--check", "."),
         ("snakefmt", "--check", "Snakefile", "pipeline/rules"),
-        ("mypy",),
+        pytest.param(("mypy",), marks=pytest.mark.long),
     ],
     ids=lambda command: " ".join(command),
 )

@@ -4,6 +4,7 @@ import gzip
 import io
 from pathlib import Path
 
+import downloaded
 import numpy as np
 import pandas as pd
 import pytest
@@ -14,12 +15,6 @@ from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
-RECORDINGS = Path(__file__).parent.parent.parent / "shared" / "recordings"
-DAVINCI, EMPS = RECORDINGS / "davinci_tool", RECORDINGS / "emps" / "DATA_EMPS.mat"
-needs_davinci = pytest.mark.skipif(
-    not DAVINCI.is_dir(), reason="recordings of github.com/MRDLab/mis-tool-characterization, Tool_*.TXT, not here"
-)
-needs_emps = pytest.mark.skipif(not EMPS.is_file(), reason="DATA_EMPS.mat of github.com/wmkouw/NSI-EMPS not here")
 TIME_S = np.arange(3000) / 200
 POSITION_M = 0.1 * (1 - np.cos(TIME_S))
 
@@ -131,11 +126,8 @@ def test_odd_clocks_import_and_lose_no_sample(tmp_path, change):
     assert samples["time_s"].iloc[-1] < 4.01
 
 
-@needs_davinci
 def test_the_surgical_tool_imports_through_its_committed_mapping(tmp_path):
-    files = sorted(DAVINCI.glob("*.TXT.gz"))
-    assert files
-    for number, file in enumerate(files):
+    for number, file in enumerate(downloaded.files("davinci_tool", "*.TXT.gz")):
         import_run(file, MAPPINGS / "davinci_tool.yaml", f"run-{number}", tmp_path)
         _, samples = read_samples(tmp_path / f"run-{number}")
         raw = pd.read_csv(file, header=None, comment="%", encoding="latin1")
@@ -147,11 +139,11 @@ def test_the_surgical_tool_imports_through_its_committed_mapping(tmp_path):
         assert compliance < 0, "what resists holds the jaw back"
 
 
-@needs_emps
 def test_the_positioning_system_imports_through_its_committed_mapping(tmp_path):
-    import_run(EMPS, MAPPINGS / "emps.yaml", "emps", tmp_path)
+    (file,) = downloaded.files("emps", "DATA_EMPS.mat")
+    import_run(file, MAPPINGS / "emps.yaml", "emps", tmp_path)
     _, samples = read_samples(tmp_path / "emps")
-    raw = scipy.io.loadmat(EMPS)
+    raw = scipy.io.loadmat(file)
     assert len(samples) == 24841
     assert samples["force_n"].to_numpy() == pytest.approx((raw["gtau"] * raw["vir"]).ravel(), rel=1e-8)
     moving = np.gradient(samples["position_m"], samples["time_s"])

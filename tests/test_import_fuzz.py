@@ -1,6 +1,8 @@
 """Damaged files of every foreign format: read, or refused in words; never a traceback, never half a run."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
 
@@ -9,10 +11,13 @@ import numpy as np
 import pytest
 import scipy.io
 import yaml
+from forked import fork_the_reader
 from made_recording import content
+from shares import shares
 from test_import_nested import CHANNELS, SERIES, struct_of
 from test_import_workbook import workbook
 
+from pipeline.formats.matlab import read_matlab
 from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
 
@@ -35,14 +40,16 @@ MAKERS = {
 }
 
 
+@shares
 @pytest.mark.parametrize("name", MAKERS)
-def test_a_damaged_file_is_read_or_refused_in_words(tmp_path, name):
+def test_a_damaged_file_is_read_or_refused_in_words(tmp_path, monkeypatch, name, share):
+    fork_the_reader(monkeypatch)
     MAKERS[name](tmp_path / name)
     good, random = (tmp_path / name).read_bytes(), np.random.default_rng(len(name))
     mapping, raw = tmp_path / "map.yaml", tmp_path / "raw"
     mapping.write_text(yaml.safe_dump(content("x", run=None, channels=CHANNELS)))
     refused = 0
-    for number in range(TRIES):
+    for number in range(round(TRIES * share)):
         broken = bytearray(good)
         for place in random.integers(0, len(good), 1 + number % 8):
             broken[place] = random.integers(0, 256)
@@ -54,6 +61,14 @@ def test_a_damaged_file_is_read_or_refused_in_words(tmp_path, name):
             refused += 1
             assert not (raw / f"a-{number}").exists()
     assert refused and not [path for path in raw.rglob("*") if path.name.startswith(".")]
+
+
+def test_a_fork_that_crashes_ends_as_a_process_does(tmp_path, monkeypatch):
+    fork_the_reader(monkeypatch)
+    monkeypatch.setattr(scipy.io, "loadmat", lambda *_, **__: os.kill(os.getpid(), signal.SIGSEGV))
+    MAKERS["a.mat"](tmp_path / "a.mat")
+    with pytest.raises(BadInput, match="what reads such files fails on it"):
+        read_matlab(tmp_path / "a.mat")
 
 
 def test_a_byte_that_crashes_the_reader_of_matlab_files_is_refused_in_words(tmp_path):

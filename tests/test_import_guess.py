@@ -1,14 +1,12 @@
 """`import_run --guess`: the mapping that it drafts imports the file once a person has filled in what is empty."""
 
 import json
-import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 import scipy.io
 from made_recording import recording
@@ -22,10 +20,7 @@ SIZES = {"material": "nylon", "radius_mm": 0.4, "length_mm": 400, "torsion_zone_
 
 
 def program(*words, cwd):
-    command = [sys.executable, "-m", "pipeline.import_run", *map(str, words)]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=cwd, env={**os.environ, "PYTHONPATH": str(ROOT)})
-    assert "Traceback" not in done.stderr, done.stderr
-    return done
+    return programs.run("pipeline.import_run", *words, cwd=cwd)
 
 
 def filled(text, **more):

@@ -2,10 +2,9 @@
 
 import gzip
 import json
-import subprocess
-import sys
 
 import numpy as np
+import programs
 import pytest
 import scipy.io
 import yaml
@@ -30,9 +29,8 @@ def imported(file, channels=CHANNELS, layout=None, **changes):
     """Import a file with the program; the finished process and the run's folder."""
     mapping = file.parent / "map.yaml"
     mapping.write_text(yaml.safe_dump(content("x", run=None, channels=channels, file=layout, **changes)))
-    words = ["import_run", str(file), "--map", str(mapping), "--run", "a-01", "--out", str(file.parent / "raw")]
-    done = subprocess.run([sys.executable, "-m", f"pipeline.{words[0]}", *words[1:]], capture_output=True, text=True)
-    assert "Traceback" not in done.stderr
+    words = [file, "--map", mapping, "--run", "a-01", "--out", file.parent / "raw"]
+    done = programs.run("pipeline.import_run", *words)
     return done, file.parent / "raw" / "a-01"
 
 

@@ -3,12 +3,11 @@
 import hashlib
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 import scipy.io
 from made_recording import recording
@@ -30,8 +29,9 @@ def part(name):
 
 def program(command, folder):
     """A command of the page, done in a folder without an error."""
-    words = [sys.executable, *command.split()[1:]]
-    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, env={"PYTHONPATH": str(ROOT)})
+    _, option, module, *words = command.split()
+    assert option == "-m"
+    done = programs.run(module, *words, cwd=folder)
     assert done.returncode == 0, done.stderr
     return done
 

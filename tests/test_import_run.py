@@ -3,6 +3,7 @@ import sys
 from io import BytesIO
 from pathlib import Path
 
+import downloaded
 import numpy as np
 import pandas as pd
 import pytest
@@ -17,7 +18,6 @@ from pipeline.new_run import make_run as new_run
 from pipeline.run.samples import read_samples
 
 MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
-HAPTIC = Path(__file__).parent.parent.parent / "shared" / "recordings" / "tsa_haptic"
 GOOD = recording()
 
 
@@ -253,10 +253,9 @@ def test_new_run_from_the_command_line(tmp_path):
     }  # fmt: skip
 
 
-@pytest.mark.skipif(not HAPTIC.is_dir(), reason="recordings of github.com/FaragSeif/tsa_haptic, scripts/data, not here")
 @pytest.mark.parametrize("module", [1, 2, 3])
 def test_the_haptic_device_imports_through_its_committed_mapping(tmp_path, module):
-    for file in sorted(HAPTIC.glob("*.csv.gz")):
+    for file in downloaded.files("tsa_haptic", "*.csv.gz"):
         name = file.name.split(".")[0].replace("_", "-")
         import_run(file, MAPPINGS / f"tsa_haptic_{module}.yaml", name, tmp_path)
         run, samples = read_samples(tmp_path / name)

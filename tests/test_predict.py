@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 from models.made_dataset import made_dataset
 
@@ -24,11 +25,10 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def ask(dataset: Path, text: str, *words: str) -> subprocess.CompletedProcess[str]:
+def ask(dataset: Path, text: str, *words: str) -> programs.Done:
     questions = dataset.with_name("questions.csv")
     questions.write_text(text)
-    command = [sys.executable, "-m", "pipeline.predict", dataset, questions, "--out", dataset.with_name("answers.csv")]
-    return subprocess.run([*command, *words], cwd=ROOT, capture_output=True, text=True)
+    return programs.run("pipeline.predict", dataset, questions, "--out", dataset.with_name("answers.csv"), *words)
 
 
 def test_answers_come_with_intervals_and_what_lies_outside_is_flagged(dataset: Path) -> None:
@@ -96,8 +96,7 @@ def test_questions_that_are_no_text_are_refused_in_words(dataset: Path, tmp_path
         os.mkfifo(questions)
     else:
         questions.write_bytes(b"\x1f\x8b" + bytes(range(256)) if name.endswith("gz") else bytes(range(128, 256)))
-    command = [sys.executable, "-m", "pipeline.predict", dataset, questions, "--out", tmp_path / "out.csv"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    done = programs.run("pipeline.predict", dataset, questions, "--out", tmp_path / "out.csv")
     assert done.returncode == 2 and done.stderr.startswith(f"error: {questions}: file: "), done.stderr
     assert done.stderr.count("\n") == 1 and not (tmp_path / "out.csv").exists()
 

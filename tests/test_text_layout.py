@@ -1,10 +1,9 @@
 """A logger's own layout of a text file: read in one command, and every message leads to the next step."""
 
 import re
-import subprocess
-import sys
 
 import numpy as np
+import programs
 import pytest
 from made_recording import recording
 
@@ -27,11 +26,8 @@ def log(tmp_path):
 
 
 def new(log, *more):
-    command = [sys.executable, "-m", "pipeline.new_run", "a-01", "--material", "UHMWPE", *SIZES]
-    command += ["--recording", str(log), "--out", str(log.parent / "raw"), *more]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert "Traceback" not in done.stderr
-    return done
+    words = ["a-01", "--material", "UHMWPE", *SIZES, "--recording", log, "--out", log.parent / "raw", *more]
+    return programs.run("pipeline.new_run", *words)
 
 
 def test_a_german_loggers_file_takes_one_command(log):

@@ -1,11 +1,11 @@
 """One damaged sample is left out and said; an ordinary outlier, and every sample of a good recording, stays."""
 
-import subprocess
-import sys
 from pathlib import Path
 
+import downloaded
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 from made_recording import recording
 
@@ -16,8 +16,7 @@ from pipeline.run.wild_samples import without_wild
 
 ROOT = Path(__file__).parent.parent
 BLIND = sorted((ROOT / "tests" / "data" / "blind").rglob("recording.parquet"))
-FOREIGN = ROOT.parent / "shared" / "recordings"
-KINDS = {"tsa": "tsa_haptic/*.csv.gz", "davinci": "davinci_tool/*.gz", "emps": "emps/*.mat"}  # that were downloaded
+KINDS = {"tsa": ("tsa_haptic", "*.csv.gz"), "davinci": ("davinci_tool", "*.gz"), "emps": ("emps", "*.mat")}
 MAPPINGS = [
     path
     for path in sorted((ROOT / "pipeline" / "mappings").glob("*.yaml"))
@@ -27,8 +26,7 @@ GOOD = recording()
 
 
 def ingested(folder, out):
-    command = [sys.executable, "-m", "pipeline.stages.ingest", str(folder), "--out", str(out)]
-    return subprocess.run(command, capture_output=True, text=True)
+    return programs.run("pipeline.stages.ingest", folder, "--out", out)
 
 
 @pytest.mark.parametrize(
@@ -94,10 +92,9 @@ def test_noise_about_no_load_is_no_range(make_run):
     assert len(read_samples(make_run("a-01", samples))[1]) == len(GOOD)
 
 
-@pytest.mark.skipif(not FOREIGN.is_dir(), reason="the downloaded recordings are not here")
 @pytest.mark.parametrize("mapping", MAPPINGS, ids=lambda path: path.stem)
 def test_no_downloaded_recording_loses_a_sample(tmp_path, mapping):
-    for number, file in enumerate(sorted(FOREIGN.glob(KINDS[mapping.stem.split("_")[0]]))):
+    for number, file in enumerate(downloaded.files(*KINDS[mapping.stem.split("_")[0]])):
         import_run(file, mapping, f"a-{number}", tmp_path)
         run, samples = read_samples(tmp_path / f"a-{number}")
         assert without_wild(run, samples, file) == (samples, [])

@@ -2,12 +2,11 @@
 
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 from made_recording import content, recording
 from test_dataset import recorded, string
@@ -121,8 +120,7 @@ def folders(place: Path, jump_mm: float, tare: str | None = None) -> list[Path]:
 
 
 def program(module: str, *words: object) -> str:
-    command = [sys.executable, "-m", f"pipeline.{module}", *map(str, words)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    done = programs.run(f"pipeline.{module}", *words)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

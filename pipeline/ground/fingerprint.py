@@ -24,8 +24,10 @@ def _file(module: str) -> Path | None:
 
 
 def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
-    """Statements, and those inside them; no expression holds one."""
+    """Statements that can run, and those inside them; no expression holds one."""
     for node in body:
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            continue  # for a checker of types alone
         yield node
         for field in ("body", "orelse", "finalbody", "handlers", "cases"):
             yield from _statements(getattr(node, field, []))

@@ -5,11 +5,10 @@ import os
 import re
 import shlex
 import stat
-import subprocess
-import sys
 from pathlib import Path
 
 import pandas as pd
+import programs
 import pytest
 import yaml
 
@@ -70,11 +69,7 @@ def test_what_cannot_be_taken_out_alone_is_told_so() -> None:
     assert refused.value.field == "simulation" and "out by hand" in refused.value.mend
 
 
-def run(*words: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", *map(str, words)], cwd=ROOT, capture_output=True, text=True)
-
-
-def flat(done: subprocess.CompletedProcess[str]) -> str:
+def flat(done: programs.Done) -> str:
     """What a program printed, without the breaks of its lines."""
     return " ".join(done.stdout.split())
 
@@ -105,7 +100,7 @@ def diagnosis(folder: Path, tmp_path: Path) -> Path:
 def simulated(folder: Path, *words: object) -> pd.Series:
     """What the simulator alone says of a run."""
     out = folder.parent / "simulated.parquet"
-    done = run("pipeline.simulate", folder, *words, "--out", out)
+    done = programs.run("pipeline.simulate", folder, *words, "--out", out)
     assert done.returncode == 0, done.stderr
     return pd.read_parquet(out)["displacement_mm"]
 
@@ -125,7 +120,7 @@ def test_adopting_changes_run_yaml_alone_and_once(folder: Path, diagnosis: Path)
     named(diagnosis, **DRIFT)
     before = (folder / "run.yaml").read_text()
     os.chmod(folder / "run.yaml", 0o640)
-    done = run("pipeline.adopt", diagnosis, folder)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "simulation holds sensor_drift now" in flat(done), done.stderr
     after = (folder / "run.yaml").read_text()
     assert yaml.safe_load(after) == {
@@ -136,7 +131,7 @@ def test_adopting_changes_run_yaml_alone_and_once(folder: Path, diagnosis: Path)
     assert "# measured by hand" in after and all(line in after for line in before.splitlines())
     assert stat.S_IMODE((folder / "run.yaml").stat().st_mode) == 0o640
     assert sorted(path.name for path in folder.iterdir()) == ["recording.parquet", "run.yaml"]
-    again = run("pipeline.adopt", diagnosis, folder)
+    again = programs.run("pipeline.adopt", diagnosis, folder)
     assert again.returncode == 0 and "holds sensor_drift already" in again.stdout
     assert (folder / "run.yaml").read_text() == after
 
@@ -144,7 +139,7 @@ def test_adopting_changes_run_yaml_alone_and_once(folder: Path, diagnosis: Path)
 def test_what_was_adopted_simulates_without_being_given_and_counts_once(folder: Path, diagnosis: Path) -> None:
     bare = simulated(folder)
     given = simulated(folder, "--simulation", named(diagnosis, **DRIFT))
-    assert run("pipeline.adopt", diagnosis, folder).returncode == 0
+    assert programs.run("pipeline.adopt", diagnosis, folder).returncode == 0
     own = simulated(folder)
     assert abs(own - bare).max() > 0.3
     pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), given)
@@ -155,15 +150,15 @@ def test_what_was_adopted_simulates_without_being_given_and_counts_once(folder: 
 
 def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosis: Path) -> None:
     before = (folder / "run.yaml").read_bytes()
-    done = run("pipeline.adopt", named(diagnosis), folder)
+    done = programs.run("pipeline.adopt", named(diagnosis), folder)
     assert done.returncode == 0 and "there is nothing to adopt" in done.stdout
-    wrong = run("pipeline.adopt", named(diagnosis, whole_s=200.0, crooked_mm=1.0), folder)
+    wrong = programs.run("pipeline.adopt", named(diagnosis, whole_s=200.0, crooked_mm=1.0), folder)
     assert (
         wrong.returncode == 2 and "diagnosis.json: simulation[0].parameters.crooked_mm: is not one of" in wrong.stderr
     )
     diagnosis.write_text('{"parameters": {}, "simulation": [3]}')
-    assert run("pipeline.adopt", diagnosis, folder).returncode == 2
-    assert run("pipeline.adopt", folder / "run.yaml", folder).returncode == 2
+    assert programs.run("pipeline.adopt", diagnosis, folder).returncode == 2
+    assert programs.run("pipeline.adopt", folder / "run.yaml", folder).returncode == 2
     assert (folder / "run.yaml").read_bytes() == before
 
 
@@ -182,7 +177,7 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
 
     named(diagnosis, **DRIFT)
     before, before_fitted, whole = errs(), fitted(), errs("--simulation", diagnosis)
-    done = run("pipeline.adopt", diagnosis, folder)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
     lines = done.stdout.splitlines()
     place = next(number for number, line in enumerate(lines) if line.startswith("error on this recording"))
     head, first, second = lines[place : place + 3]
@@ -209,7 +204,7 @@ def test_adopting_names_the_dimensions_to_measure_again(folder: Path, diagnosis:
     content = json.loads(named(diagnosis, **DRIFT).read_text())
     moved = {"radius_mm": -1.9, "scale": 0.4, "separator_mm": 2.2, "length_mm": "far"}
     diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
-    said = flat(run("pipeline.adopt", diagnosis, folder))
+    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
     names = "Calibration moved the separator (2.2 times its tolerance) and the radius (1.9 times its tolerance)"
     assert f"{names}: measure again, and write what you measured, not the calibrated values." in said
 
@@ -218,25 +213,25 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     before = (folder / "run.yaml").read_bytes()
     os.chmod(folder / "run.yaml", 0o640)
     judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
-    done = run("pipeline.adopt", diagnosis, folder)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
     *_, before_last, last = done.stdout.splitlines()
     assert before_last == "To take the effects out of run.yaml again:"
     assert last == f"  python -m pipeline.adopt --remove {folder}"
     assert (folder / "run.yaml").read_bytes() != before
-    done = run(*last.split()[-3:])
+    done = programs.run(*last.split()[-3:])
     assert done.returncode == 0 and "are taken out (they held sensor_drift)" in done.stdout, done.stderr
     assert (folder / "run.yaml").read_bytes() == before
     assert stat.S_IMODE((folder / "run.yaml").stat().st_mode) == 0o640
     assert sorted(path.name for path in folder.iterdir()) == ["recording.parquet", "run.yaml"]
-    again = run("pipeline.adopt", "--remove", folder)
+    again = programs.run("pipeline.adopt", "--remove", folder)
     assert again.returncode == 0 and "holds nothing that was adopted" in again.stdout
-    assert run("pipeline.adopt", "--remove", folder, diagnosis).returncode == 2
-    assert run("pipeline.adopt", diagnosis).returncode == 2
-    usage = run("pipeline.adopt", "--help").stdout
+    assert programs.run("pipeline.adopt", "--remove", folder, diagnosis).returncode == 2
+    assert programs.run("pipeline.adopt", diagnosis).returncode == 2
+    usage = programs.run("pipeline.adopt", "--help").stdout
     assert usage.startswith(
         "usage: python -m pipeline.adopt DIAGNOSIS.json RUN_DIR\n       python -m pipeline.adopt --remove RUN_DIR\n"
     )
-    columns = " ".join(run("pipeline.simulate", "--help").stdout.split())
+    columns = " ".join(programs.run("pipeline.simulate", "--help").stdout.split())
     assert columns.startswith("usage: python -m pipeline.simulate ") and "two columns: time_s, and what" in columns
 
 
@@ -247,7 +242,7 @@ def test_the_command_that_takes_effects_out_stands_directly_below_the_warning(fo
     (folder / "run.yaml").write_text(text.replace(f"radius_mm: {right:g}", f"radius_mm: {1.2 * right:g}"))
     content["parameters"]["radius_mm"]["value"] = right
     diagnosis.write_text(json.dumps(content))
-    said = run("pipeline.adopt", diagnosis, folder).stdout
+    said = programs.run("pipeline.adopt", diagnosis, folder).stdout
     remove = f"  python -m pipeline.adopt --remove {folder}"
     lines = said.splitlines()
     warned = next(number for number, line in enumerate(lines) if line.startswith("Beware: do not predict"))
@@ -257,7 +252,7 @@ def test_the_command_that_takes_effects_out_stands_directly_below_the_warning(fo
 
 def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None:
     out = folder.parent / "simulated.parquet"
-    done = run("pipeline.simulate", folder, "--out", out)
+    done = programs.run("pipeline.simulate", folder, "--out", out)
     error = pd.read_parquet(folder / "recording.parquet")["displacement_mm"] - pd.read_parquet(out)["displacement_mm"]
     said = re.search(r"rms error against the recording, its zero set in the first second: ([0-9.]+) mm\n", done.stdout)
     assert said and float(said[1]) == pytest.approx(float(error.pow(2).mean() ** 0.5), rel=0.05), done.stdout
@@ -277,15 +272,15 @@ def judged(path: Path, verdict: str, tied: list, **more: object) -> dict:
 
 def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folder: Path, diagnosis: Path) -> None:
     judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
-    done = run("pipeline.adopt", diagnosis, folder)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "2 other explanations were likely as well: creep or thermal + wear." in flat(done)
     first = {"effects": ["sensor_drift"], "verdict": "ambiguous", "tied": TIED, "runs": [folder.name]}
     first |= {"diagnosis": str(diagnosis), "next_experiment": NEXT}
     text = (folder / "run.yaml").read_text()
     assert yaml.safe_load(text)["adopted"] == [first] and "# measured by hand" in text
-    assert "holds sensor_drift already" in run("pipeline.adopt", diagnosis, folder).stdout
+    assert "holds sensor_drift already" in programs.run("pipeline.adopt", diagnosis, folder).stdout
     out = folder.parent / "out"
-    done = run("pipeline.diagnose", folder, "--out", out)
+    done = programs.run("pipeline.diagnose", folder, "--out", out)
     assert done.returncode == 0, done.stderr
     content = json.loads((out / folder.name / "diagnosis.json").read_text())
     assert content["adopted"] == [first]
@@ -306,13 +301,13 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     )
     assert "last 30 % of strokes (seen by the adopted effects)" in said and "unseen" not in said
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
-    assert run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
+    assert programs.run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]
     named(diagnosis, **DRIFT)
     content = json.loads(diagnosis.read_text())
     del content["verdict"]
     diagnosis.write_text(json.dumps(content))
-    assert run("pipeline.adopt", diagnosis, folder).returncode == 0  # nobody knows what tied with this one
+    assert programs.run("pipeline.adopt", diagnosis, folder).returncode == 0  # nobody knows what tied with this one
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == []
 
 
@@ -320,7 +315,7 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
 def test_ties_that_are_none_are_refused(folder: Path, diagnosis: Path, tied: object) -> None:
     before = (folder / "run.yaml").read_bytes()
     judged(diagnosis, "ambiguous", tied)  # type: ignore[arg-type]
-    done = run("pipeline.adopt", diagnosis, folder)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 2 and "diagnosis.json: mechanisms, alternatives: holds" in done.stderr, done.stderr
     assert (folder / "run.yaml").read_bytes() == before
 
@@ -335,14 +330,14 @@ def test_a_block_that_cannot_be_replaced_is_told_so() -> None:
 def test_another_runs_diagnosis_is_adopted_with_a_warning(folder: Path, diagnosis: Path) -> None:
     content = json.loads(named(diagnosis, **DRIFT).read_text())
     diagnosis.write_text(json.dumps({**content, "run": ["other-01", "other-02"]}))
-    done = run("pipeline.adopt", diagnosis, folder)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "beware: " in done.stderr and "the same string on the same rig" in done.stderr
 
 
 def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_old_one(folder: Path) -> None:
     made, record, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
     new = folder.with_name(f"{folder.name}-next")
-    done = run(*shlex.split(made)[2:])
+    done = programs.run(*shlex.split(made)[2:])
     assert done.returncode == 0, done.stderr
     old, fresh = read_run(folder), read_run(new)
     assert fresh.rig == old.rig | {"load_n": 35.0} and fresh.string_id == old.string_id and not fresh.simulation

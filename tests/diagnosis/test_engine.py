@@ -15,7 +15,10 @@ def verdict(folder) -> tuple[str, tuple[str, ...]]:
     return found.verdict, found.best_ids
 
 
-@pytest.mark.parametrize("kind", ["axial_elasticity", "backlash", "sensor_lag", "jam"])
+LONG = [pytest.param(kind, marks=pytest.mark.long) for kind in ("backlash", "sensor_lag")]
+
+
+@pytest.mark.parametrize("kind", ["axial_elasticity", "jam", *LONG])
 def test_one_effect_is_named(kind: str, conceal) -> None:
     assert verdict(conceal(kind)[0]) == ("explained", (kind,))
 

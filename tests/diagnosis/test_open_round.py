@@ -16,6 +16,9 @@ EXACT, HELD, PAIRS_HELD = (
 )  # of 15 single effects, and of 3 pairs: what was reached, less one for other processors
 
 
+pytestmark = pytest.mark.long  # 24 diagnoses
+
+
 @pytest.fixture(scope="module")
 def outcomes() -> dict[str, list[str]]:
     """How each recording's verdict compares with what was hidden in it, by kind."""

@@ -1,12 +1,11 @@
 """The improved simulator alone, of a force that jumps: it errs by what the diagnosis says of it."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 import yaml
 
@@ -39,8 +38,7 @@ def test_simulated_at_the_recordings_rate_it_errs_by_what_the_diagnosis_says(tmp
         ["diagnose", tmp_path / "raw/mass-01", "--out", tmp_path / "out"],
         ["simulate", tmp_path / "raw/mass-01", "--simulation", told, "--out", out],
     ):
-        line = [sys.executable, "-m", f"pipeline.{command[0]}", *map(str, command[1:])]
-        done = subprocess.run(line, cwd=ROOT, capture_output=True, text=True)
+        done = programs.run(f"pipeline.{command[0]}", *command[1:])
         assert done.returncode == 0, done.stderr
     content = json.loads(told.read_text())
     assert {"friction_hysteresis", "viscous_loss"} <= {one["id"] for one in content["mechanisms"]}

@@ -1,14 +1,13 @@
 """The engine on systems that are no string: recordings by another hand, and one with a memory of its own."""
 
 import json
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 import yaml
 from scipy.signal import lfilter
@@ -73,9 +72,8 @@ def test_what_the_library_lacks_is_not_named_as_the_librarys(tmp_path, case):
 
 
 def program(module, *arguments):
-    """A program of ours, run as a person runs it."""
-    command = [sys.executable, "-m", f"pipeline.{module}", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    """A program of ours."""
+    return programs.run(f"pipeline.{module}", *arguments)
 
 
 @pytest.mark.parametrize("case", ["cable-friction-stretch", "mass-three"])

@@ -1,6 +1,5 @@
 import json
 import re
-import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +8,7 @@ from types import SimpleNamespace
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 from made_life import folder, samples
 from made_recording import content
@@ -30,8 +30,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def program(*arguments):
-    command = [sys.executable, "-m", "pipeline.lifespan", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    return programs.run("pipeline.lifespan", *arguments)
 
 
 @pytest.fixture(scope="module")

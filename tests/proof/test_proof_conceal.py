@@ -1,9 +1,8 @@
 """The program that conceals writes a run that the pipeline reads, and seals the answer elsewhere."""
 
 import json
-import subprocess
-import sys
 
+import programs
 import pytest
 
 from pipeline.proof.plan import Planned, written
@@ -12,8 +11,7 @@ from pipeline.run.recording import read_recording
 
 
 def conceal(place, *arguments):
-    command = [sys.executable, "-m", "pipeline.proof.conceal", "--raw", str(place / "raw"), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120)
+    return programs.run("pipeline.proof.conceal", "--raw", place / "raw", *arguments)
 
 
 @pytest.mark.parametrize("protocol", ["rich", "poor"])
@@ -57,15 +55,11 @@ def test_a_batch_seals_its_answers_elsewhere_and_says_what_it_could_not_make(tmp
         Planned("case-1", 1, "none", "poor"),
         Planned("case-2", 1, "single", "poor", ("axial_elasticity",), (1.0,)),
     ]
-    command = [sys.executable, "-m", "pipeline.proof.conceal_batch", "--cases", written(cases), "--runs"]
-    beside = subprocess.run(
-        [*command, str(tmp_path / "runs"), "--answers", str(tmp_path / "runs" / "a.json")],
-        capture_output=True,
-        text=True,
-    )
+    command = ["pipeline.proof.conceal_batch", "--cases", written(cases), "--runs", tmp_path / "runs", "--answers"]
+    beside = programs.run(*command, tmp_path / "runs" / "a.json")
     assert beside.returncode == 2 and "seal it outside" in beside.stderr and not (tmp_path / "runs").exists()
     sealed = tmp_path / "sealed.json"
-    done = subprocess.run([*command, str(tmp_path / "runs"), "--answers", str(sealed)], capture_output=True, text=True)
+    done = programs.run(*command, sealed)
     assert done.returncode == 0 and "1 recordings concealed" in done.stdout, done.stderr
     assert [path.name for path in (tmp_path / "runs").iterdir()] == ["case-1"]
     made, skipped = json.loads(sealed.read_text())

@@ -79,6 +79,7 @@ def test_a_diagnosis_is_told_the_recordings_and_nothing_else(tmp_path):
         assert not re.search(r"sealed|--cases|stratum|kappa|answers", command)
 
 
+@pytest.mark.long
 def test_the_small_proof(tmp_path):
     """Nine cases on one core, ties and baselines included: two to three minutes."""
     snakemake(tmp_path, "proof")

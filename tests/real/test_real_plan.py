@@ -2,10 +2,10 @@
 
 import gzip
 import re
-from pathlib import Path
 
 import pytest
 import yaml
+from downloaded import FOLDER, SOURCES, files
 from made_recording import content, recording
 
 from pipeline.ground.errors import BadInput
@@ -15,8 +15,6 @@ from pipeline.real.ask import ask
 from pipeline.real.bring import REFUSED, bring, usable
 from pipeline.real.plan import RealPlan, make_real_plan, plan_of
 from pipeline.real.rigs import MAPPINGS, expected_of, read_rigs
-
-RECORDINGS = Path(__file__).parent.parent.parent.parent / "shared" / "recordings"
 
 
 @pytest.fixture
@@ -158,13 +156,10 @@ def test_a_run_that_cannot_be_decided_and_runs_too_few_to_go_together_say_why(im
     assert words == "both: not decided: of 2 recordings 1 could be imported"
 
 
-@pytest.mark.skipif(
-    not RECORDINGS.is_dir(),
-    reason="no recordings here: github.com/FaragSeif/tsa_haptic, MRDLab/mis-tool-characterization, wmkouw/NSI-EMPS",
-)
 def test_the_recordings_that_are_here_are_found_and_import(tmp_path):
-    plan = make_real_plan(RECORDINGS, read_rigs())
-    assert set(plan.rigs) == {"tsa_haptic", "davinci_tool", "emps"}
+    assert all(files(rig, "*") for rig in SOURCES)
+    plan = make_real_plan(FOLDER, read_rigs())
+    assert set(plan.rigs) == set(SOURCES)
     assert set(plan.groups("tsa_haptic")) == {"module-1", "module-2", "module-3"}
     for one in plan.recordings:
         said = bring(one.file, one.mapping, tmp_path / one.run)

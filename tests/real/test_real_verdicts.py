@@ -3,6 +3,7 @@
 import gzip
 from pathlib import Path
 
+import downloaded
 import pytest
 
 from pipeline.diagnosis import engine, heldout
@@ -11,27 +12,13 @@ from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parent.parent.parent
-RECORDINGS = ROOT.parent / "shared" / "recordings"
-SOURCES = {
-    "emps": "wmkouw/NSI-EMPS (DATA_EMPS.mat)",
-    "davinci_tool": "MRDLab/mis-tool-characterization (Tool_4_Maryland_R_5_*.TXT)",
-    "tsa_haptic": "FaragSeif/tsa_haptic (scripts/data/*.csv)",
-}
 ANSWERS = {"mass_kg": 95.11, "viscous": 203.5, "coulomb": 20.39, "offset": -3.16}  # of the benchmark's authors
 DIRECTION = {"friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip"}  # what parts by direction
 
 
-def recording(rig, name):
-    """A recording, or a skip that says where to get it."""
-    path = RECORDINGS / rig / name
-    if not path.is_file():
-        pytest.skip(f"needs {name} of the public repository {SOURCES[rig]}")
-    return path
-
-
 def imported(tmp_path, rig, name, mapping, run, rows=None):
     """Run folder of a recording, or of its first rows."""
-    path = recording(rig, name)
+    (path,) = downloaded.files(rig, name)
     if rows:
         text = gzip.decompress(path.read_bytes()).decode("latin1").splitlines(keepends=True)
         path = tmp_path / f"{run}.csv"
@@ -84,7 +71,7 @@ def test_the_cable_of_the_surgical_tool_rubs_and_stretches(tmp_path, load, most_
     assert held["calibrated_deg"] > 1.2 and held["explained_deg"] < most_deg
 
 
-@pytest.mark.parametrize("module", [1, 2, 3])
+@pytest.mark.parametrize("module", [1, *(pytest.param(module, marks=pytest.mark.long) for module in (2, 3))])
 def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_path, module):
     content = diagnosed(
         imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", f"tsa_haptic_{module}", "z-01")
@@ -99,6 +86,7 @@ def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_
     assert held["calibrated_mm"] > 0.2 and held["explained_mm"] < 0.13
 
 
+@pytest.mark.long
 def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
     names = {"z-01": "z_motion_slow_motors_5kg.csv.gz", "x-01": "x_motion_slow_motors_5kg.csv.gz"}
     content = diagnosed(*(imported(tmp_path, "tsa_haptic", name, "tsa_haptic_1", run) for run, name in names.items()))
@@ -114,6 +102,7 @@ def test_a_short_excerpt_goes_through(tmp_path):
     assert content["mismatch"]["rms_mm"] > 0.05
 
 
+@pytest.mark.long
 def test_points_of_no_known_answer_get_no_firm_name(tmp_path):
     name = "cartesian_points_v1.csv.gz"
     for module in (1, 2, 3):

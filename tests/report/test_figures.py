@@ -1,9 +1,7 @@
-import subprocess
-import sys
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 
 from pipeline.ground import schemas
@@ -69,9 +67,10 @@ def closed():
 
 def draw(material, out, *more):
     predictions = [str(path) for path in sorted(material.glob("*/within-*.parquet"))]
-    command = ["pipeline.report.figures", str(material / "dataset.parquet"), str(material / "metrics.parquet")]
-    command += ["--predictions", *predictions, "--titles", *(f"{model}={title}" for model, title in TITLES.items())]
-    subprocess.run([sys.executable, "-m", *command, "--out-dir", str(out), *more], check=True)
+    words = [material / "dataset.parquet", material / "metrics.parquet", "--predictions", *predictions]
+    words += ["--titles", *(f"{model}={title}" for model, title in TITLES.items()), "--out-dir", out, *more]
+    done = programs.run("pipeline.report.figures", *words)
+    assert done.returncode == 0, done.stderr
     return {path.name: path.read_bytes() for path in out.iterdir()}
 
 

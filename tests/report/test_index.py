@@ -3,12 +3,11 @@
 import html
 import re
 import shutil
-import subprocess
-import sys
 from html.parser import HTMLParser
 from urllib.parse import unquote
 
 import pandas as pd
+import programs
 import pytest
 from made_verdict import made_verdict
 from test_diagnoses import FINE, TIED
@@ -48,7 +47,7 @@ class Seen(HTMLParser):
 
 
 def run(program, *words):
-    done = subprocess.run([sys.executable, "-m", f"pipeline.report.{program}", *words], capture_output=True, text=True)
+    done = programs.run(f"pipeline.report.{program}", *words)
     assert done.returncode == 0, done.stderr
 
 

@@ -2,11 +2,11 @@
 
 import argparse
 import json
-import subprocess
 import sys
 from pathlib import Path
 
 import pandas as pd
+import programs
 import pytest
 from made_recording import recording
 
@@ -92,21 +92,19 @@ def test_a_damaged_note_of_jumps_is_found_at_the_start_and_refused(tmp_path, con
 
 
 def test_the_last_rule_fails_for_a_refused_run_and_writes_nothing(tmp_path):
-    command = [sys.executable, "-m", "pipeline.report.left_out", "--out", str(tmp_path / "out.json")]
-    root = Path(__file__).parents[2]
-    done = subprocess.run([*command, "--planned", to_json([ONE])], capture_output=True, text=True, cwd=root)
+    command = ["pipeline.report.left_out", "--out", tmp_path / "out.json"]
+    done = programs.run(*command, "--planned", to_json([ONE]))
     assert done.returncode == 2 and "raw/a-01/run.yaml" in done.stderr and not (tmp_path / "out.json").exists()
-    assert subprocess.run(command, cwd=root).returncode == 0 and json.loads((tmp_path / "out.json").read_text()) == []
+    assert programs.run(*command).returncode == 0 and json.loads((tmp_path / "out.json").read_text()) == []
 
 
 def test_a_material_goes_on_without_a_run_of_no_use(make_run, tmp_path):
     """The real programs: one run is refused by ingest, and the dataset is made of the other."""
-    root, processed = Path(__file__).parents[2], tmp_path / "processed"
+    processed = tmp_path / "processed"
     folders = [make_run("a-01", recording(4)), make_run("a-02", recording(4).assign(displacement_mm=1.0))]
 
     def program(name, *words):
-        command = [sys.executable, "-m", f"pipeline.{name}", *map(str, words)]
-        return subprocess.run(command, capture_output=True, text=True, cwd=root)
+        return programs.run(f"pipeline.{name}", *words)
 
     assert program("stages.ingest", folders[1], "--out", processed / "a-02/samples.parquet").returncode == 2
     assert not processed.exists()

@@ -3,16 +3,15 @@
 import csv
 import json
 import re
-import subprocess
-import sys
 
 import pandas as pd
+import programs
 import pytest
 from made_verdict import made_verdict
 
 from pipeline.real.rigs import Answer, Expected, read_rigs
-from pipeline.report.real import index, page
 from pipeline.report.real.doubts import doubt, found_answer
+from pipeline.report.real import index, page
 from pipeline.report.real.results import read_results
 
 HYSTERESIS = Expected(names=[["friction_hysteresis", "backlash"]], never=["axial_elasticity"], said="a loop is missing")
@@ -108,12 +107,11 @@ def run(tmp_path, verdicts, together, boxes, transfer):
     words = ["tsa_haptic", "--verdicts", *verdicts, "--together", *together, "--black-boxes", *boxes]
     words += ["--transfer", *transfer, "--out", out / "tsa_haptic.html", "--figure", out / "tsa_haptic.png"]
     words += ["--table", tmp_path / "rows.csv"]
-    command = [sys.executable, "-m", "pipeline.report.real.page", *map(str, words)]
-    subprocess.run(command, check=True, capture_output=True)
-    command = [sys.executable, "-m", "pipeline.report.real.index", str(tmp_path / "rows.csv")]
-    command += ["--out", str(out / "index.html"), "--table", str(out / "table.csv")]
-    command += ["--passed-over", "./data/<b>.txt"]
-    subprocess.run(command, check=True, capture_output=True)
+    done = programs.run("pipeline.report.real.page", *words)
+    assert done.returncode == 0, done.stderr
+    words = [tmp_path / "rows.csv", "--out", out / "index.html", "--table", out / "table.csv"]
+    done = programs.run("pipeline.report.real.index", *words, "--passed-over", "./data/<b>.txt")
+    assert done.returncode == 0, done.stderr
     return out
 
 

@@ -1,11 +1,10 @@
 """A campaign's strings vary as it says, stay what they are when more are asked for, and can be read by the stages."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 
 from pipeline.ground.errors import BadInput
@@ -21,8 +20,7 @@ MANY = [planned.specimen for planned in plan(3, 100, 9)]
 
 
 def program(*arguments):
-    command = [sys.executable, "-m", "pipeline.rig.campaign", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    return programs.run("pipeline.rig.campaign", *arguments)
 
 
 @pytest.fixture(scope="module")

@@ -1,11 +1,10 @@
 """The cases of the two rigs without a string: each shows what it hides, and its truth stays outside the run."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
+import programs
 import pytest
 
 from pipeline.rig.others import cable_drive, moving_mass
@@ -15,8 +14,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def program(*arguments):
-    command = [sys.executable, "-m", "pipeline.rig.others", *map(str, arguments)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    return programs.run("pipeline.rig.others", *arguments)
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -1,10 +1,9 @@
 """A rig's shipped mapping and a recording by another hand, through the programs that a person runs."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
+import programs
 import pytest
 import yaml
 
@@ -13,8 +12,8 @@ ROOT = Path(__file__).parent.parent.parent
 
 def program(*words):
     """Run a module of the package; it must succeed."""
-    done = subprocess.run([sys.executable, "-m", *map(str, words)], cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0 and "Traceback" not in done.stderr, done.stdout + done.stderr
+    done = programs.run(*words)
+    assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
 

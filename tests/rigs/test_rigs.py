@@ -72,6 +72,7 @@ SLOW_CIRCUIT = {  # a resonance at 30 Hz in place of the Silverbox's
 }
 
 
+@pytest.mark.long
 def test_a_circuit_whose_spring_is_cubic_is_told_from_a_straight_one(tmp_path, diagnosed):
     file = tmp_path / "SNLS80mV.mat"
     samples = benches.oscillator(1)
@@ -89,6 +90,7 @@ def test_a_circuit_whose_spring_is_cubic_is_told_from_a_straight_one(tmp_path, d
     assert held_out(better)[1] < 0.2 * held_out(content)[1]
 
 
+@pytest.mark.long
 def test_a_servo_that_rubs_is_told_from_one_that_does_not(tmp_path, diagnosed):
     file = tmp_path / "2024-03-01_12h00m00.json"
     file.write_text(json.dumps(benches.servo(1)))
@@ -115,6 +117,7 @@ def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, 
     assert held_out(content)[2] < 0.1 * held_out(content)[1]
 
 
+@pytest.mark.long
 def test_a_tendon_that_grips_its_sheath_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "tendon.csv"
     content = diagnosed(written(benches.sheath(1), file), "tendon_sheath")
@@ -125,6 +128,7 @@ def test_a_tendon_that_grips_its_sheath_is_told_from_a_free_one(tmp_path, diagno
     assert held_out(content)[2] < 0.2 * held_out(content)[1]
 
 
+@pytest.mark.long
 def test_a_cylinder_whose_seal_grips_the_more_the_higher_the_pressure_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "cylinder.csv"
     content = diagnosed(written(benches.cylinder(1), file), "pneumatic_cylinder")

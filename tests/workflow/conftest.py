@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 ROOT = Path(__file__).parent.parent.parent
 
@@ -65,6 +66,35 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, str]:
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr
     return project, done.stdout
+
+
+def fewer_models(project: Project) -> None:
+    """Keep two models, one fit each: what some tests look at is the same for any."""
+    for name in ("default", "ci"):
+        path = project.folder / "pipeline" / "config" / f"{name}.yaml"
+        config = yaml.safe_load(path.read_text())
+        config["models"] = {model: one for model, one in config["models"].items() if model in ("inn", "traditional")}
+        for one in config["models"].values():
+            one["seeds"] = {"within": 1, "later": 1}
+        path.write_text(yaml.safe_dump(config, sort_keys=False))
+
+
+@pytest.fixture(scope="session")
+def few_finished(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """A project of two models whose main job has run. Tests leave it finished."""
+    project = copy_project(tmp_path_factory.mktemp("few"))
+    fewer_models(project)
+    done = project.snakemake()
+    assert done.returncode == 0, done.stdout + done.stderr
+    return project
+
+
+@pytest.fixture
+def few(few_finished: Project, tmp_path: Path) -> Project:
+    """A copy of the project of two models, times and all, to change at will."""
+    folder = tmp_path / "few"
+    shutil.copytree(few_finished.folder, folder, symlinks=True)
+    return Project(folder)
 
 
 @pytest.fixture

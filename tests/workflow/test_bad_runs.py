@@ -30,6 +30,7 @@ def project(bare_project):
     return bare_project
 
 
+@pytest.mark.long
 def test_it_trains_nothing_anew_comes_or_goes_and_is_said_everywhere(project):
     before = {path: path.stat().st_mtime_ns for path in (project.folder / "processed").rglob("*.model")}
     table = project.read("reports/nylon/table_1.csv")

@@ -134,12 +134,21 @@ def test_a_change_of_code_makes_again_what_it_made(project, module, rules):
     assert project.rules_to_run() == rules
 
 
-def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project):
+OF_A_MATERIAL = {"ingest": 1, "strokes": 1, "dataset": 1, "floor": 1, "diagnose": 1}
+OF_A_MATERIAL |= {rule: 1 for rule in LATE if rule != "leak_figure"}
+
+
+def test_a_new_material_asks_for_a_fit_of_every_model_and_of_nothing_else(project):
+    add_run(project, "nylon-01", "nylon")
+    assert project.rules_to_run() == {"train": 17, **OF_A_MATERIAL}
+
+
+@pytest.mark.long
+def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(few):
+    project = few
     add_run(project, "nylon-01", "nylon")
     before = digest(project.folder / "raw")
-    fits = {"train": 17, "dataset": 1, "floor": 1}
-    late = {"diagnose": 1, **{rule: 1 for rule in LATE if rule != "leak_figure"}}
-    assert project.rules_to_run() == {"ingest": 1, "strokes": 1, **fits, **late}
+    assert project.rules_to_run() == {"train": 4, **OF_A_MATERIAL}
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr
     assert digest(project.folder / "raw") == before
@@ -148,19 +157,7 @@ def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(project)
     assert materials == {"synthetic", "nylon"}
     # A second run of the same material: its dataset and what stands on it, and nothing of the others.
     add_run(project, "nylon-02", "nylon")
-    again = project.rules_to_run()
-    assert again == {"ingest": 1, "strokes": 1, **fits, **late}
-
-
-def fewer_models(project):
-    """Keep two models, one fit each: what these tests look at is the same for any."""
-    for name in ("default", "ci"):
-        path = project.folder / "pipeline" / "config" / f"{name}.yaml"
-        config = yaml.safe_load(path.read_text())
-        config["models"] = {model: one for model, one in config["models"].items() if model in ("inn", "traditional")}
-        for one in config["models"].values():
-            one["seeds"] = {"within": 1, "later": 1}
-        path.write_text(yaml.safe_dump(config, sort_keys=False))
+    assert project.rules_to_run() == {"train": 4, **OF_A_MATERIAL}
 
 
 HOSTILE = ("$(touch PWNED)", "nylon-1 (copy)", "it's", "a{b}c", "two\nlines", "-rf")
@@ -175,8 +172,9 @@ BAD = {
 }
 
 
-def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(project):
-    fewer_models(project)
+@pytest.mark.long
+def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(few):
+    project = few
     names = [*HOSTILE, *BAD, "good-01"]
     for name in names:
         add_run(project, name, **BAD.get(name, {"material": "nylon"}))
@@ -245,7 +243,9 @@ def test_a_recording_goes_stale_by_its_content_and_not_by_its_time(project):
     }  # fmt: skip
 
 
-def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(project, finished):
+@pytest.mark.long
+def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(few, few_finished):
+    project = few
     shutil.rmtree(project.folder / "processed" / "synthetic")
     shutil.rmtree(project.folder / "reports")
     kills = 0
@@ -266,13 +266,17 @@ def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(project, fi
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr
     for name in ("table_1.csv", "table_2.csv", "comparison.md"):
-        assert project.read(f"reports/synthetic/{name}") == finished[0].read(f"reports/synthetic/{name}")
+        assert project.read(f"reports/synthetic/{name}") == few_finished.read(f"reports/synthetic/{name}")
 
 
-def test_a_killed_snakemake_leaves_no_job_behind(project):
+@pytest.mark.long
+def test_a_killed_snakemake_leaves_no_job_behind(few):
+    project = few
     shutil.rmtree(project.folder / "processed" / "synthetic" / "inn")
     slow = project.folder / "pipeline/config/ci.yaml"
-    slow.write_text(slow.read_text().replace("epochs: 3}", "epochs: 3000}", 1))
+    config = yaml.safe_load(slow.read_text())
+    config["models"]["inn"]["settings"]["epochs"] = 3000
+    slow.write_text(yaml.safe_dump(config))
     run = subprocess.Popen(project.command(), cwd=project.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         deadline_s = time.monotonic() + 120

@@ -40,7 +40,7 @@ def errors(axes: Axes, results: list[Result], unit: str) -> None:
             style = style if method == "nominal" else {"s": 26, "color": COLOURS[method]}
             axes.scatter(x, y, marker=MARKERS[method], label=title, zorder=2, **style)
     axes.set_yticks(range(len(names)), names, fontsize=7)
-    axes.set_ylim(len(names) - 0.5, -0.5)
+    axes.set_ylim(max(len(names), 1) - 0.5, -0.5)
     axes.set_title("the last strokes of the same recording", fontsize=8, loc="left")
     _logarithmic(axes, f"rms error ({unit})")
 

@@ -127,7 +127,7 @@ def main() -> None:
     missing = [name for name in texts if name not in rows]
     if missing:
         raise BadInput(told.tables[0], missing[0], "is not among its columns", "make the rigs' tables again")
-    rows[texts] = rows[texts].fillna("").astype(str)
+    rows[texts] = rows[texts].astype(object).fillna("").astype(str)
     write_text(told.out, page(rows, read_rigs(), told.passed_over))
     with whole(told.table) as temporary:
         rows.to_csv(temporary, index=False, float_format="%.5g")

@@ -1,10 +1,9 @@
 """The door to the authors: their register, and the program that writes a run folder and its sealed answer."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
+import programs
 import pytest
 
 from pipeline.rig.authors import authors, names
@@ -20,8 +19,7 @@ CONTRACT = {
 
 
 def program(*given):
-    command = [sys.executable, "-m", "pipeline.rig.authors", *map(str, given)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=600)
+    return programs.run("pipeline.rig.authors", *given)
 
 
 def asked(raw, answer, *more):
