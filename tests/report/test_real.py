@@ -10,8 +10,8 @@ import pytest
 from made_verdict import made_verdict
 
 from pipeline.real.rigs import Answer, Expected, read_rigs
-from pipeline.report.real.doubts import doubt, found_answer
 from pipeline.report.real import index, page
+from pipeline.report.real.doubts import doubt, found_answer
 from pipeline.report.real.results import read_results
 
 HYSTERESIS = Expected(names=[["friction_hysteresis", "backlash"]], never=["axial_elasticity"], said="a loop is missing")
