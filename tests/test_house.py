@@ -65,7 +65,7 @@ ROOMS = {
     "report": "ground run string campaign real",
     "workflow": "ground run string",
 }
-PROGRAMS = {"adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
+PROGRAMS = {"__main__", "adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
 
 
 def test_a_room_stands_on_the_rooms_below_it_and_on_no_other():
