@@ -48,6 +48,11 @@ def test_what_is_shipped_imports_nothing_that_is_left_behind() -> None:
         assert not {name for name in wanted if name not in here and f"{name}.__init__" not in here}, path
 
 
+def test_what_is_shipped_names_its_own_modules_by_leading_dots() -> None:
+    absolute = re.compile(r"^\s*(from|import) pipeline\b", re.M)
+    assert not [path for path in SOURCES if absolute.search(path.read_text())]
+
+
 def test_every_package_of_others_is_named_and_those_of_an_extra_are_not_needed_without_it() -> None:
     project = PROJECT["project"]
     base = set(requirements(project["dependencies"]))
