@@ -15,6 +15,7 @@ from .diagnosis.simulation import read_diagnosis
 from .diagnosis.words.quantity import listing
 from .diagnosis.words.rivals import called
 from .diagnosis.words.sections import wrapped
+from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import program
 from .ground.files import whole
@@ -64,7 +65,7 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.adopt", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("adopt"), description=__doc__)
     parser.add_argument("diagnosis", type=Path, nargs="?", help="a diagnosis.json; its effects are adopted")
     parser.add_argument("run_dir", type=Path, nargs="?", help="the run whose run.yaml takes them over")
     parser.add_argument(
@@ -108,7 +109,7 @@ def adopt(source: Path, folder: Path) -> None:
     told += [*errors, before_after.why(content), before_after.NEXT]
     told += [
         "To take the effects out of run.yaml again:",
-        f"  python -m pipeline.adopt --remove {shlex.quote(str(folder))}",
+        f"  {command('adopt')} --remove {shlex.quote(str(folder))}",
     ]
     for line in told:
         print("\n".join(wrapped(line, "")))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import yaml
 
-from ..ground.command import HOUSE
+from ..ground.command import HOUSE, command
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from .setup import SetUp, described, names, read_setup
@@ -56,7 +56,7 @@ def record(which: str, folder: Path, seed: int) -> int:
 @program
 def main() -> int:
     """Write RUN_DIR with run.yaml, recording.frames and capture.json."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.rig.record", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("rig.record"), description=__doc__)
     parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
     parser.add_argument("run_dir", metavar="RUN_DIR", type=Path)
     parser.add_argument("--seed", type=int, default=0)
