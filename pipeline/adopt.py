@@ -9,12 +9,14 @@ from typing import Any
 
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
-from .diagnosis.adopt import adoptions, checked
+from .diagnosis.adopt import acts_from, adoptions, checked
 from .diagnosis.engine import at_own_rate
 from .diagnosis.simulation import read_diagnosis
+from .diagnosis.words import coefficients
 from .diagnosis.words.quantity import listing
 from .diagnosis.words.rivals import called
 from .diagnosis.words.sections import wrapped
+from .diagnosis.words.vocabulary import Vocabulary
 from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import program
@@ -38,7 +40,14 @@ def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
         return []
     run, samples = read_samples(folder)
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-    return before_after.told(bare, run.run, run.simulation, content, source)
+    said = before_after.told(bare, run.run, run.simulation, content, source, taken_out(folder))
+    acts = acts_from(content[KEY], bare.drivers, str(source))
+    return [*said, *coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))]
+
+
+def taken_out(folder: Path) -> str:
+    """The command that takes what was adopted out of a run's run.yaml, as a line to print."""
+    return f"  {command('adopt')} --remove {shlex.quote(str(folder))}"
 
 
 def write(path: Path, text: str) -> None:
@@ -65,9 +74,14 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog=command("adopt"), description=__doc__)
-    parser.add_argument("diagnosis", type=Path, nargs="?", help="a diagnosis.json; its effects are adopted")
-    parser.add_argument("run_dir", type=Path, nargs="?", help="the run whose run.yaml takes them over")
+    usage = f"{command('adopt')} DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
+    parser = argparse.ArgumentParser(prog=command("adopt"), usage=usage, description=__doc__)
+    parser.add_argument(
+        "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
+    )
+    parser.add_argument(
+        "run_dir", type=Path, nargs="?", metavar="RUN_DIR", help="the run whose run.yaml takes them over"
+    )
     parser.add_argument(
         "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
     )
@@ -107,10 +121,8 @@ def adopt(source: Path, folder: Path) -> None:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely as well"
         told.append(f"{many}: {listing([called(ids) for ids in others[:MOST]], 'or')}.")
     told += [*errors, before_after.why(content), before_after.NEXT]
-    told += [
-        "To take the effects out of run.yaml again:",
-        f"  {command('adopt')} --remove {shlex.quote(str(folder))}",
-    ]
+    if taken_out(folder) not in told:
+        told += ["To take the effects out of run.yaml again:", taken_out(folder)]
     for line in told:
         print("\n".join(wrapped(line, "")))
 

@@ -43,10 +43,13 @@ def is_of(content: dict[str, Any], run: str) -> bool:
     return run in (of if isinstance(of, list) else [of])
 
 
-def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any], path: Path) -> list[str]:
+def told(
+    problem: Problem, run: str, before: list[Any], content: dict[str, Any], path: Path, remove: str = ""
+) -> list[str]:
     """What `pipeline.simulate` errs by on a run's own recording: before, from now on, and with the diagnosis itself.
 
-    `problem` is the run's without any effect, `before` what its run.yaml had adopted. Raises BadInput.
+    `problem` is the run's without any effect, `before` what its run.yaml had adopted, `remove` the command that takes
+    all of it out, which stands below a warning. Raises BadInput.
     """
     unit = problem.drivers.units.reading
     plain: dict[str, Any] = {"run": run, "parameters": {}}
@@ -68,7 +71,8 @@ def told(problem: Problem, run: str, before: list[Any], content: dict[str, Any],
     said.append(
         f"{CALIBRATED}: with the dimensions of the verdict too, as by {program_name('simulate')} --simulation {path}"
     )
-    return [*distrust(errors[1][0], errors[2][0], path), *said]
+    warned = distrust(errors[1][0], errors[2][0], path)
+    return [*warned, *([remove] if warned and remove else []), *said]
 
 
 def distrust(now: float, calibrated: float, path: Path) -> list[str]:

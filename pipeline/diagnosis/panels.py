@@ -32,6 +32,8 @@ STANDINGS = {
 }  # of an explanation: its colour, and what that means
 MORE_ALONE = "takes away too little to be named"  # where nothing is
 BENT_FORMULA = "left if its formulas may be a little wrong"
+NO_HELP = "\n(all below the noise: they decide nothing)"
+NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
 MOTION = {
     "turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion",
 }  # by its unit  # fmt: skip
@@ -77,13 +79,17 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     standings = [name for name in STANDINGS if name in there]
     said = {name: MORE_ALONE if name == "not needed" and "named" not in there else STANDINGS[name][1] for name in there}
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=said[name]) for name in standings]
-    handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
+    all_below = max((x for x, one in zip(bent, shown, strict=True) if one["ids"]), default=1.0) < 1.0
+    wrong = BENT_FORMULA + NO_HELP * all_below
+    handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=wrong))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(xscale="log", xlim=(0.5 * min(1.0, *left, *bent), 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise")
     plain(axes.xaxis)
     likely = any(one.get("probability") is not None for one in shown)
-    axes.set_title(f"explanations: what each leaves{', and its probability' * likely}", fontsize=10)
+    no_more = bool(content.get("simulation")) and not there & {"named", "tied", "not enough"}
+    title = NO_MORE if no_more else f"explanations: what each leaves{', and its probability' * likely}"
+    axes.set_title(title, fontsize=10)
 
 
 def plain(axis: Axis) -> None:

@@ -22,7 +22,7 @@ from .linear import Linear
 from .named import as_entry, listed
 from .noise import white
 from .outcome import Study, rms
-from .problem import Problem
+from .problem import Problem, State
 from .words.spoken import spoken
 
 HELD_OUT = ("nominal", "calibrated", "explained", "without_physics")
@@ -50,9 +50,15 @@ def mismatch_signal(found: Study) -> tuple[Array, list[str]]:
         if found.random:
             signal = np.hypot(signal, chance.trace(problem, found.best, found.floor))
         return signal, driven
+    return systematic(found, found.base)
+
+
+def systematic(found: Study, state: State) -> tuple[Array, list[str]]:
+    """What the generic dictionary finds in the residual of a simulator, and the driver of most of it."""
+    problem = found.problem
     columns = generic.groups(problem.drivers)
-    linear = Linear(problem, found.base, white(found.floor), {}, np.vstack(list(columns.values())))
-    table, target = linear.table[:-1], (problem.measured - before)[: problem.rows]
+    linear = Linear(problem, state, white(found.floor), {}, np.vstack(list(columns.values())))
+    table, target = linear.table[:-1], (problem.measured - problem.simulate(state))[: problem.rows]
     whole = np.concatenate([linear.calibration, linear.extra])
     known = table[linear.calibration]
     left: dict[str, float] = {}
@@ -108,13 +114,17 @@ def diagnosis(
     unit = problem.system.channel.rpartition("_")[2]
     parameters, sizes, shapes = intervals(problem, found.state, found.noise)
     named = found.verdict in ("explained", "ambiguous")
-    mismatch, pattern = None, None
+    mismatch: dict[str, Any] | None = None
+    pattern: dict[str, Any] | None = None
     if found.verdict != "consistent":
         signal, driver = mismatch_signal(found)
         if found.verdict == "parameters":
             pattern = {"location": locate.box(signal, problem), "driver": driver}
             signal = problem.simulate(found.base) - problem.simulate(found.nominal)
             driver = ["the dimensions themselves"]
+        elif named and not found.random:
+            rest, follows = systematic(found, found.state)
+            pattern = {"location": locate.box(rest, problem), "driver": follows, f"rms_{unit}": rms(rest)}
         place = locate.box(signal, problem)
         mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}

@@ -48,6 +48,7 @@ class CascadedTanks(System):
     tolerance: Mapping[str, float] = {
         "pump_gain": 0.1, "upper_outflow": 0.1, "lower_outflow": 0.1, "upper_start_v": 1.0, "lower_start_v": 0.1,
     }  # fmt: skip
+    absolute = frozenset({"upper_start_v", "lower_start_v"})
     ports: Mapping[str, str] = {"twist": "pump", "sensor": "sensor"}
 
     def parameters(self, run: Described) -> list[Parameter]:

@@ -95,6 +95,7 @@ class System:
     may_be_negative: frozenset[str] = frozenset()  # of those
     never_zero: frozenset[str] = frozenset()
     tolerance: Mapping[str, float] = {}  # keys of `tolerance:` with their defaults
+    absolute: frozenset[str] = frozenset()  # of those, in the dimension's own unit; the others are shares of its value
     ports: Mapping[str, str] = {port: port for port in PORTS}
 
     @property

@@ -20,6 +20,7 @@ class TwistedString(System):
     turn, levered, needs_string, homed = 1.0, True, True, "angle_turns"
     optional_rig: Mapping[str, str] = {"load_n": "load in N, where no channel tells it"}
     tolerance: Mapping[str, float] = {**TOLERANCE, "scale": 0.005, "angle_turns": 0.05}
+    absolute = frozenset({"separator_mm", "torsion_zone_mm", "length_mm", "angle_turns"})
     ports: Mapping[str, str] = {
         "twist": "twist", "radius": "radius", "length": "length", "resistance": "length", "sensor": "sensor",
     }  # fmt: skip

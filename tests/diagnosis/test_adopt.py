@@ -16,6 +16,7 @@ import yaml
 from pipeline.adoption import before_after
 from pipeline.adoption.block import adopted, bare, with_block, without_block
 from pipeline.diagnose import described
+from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.words import commands
 from pipeline.ground.errors import BadInput
 from pipeline.ground.strict_yaml import parse_yaml
@@ -197,6 +198,11 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     assert "If a value changes: write it into run.yaml, take the effects out, diagnose again and adopt anew." in warned
     assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in flat(done)
     assert "measure again" not in done.stdout  # the diagnosis names no dimension
+    means = done.stdout.partition("What the numbers under simulation mean")[2]
+    assert (
+        f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
+        and "straight_mm: in mm, add to the" in means
+    )
 
 
 def test_adopting_names_the_dimensions_to_measure_again(folder: Path, diagnosis: Path) -> None:
@@ -226,7 +232,27 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     assert again.returncode == 0 and "holds nothing that was adopted" in again.stdout
     assert run("pipeline.adopt", "--remove", folder, diagnosis).returncode == 2
     assert run("pipeline.adopt", diagnosis).returncode == 2
-    assert "--remove RUN_DIR" in run("pipeline.adopt", "--help").stdout
+    usage = run("pipeline.adopt", "--help").stdout
+    assert usage.startswith(
+        "usage: python -m pipeline.adopt DIAGNOSIS.json RUN_DIR\n       python -m pipeline.adopt --remove RUN_DIR\n"
+    )
+    columns = " ".join(run("pipeline.simulate", "--help").stdout.split())
+    assert columns.startswith("usage: python -m pipeline.simulate ") and "two columns: time_s, and what" in columns
+
+
+def test_the_command_that_takes_effects_out_stands_directly_below_the_warning(folder: Path, diagnosis: Path) -> None:
+    content = json.loads(named(diagnosis, whole_s=200.0, straight_mm=1e-6).read_text())
+    right = content["parameters"]["radius_mm"]["value"] / 1.02
+    text = (folder / "run.yaml").read_text()
+    (folder / "run.yaml").write_text(text.replace(f"radius_mm: {right:g}", f"radius_mm: {1.2 * right:g}"))
+    content["parameters"]["radius_mm"]["value"] = right
+    diagnosis.write_text(json.dumps(content))
+    said = run("pipeline.adopt", diagnosis, folder).stdout
+    remove = f"  python -m pipeline.adopt --remove {folder}"
+    lines = said.splitlines()
+    warned = next(number for number, line in enumerate(lines) if line.startswith("Beware: do not predict"))
+    below = next(line for line in lines[warned + 1 :] if line.startswith("  python") or not line.startswith("  "))
+    assert below == remove and said.count("--remove") == 1
 
 
 def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None:

@@ -2,9 +2,12 @@
 
 import copy
 import re
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+import yaml
 
 from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
@@ -13,7 +16,7 @@ from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.words import advice, certainty, effects, experiment, level, quantity, seen
+from pipeline.diagnosis.words import advice, certainty, effects, experiment, level, quantity, seen, tolerances
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -251,7 +254,9 @@ def first_lines(**held):
 
 def test_what_must_be_known_first_stands_first():
     assert first_lines() == [
-        "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations."
+        "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations.",
+        "  Size: 0.44 mm rms is missing after calibration. Each effect's own size is known within a factor of 2, if "
+        "this explanation is right.",
     ]
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
     assert "the calibrated simulator is worse than the nominal one: 1.1 mm against 0.31 mm" in worse
@@ -411,11 +416,13 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made["evidence"] |= {"moved_sigma": {"radius_mm": 0.7}, "tolerance": {"radius_mm": 0.016}}
     moved = told(made).partition("\nDimensions\n")[2].partition("\n\n")[0]
     assert moved.splitlines() == [
-        "  radius: from 0.55 mm to 0.5612 mm (0.7 times its tolerance of 0.016 mm).",
+        "  radius: from 0.55 mm to 0.5612 mm, 0.7 times its tolerance of 0.016 mm (2.91 %).",
         "  Every dimension stays within its tolerance.",
+        "  Now in force, as run.yaml writes it: `tolerance: {radius: 0.02909}` (radius is a share of the value: "
+        "0.02909 is 2.91 %).",
     ]
     made["mechanisms"][1]["rms_mm"]["value"] = 0.4
-    assert "\nDimensions\n" not in told(made)
+    assert "\nDimensions\n  Now in force, as run.yaml writes it: `tolerance:" in told(made)
 
 
 def test_events_are_told_one_by_one():
@@ -460,9 +467,9 @@ def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
     text = corrected(0.5612, 2.1)
     assert "The misfit was 0.45 mm rms (15 times the noise) with the dimensions of run.yaml." in text
     assert "It is 0.033 mm rms (1.1 times the noise) once they move." in text
-    assert "radius: from 0.55 mm to 0.5612 mm (2.1 times its tolerance)." in text
+    assert "radius: from 0.55 mm to 0.5612 mm, 2.1 times its tolerance." in text
     assert "stays within its tolerance" not in text
-    assert "radius: from 0.55 mm to 0.55001 mm (0.02 times its tolerance)." in corrected(0.55001, 0.02)
+    assert "radius: from 0.55 mm to 0.55001 mm, 0.02 times its tolerance." in corrected(0.55001, 0.02)
     assert "Every dimension stays within its tolerance: none of them was measured wrong." in corrected(0.551, 0.2)
     assert "only the zero of the reading did" in corrected(0.55, 1e-4)
 
@@ -668,7 +675,7 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
     head = " ".join(text.partition("\n\n")[0].split())
     assert head == (
         f"nylon-3: {verdict}: nothing further can be named beside what was adopted (creep), and 0.052 mm rms stays "
-        "unexplained, 2.5 times the noise."
+        "unexplained, 2.5 times the noise. run.yaml as it stands errs by 0.053 mm rms, calibrated by 0.052 mm."
     )
     assert "Something systematic is still missing" in text
     assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
@@ -707,17 +714,21 @@ def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_show
         "evidence__tolerance": {"scale": 0.005, "angle_turns": 0.05, "radius_mm": 0.0165},
     }
     text = told(content(**changes))
-    assert "gain of the displacement sensor: 1 was assumed, but 0.9861 fits best, 2.8 times its tolerance (0.005)" in (
+    assert "gain of the displacement sensor: 1 was assumed, but 0.9861 fits best, 2.8 times its tolerance of 0.5 %" in (
         text
     )
-    assert "zero of the motor: 0 turns was assumed, but 0.15 turns fits best, 3.0 times its tolerance (0.05 turns)" in (
-        text
+    assert (
+        "zero of the motor: 0 turns was assumed, but 0.15 turns fits best, 3.0 times its tolerance of 0.05 turns"
+        in (text)
     )
-    assert "radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance (0.017 mm)" in text
+    assert (
+        "radius again: run.yaml says 0.55 mm, but 0.5612 mm fits best, 2.9 times its tolerance of 0.017 mm (3 %)"
+        in text
+    )
     assert "run.yaml says 1," not in text and "run.yaml says 0 turns" not in text
     bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
     text = told(content(**changes, **bare))
-    assert "zero of the motor: from 0 turns (assumed) to 0.15 turns (3 times its tolerance of 0.05 turns)." in text
+    assert "zero of the motor: from 0 turns (assumed) to 0.15 turns, 3 times its tolerance of 0.05 turns." in text
 
 
 def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig():
@@ -949,10 +960,11 @@ def confident(friction, creep, **changes):
 
 def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
     first = told(confident(0.93, 0.46)).partition("\n\n")[0]
-    assert first.endswith("\n  Sure: friction_hysteresis (93 %). Open: creep (46 %) and thermal.")
+    held = " All this holds if the dimensions are right within their tolerances (see Dimensions)."
+    assert f"\n  Sure: friction_hysteresis (93 %). Open: creep (46 %) and thermal.{held}\n" in first
     first = told(confident(0.8, 0.62, alternatives=[["friction_hysteresis"]])).partition("\n\n")[0]
-    assert first.endswith("\n  Sure: friction_hysteresis (80 %). Probable: creep (62 %).")
-    assert not told(content()).splitlines()[1]
+    assert f"\n  Sure: friction_hysteresis (80 %). Probable: creep (62 %).{held}\n" in first
+    assert "Sure" not in told(content()) and held not in told(content())
 
 
 def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
@@ -1024,7 +1036,9 @@ def test_one_clear_advice_says_what_to_do_next():
     assert next_thing(weak) == f"{first} R{report[:-1]}, {use} to make next."
     moved = {"scale": 3.0, "separator_mm_2": -2.9, "length_mm": 0.1, "stiffness_n_per_mm": 2.8}
     (gain,) = advice.in_run_yaml({"evidence": {"moved_sigma": moved}})
-    assert "`tolerance: {scale: …, separator_mm: …}` (docs/import.md). By a gain of the sensor that you" in gain
+    assert "`tolerance: {scale: …, separator_mm: …}` (docs/import.md). If you measured the sensor's gain" in gain
+    written = re.search(r"add this line to it: `(channels: .*?}})`", gain)[1]
+    assert yaml.safe_load(written) == {"channels": {"displacement_mm": {"scale": 0.985}}}
     assert advice.in_run_yaml({"evidence": {"moved_sigma": {"stiffness_n_per_mm": 2.8}}}) == []
     one = {"verdict": "explained", "alternatives": [], "next_run": None}
     again = "Measure the radius again, and write what you measured into run.yaml."
@@ -1060,8 +1074,12 @@ def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little
     lines = seen.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
     assert len(lines) == said
     if said:
-        assert lines[0].startswith("Nearest comes wear: it would leave 0.50 mm rms (")
-        assert lines[0].endswith("too little less for an effect to be named.")
+        assert lines[0].startswith("The best that an effect could do: with wear 0.50 mm rms (")
+        assert lines[0].endswith("would be left instead of 0.60 mm. That gain is too small to name it.")
+        made["evidence"]["explanations"][2]["ids"] = ["x_swelling"]
+        made["simulation"] = [{"id": "backlash", "parameters": {}}]
+        (line,) = seen.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+        assert "that one more effect could do: with x_swelling (x_marks a stand-in" in line.replace("x_ m", "x_m")
 
 
 @pytest.mark.parametrize(
@@ -1117,7 +1135,129 @@ def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_fir
 )
 def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, named, said):
     made = {"mechanisms": [{"id": "slack"}, {"id": named}], "evidence": {"loaded": loaded}}
-    lines = certainty.alike(made)
+    lines = certainty.alike(made, Vocabulary.of(SYSTEMS["mm"]))
+    assert certainty.alike(made, replace(Vocabulary.of(SYSTEMS["mm"]), load=None)) == [], "a rig that has no load"
     assert len(lines) == said
     if said:
         assert "creep may hide plastic_elongation, sensor_drift, stiffening and wear, or stand in for" in lines[0]
+
+
+def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_place_of_a_share_is_told():
+    known = {"radius_mm": {"nominal": 0.4, "value": 0.436}, "scale": {"nominal": 1.0, "value": 1.01}}
+    known |= {"separator_mm": {"nominal": 8.0, "value": 8.2}}
+    sigmas = {"radius_mm": 0.012, "separator_mm": 0.5, "scale": 0.005}
+    made = content(parameters=known, evidence__tolerance=sigmas)
+    block = "`tolerance: {radius: 0.03, separator_mm: 0.5, scale: 0.005}`"
+    text = told(made)
+    assert (
+        f"Now in force, as run.yaml writes it: {block} (radius and scale are shares of the value: 0.03 is 3 %)." in text
+    )
+    assert yaml.safe_load(block.strip("`")) == {"tolerance": {"radius": 0.03, "separator_mm": 0.5, "scale": 0.005}}
+    assert "less than a caliper shows" not in text
+    made["evidence"]["tolerance"]["radius_mm"] = 0.012 * 0.4
+    first = told(made).partition("What to do next")[0]
+    assert "That is a share: 1.2 % of 0.4 mm, or 0.0048 mm, which is less than a caliper shows." in first
+    assert "If 0.012 mm was meant, write radius: 0.03 and diagnose again." in first
+    thin = {"radius_mm": {"nominal": 0.1, "value": 0.1}}
+    assert "caliper" not in told(content(parameters=thin, evidence__tolerance={"radius_mm": 0.003})), "the default"
+
+
+@pytest.mark.parametrize("name", sorted(systems()))
+def test_a_tolerance_is_a_share_exactly_where_a_rig_takes_it_for_one(name):
+    system = systems()[name]
+    string = SimpleNamespace(radius_mm=0.4, length_mm=400.0, stiffness_n_per_mm=15.0)
+    run = SimpleNamespace(string=string, rig={key: 7.0 for key in {**system.rig, **system.optional_rig}}, tolerance={})
+    shares = Vocabulary.of(system).shares
+    for one in system.parameters(run):
+        key = tolerances.key_of(one.name)
+        if key in system.tolerance:
+            usual = system.tolerance[key]
+            assert one.sigma == pytest.approx(usual * abs(one.nominal) if key in shares else usual), one.name
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "said"),
+    [
+        (0.35, 0.44, "Each effect's own size is known within a factor of 2, if"),
+        (0.0, 0.9, "Poorly known is the own size of creep (0 to 0.90 mm), if this explanation is right."),
+    ],
+)
+def test_the_first_lines_say_how_much_is_missing_and_whose_size_is_poorly_known(low, high, said):
+    made = content()
+    made["mechanisms"][1]["rms_mm"] |= {"low": low, "high": high}
+    assert f"\n  Size: 0.44 mm rms is missing after calibration. {said}" in told(made)
+
+
+def test_an_effect_far_larger_than_what_is_missing_has_a_poorly_known_size_in_both_places():
+    made = content()
+    made["mechanisms"][1]["rms_mm"] = {"value": 3.2, "low": 2.2, "high": 3.5}
+    text = told(made)
+    assert "Poorly known is the own size of creep (2.2 to 3.5 mm)" in text and "Its size is poorly known: it" in text
+
+
+def test_a_run_that_decides_nothing_says_so_before_its_steps_and_adopting_says_more_than_what():
+    text = told(content(next_run__gap_then=content()["next_run"]["gap_now"]))
+    run = text.partition("\nThe run to make next\n")[2].partition("\n\n")[0]
+    assert run.startswith("  Hardly worth making: you can skip it.\n  A hold at full twist")
+    assert run.count("Hardly") == 1
+    assert "Hardly" not in told()
+    system = SYSTEMS["mm"]
+    use = verdict_text(spoken(content(), system), system, [Path("raw/nylon-3")], Path("reports/nylon"))
+    assert "would err by more than the table above says of it as diagnosed" in " ".join(use.split())
+
+
+@pytest.mark.parametrize(("slowest", "said"), [(60.0, True), (240.0, False)])
+def test_a_time_constant_that_is_the_longest_tried_is_told_as_a_bound(slowest, said):
+    made = content()
+    made["mechanisms"][1]["parameters"]["slowest_s"] = parameter(slowest, "s")
+    assert ("15 s to 60 s of those that were tried (60 s is the longest, so it may be longer)" in told(made)) is said
+
+
+def test_effects_that_work_against_each_other_more_do_so_by_a_number():
+    made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
+    made["evidence"]["explanations"][3]["because"] = [{"aspect": "cancels", "log_odds": -0.9, "more": 0.19565}]
+    said = "work against each other more: its parts are 1.22 times as large, beside what they do together."
+    assert said in " ".join(told(made).split())
+
+
+def test_the_first_line_says_by_how_much_a_run_with_adopted_effects_errs_and_when_not_to_predict_with_it():
+    bad = adopted(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034).partition("\n\n")[0]
+    said = (
+        "run.yaml as it stands errs by 1.0 mm rms, 29 times as much as calibrated (0.034 mm): do not predict with it."
+    )
+    assert said in " ".join(bad.split())
+    fair = " ".join(adopted(evidence__nominal_mm=0.05, evidence__calibrated_mm=0.034).partition("\n\n")[0].split())
+    assert (
+        "run.yaml as it stands errs by 0.050 mm rms, calibrated by 0.034 mm." in fair and "do not predict" not in fair
+    )
+    assert "as it stands" not in told(content(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034))
+
+
+def test_what_is_adopted_already_is_not_listed_among_what_would_have_been_seen():
+    text = adopted()
+    listed = text.partition("\nWhat would have been seen\n")[2].partition("\n\n")[0]
+    assert "backlash 0.0040 mm." in listed and "creep 0.020" not in listed
+    assert "Not listed, for run.yaml has adopted it: creep." in listed
+    bare = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
+    assert "creep 0.020 mm" in bare and "Not listed" not in bare
+
+
+@pytest.mark.parametrize(("low", "said"), [(0.02, True), (0.0305, False)])
+def test_diamonds_that_all_lie_below_the_noise_are_said_to_decide_nothing(low, said):
+    made = content()
+    for one in made["evidence"]["explanations"]:
+        one["bent_mm"] = low if one["ids"] else 0.45
+    alone = copy.deepcopy(made) | {"verdict": "explained", "alternatives": [], "next_run": None}
+    for each in (made, alone):
+        assert ("the diamonds decide nothing" in " ".join(told(each).split())) is said
+
+
+@pytest.mark.parametrize(("left", "said"), [(0.04, True), (0.031, False)])
+def test_the_pattern_that_the_best_explanation_leaves_is_told_with_place_and_driver(left, said):
+    box = {"motor_turns": [20.0, 26.0], "strokes": [1, 2], "phase": "winding", "share": 0.8}
+    made = content(evidence__pattern={"location": box, "driver": ["time"], "rms_mm": 0.021})
+    made["evidence"]["explanations"][-1]["left_mm"] = left
+    line = (
+        "What is left holds a pattern of 0.021 mm rms beside the noise. It lies mostly at 20 to 26 turns, in strokes 1 "
+    )
+    assert (f"{line}to 2, while winding, and follows the time." in " ".join(told(made).split())) is said

@@ -81,10 +81,10 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
         moved = "a dimension" if far == 1 else f"{far} dimensions"
         lines.append(
             f"Do not adopt it yet: calibration moved {moved} far, and adopting takes over the effects alone. With the "
-            f"dimensions of run.yaml as they are now the simulator would err by more ({program_name('adopt')} prints "
-            "by how much). If measuring changes run.yaml, diagnose again into another folder, and adopt what the new "
-            "verdict names. If it changes nothing, predict with the command above. Who wants the effects in run.yaml "
-            "all the same:"
+            "dimensions of run.yaml as they are now the simulator would err by more than the table above says of it "
+            f"as diagnosed ({program_name('adopt')} prints by how much). If measuring changes run.yaml, diagnose again "
+            "into another folder, and adopt what the new verdict names. If it changes nothing, predict with the "
+            "command above. Who wants the effects in run.yaml all the same:"
         )
     else:
         lines.append("To adopt its effects: they go into run.yaml, whose dimensions stay as measured:")

@@ -3,19 +3,22 @@
 from typing import Any
 
 from ..library import mechanisms
-from . import probability
-from .quantity import listing, percent
+from . import probability, rivals
+from .quantity import listing, number, percent, size
+from .vocabulary import Vocabulary
 
 SURE, PROBABLE = 0.8, 0.5
+HOLDS = "All this holds if the dimensions are right within their tolerances (see Dimensions)."
+WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 # drivers that go on over a whole recording
 SLOW = ("time under load", "absolute time", "worked strokes", "load x worked strokes", "travel")
 
 
-def alike(content: dict[str, Any]) -> list[str]:
+def alike(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """That slow effects are hard to tell apart in a recording under one load, where one of them is named."""
     slow = [id_ for id_, mechanism in mechanisms().items() if mechanism.driver in SLOW]
     there = [entry["id"] for entry in content["mechanisms"] if entry["id"] in slow]
-    if content["evidence"]["loaded"] or not there:
+    if content["evidence"]["loaded"] or not there or words.load is None:
         return []
     others = listing([id_ for id_ in slow if id_ not in there])
     return [f"Under one load slow effects look much alike: {listing(there)} may hide {others}, or stand in for them."]
@@ -37,7 +40,32 @@ def summary(content: dict[str, Any]) -> list[str]:
     others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in shares)
     groups = {"Sure": sure, "Probable": probable, "Open": [*doubtful, *others]}
     said = [f"{word}: {listing(found)}." for word, found in groups.items() if found]
-    return [" ".join(said)] if shares else []
+    return [f"{' '.join(said)} {HOLDS}"] if shares else []
+
+
+def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """How much is missing, and which effects' own sizes the recording leaves open; nothing where nothing is named."""
+    if content["verdict"] not in ("explained", "ambiguous") or not content["mismatch"]:
+        return []
+    missing = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
+    found = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
+    poorly = [
+        f"{id_} ({span(known['low'], known['high'], words)})"
+        for id_, known in found.items()
+        if (known["high"] > WIDE * known["low"] and known["high"] > known["low"])
+        or known["value"] > rivals.LARGER * content["mismatch"][f"rms_{words.ending}"]
+    ]
+    own = f"Poorly known is the own size of {listing(poorly)}" if poorly else ""
+    if not poorly and all(known["high"] > known["low"] for known in found.values()):
+        own = "Each effect's own size is known" if len(found) > 1 else "The effect's own size is known"
+        own += f" within a factor of {number(WIDE)}"
+    return [f"Size: {missing} rms is missing after calibration.{f' {own}, if this explanation is right.' * bool(own)}"]
+
+
+def span(low: float, high: float, words: Vocabulary) -> str:
+    """An interval of a size: `0 to 0.40 mm`."""
+    least, most = size(low, words.unit), size(high, words.unit)
+    return f"{least.removesuffix(most[most.find(' ') :])} to {most}"
 
 
 def needed(content: dict[str, Any]) -> list[str]:

@@ -6,16 +6,20 @@ from typing import Any
 
 from ...ground.schemas import unit_of
 from ..bounds import BOUND, at_bound
+from . import tolerances
 from .headline import LITTLE
-from .quantity import listing, number, quantity, said_unit, size, times
+from .quantity import listing, number, said_unit, size, times
 from .vocabulary import Vocabulary
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
-TOLERANCES = {"radius_mm": "radius"}  # keys of `tolerance:` in run.yaml that are not the dimension's own name
-GAIN = "By a gain of the sensor that you measured, divide the scale in `channels: {displacement_mm: {scale: 1}}`"
+GAIN = (
+    "If you measured the sensor's gain, give its inverse as the scale: of a sensor that reads 1.5 % too much, the gain "
+    "is 1.015 and the scale 0.985. Where run.yaml has no `channels`, add this line to it: `channels: {displacement_mm: "
+    "{scale: 0.985}}`. Where it has a scale already, divide that by the gain"
+)
 
 
 def far_moved(content: dict[str, Any]) -> dict[str, float]:
@@ -23,7 +27,9 @@ def far_moved(content: dict[str, Any]) -> dict[str, float]:
     return {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
 
 
-def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = False, in_vain: bool = False) -> list[str]:
+def remeasured(
+    content: dict[str, Any], words: Vocabulary, adopted: list[str], inexact: bool = False, in_vain: bool = False
+) -> list[str]:
     """A line for each dimension to measure again, and what else may have bent it.
 
     `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_vain`: moving
@@ -33,7 +39,8 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
     lines = []
     for name, sigma in ({} if in_vain else moved).items():
         nominal, value = from_to(content, name)
-        far = f"{abs(sigma):.1f} times its tolerance{tolerance(content, name, ' ({})')} away"
+        known = tolerances.said(content, name, words)
+        far = f"{abs(sigma):.1f} times its tolerance{f' of {known}' if known else ''} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
         if assumed(name):
             lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
@@ -56,8 +63,7 @@ def remeasured(content: dict[str, Any], adopted: list[str], inexact: bool = Fals
 
 def tolerance_keys(moved: Iterable[str]) -> list[str]:
     """The keys of `tolerance:` in `run.yaml` of dimensions; a stiffness has none."""
-    stems = dict.fromkeys(re.sub(r"_\d+$", "", name) for name in moved)
-    return [TOLERANCES.get(stem, stem) for stem in stems if not stem.startswith("stiffness")]
+    return list(dict.fromkeys(tolerances.key_of(name) for name in moved if not name.startswith("stiffness")))
 
 
 def do_not_copy(moved: Iterable[str]) -> str:
@@ -90,12 +96,6 @@ def assumed(name: str) -> bool:
     return re.sub(r"_\d+$", "", name) in CALLED or name.startswith("stiffness")
 
 
-def tolerance(content: dict[str, Any], name: str, said: str) -> str:
-    """The tolerance of a dimension as `said` puts it, or nothing where the diagnosis does not hold it."""
-    sigma = content["evidence"].get("tolerance", {}).get(name)
-    return "" if sigma is None else said.format(quantity(sigma, unit_of(re.sub(r"_\d+$", "", name))))
-
-
 def from_to(content: dict[str, Any], name: str) -> tuple[str, str]:
     """A dimension as `run.yaml` has it and as it fits, with as many digits as it takes to tell them apart."""
     known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
@@ -115,17 +115,18 @@ def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
         if before <= LITTLE * after:
             lines.append("So moving them explains next to nothing: these values are no better than the measured ones.")
-    return [*lines, *each_moved(content)]
+    return [*lines, *each_moved(content, words)]
 
 
-def each_moved(content: dict[str, Any]) -> list[str]:
+def each_moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Each dimension that moved, the farthest first: from what to what, by how much of which tolerance."""
     moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= HARDLY}
     lines = []
     for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
         nominal, value = from_to(content, name)
-        far = f"{number(abs(sigma))} times its tolerance{tolerance(content, name, ' of {}')}"
-        lines.append(f"{name_of(name)}: from {nominal}{' (assumed)' if assumed(name) else ''} to {value} ({far}).")
+        known = tolerances.said(content, name, words)
+        far = f"{number(abs(sigma))} times its tolerance{f' of {known}' if known else ''}"
+        lines.append(f"{name_of(name)}: from {nominal}{' (assumed)' if assumed(name) else ''} to {value}, {far}.")
     if moved and all(abs(sigma) < 1.0 for sigma in moved.values()):
         right = content["verdict"] == "parameters"
         lines.append(f"Every dimension stays within its tolerance{': none of them was measured wrong' * right}.")

@@ -113,6 +113,8 @@ def time_constants(parameters: dict[str, Any]) -> str:
     kept = sorted(seconds for seconds, strength in strengths.items() if strength >= MOST_OF * whole)
     if not kept:
         return ""
+    longest = parameters.get("slowest_s", {"value": None})["value"]
+    bound = f" ({duration(kept[-1])} is the longest, so it may be longer)" if kept[-1] == longest else ""
     if len(kept) == 1:
-        return f"best with a time constant of {duration(kept[0])} of those that were tried"
-    return f"best with time constants of {duration(kept[0])} to {duration(kept[-1])} of those that were tried"
+        return f"best with a time constant of {duration(kept[0])} of those that were tried{bound}"
+    return f"best with time constants of {duration(kept[0])} to {duration(kept[-1])} of those that were tried{bound}"

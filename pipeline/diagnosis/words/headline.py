@@ -8,6 +8,7 @@ from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
 
 LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
+WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
 UNNAMED = ("consistent", "parameters")
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
@@ -63,7 +64,22 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
-    return f"{run}: {verdict}: {said.format(**fields)}{unseen.worse(content, words)}"
+    return f"{run}: {verdict}: {said.format(**fields)}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+
+
+def as_it_stands(content: dict[str, Any], words: Vocabulary) -> str:
+    """By how much run.yaml errs with the effects that it has adopted, and whether to predict with it; else nothing."""
+    found = [content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated")]
+    if not sight.included(content) or not all(found):
+        return ""
+    now, calibrated = found
+    said = f" run.yaml as it stands errs by {size(now, words.unit)} rms"
+    if now <= WORSE * calibrated:
+        return f"{said}, calibrated by {size(calibrated, words.unit)}."
+    return (
+        f"{said}, {times(now / calibrated)} times as much as calibrated ({size(calibrated, words.unit)}): do not "
+        "predict with it."
+    )
 
 
 def how_sure(content: dict[str, Any]) -> str:

@@ -1,5 +1,6 @@
 """Why an explanation is less likely than the best one: what counts most against it, in words."""
 
+import math
 from typing import Any
 
 from .quantity import number, times
@@ -36,8 +37,8 @@ def why(one: dict[str, Any], best: dict[str, Any] | None) -> str:
     reasons = [f"since {reason(found)}" for found in seen or because]
     how = "partly" if seen and because[0] not in seen else "chiefly"
     chiefly = f", {how} {' and '.join(reasons)}" if reasons else ""
-    ratio = first / mine
-    return f"It is {times(ratio) if ratio < 1000.0 else number(ratio, 1)} times less likely than the best one{chiefly}."
+    less = first / mine
+    return f"It is {times(less) if less < 1000.0 else number(less, 1)} times less likely than the best one{chiefly}."
 
 
 def reason(found: dict[str, Any]) -> str:
@@ -51,4 +52,12 @@ def reason(found: dict[str, Any]) -> str:
         return NAMES
     if aspect == "size" and not found["more"]:
         return OF_ITS_SIZE
+    if aspect == "cancels":  # the sign is a logarithm
+        parts = f"its parts are {ratio(found['more'])} times as large, beside what they do together"
+        return f"{SAID[aspect][larger]}: {parts}"
     return SAID[aspect][larger]
+
+
+def ratio(log: float) -> str:
+    """How many times, of its logarithm: 1.22, 0.9, 12."""
+    return number(math.exp(log), 3 if abs(log) < 1.0 else 2)

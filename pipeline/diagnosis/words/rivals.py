@@ -13,6 +13,10 @@ MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides 
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
 BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
 DIMENSIONS = "Dimensions"  # the heading under which they stand
+UNDECIDED = (
+    "In the figure the diamonds of all explanations lie below the noise: if formulas may be a little wrong, each of "
+    "these fits, so the diamonds decide nothing."
+)
 ALLOWED = "If a true effect may differ from its formula by 10 % of its size"
 
 
@@ -84,6 +88,18 @@ def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
         leave = "leave" if len(bent) > 1 else "leaves"
         lines.append(f"{ALLOWED}, {who} {leave} {' to '.join(ends)} times the noise.")
     return lines
+
+
+def diamonds(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether every explanation would come below the noise if its formulas may be a little wrong."""
+    floor = content["evidence"][f"floor_{words.ending}"]
+    bent = [one[f"bent_{words.ending}"] for one in content["evidence"]["explanations"] if one["ids"]]
+    return len(bent) > 1 and max(bent) < floor
+
+
+def undecided(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """That the diamonds of the figure decide nothing, where all lie below the noise."""
+    return [UNDECIDED] if diamonds(content, words) else []
 
 
 def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> float | None:

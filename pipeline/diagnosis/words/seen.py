@@ -2,13 +2,14 @@
 
 from typing import Any
 
-from . import unseen
+from . import sight, unseen
 from .headline import UNNAMED
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
-from .rivals import called, left
+from .rivals import NOISY, called, entries, left
 from .vocabulary import Vocabulary
 
+STAND_IN = " (x_ marks a stand-in: it fits the data, but is no physics of the library)"
 LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
 
 
@@ -40,6 +41,19 @@ def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [said, f"{share} lies {where}. It follows {follows}.", *closest]
 
 
+def remains(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Where the pattern lies that the best explanation leaves, and what it follows; nothing where it leaves noise."""
+    found, evidence = content["evidence"].get("pattern"), content["evidence"]
+    floor, best = evidence[f"floor_{words.ending}"], next(iter(entries(content, "named")), None)
+    if not found or best is None or best[f"left_{words.ending}"] <= NOISY * floor:
+        return []
+    where = place(found["location"], evidence, words)
+    lies = "is spread over the whole recording" if where == EVERYWHERE else f"lies mostly {where}"
+    follows = listing([words.follows(driver, evidence["loaded"]) for driver in found["driver"]])
+    rms = size(found[f"rms_{words.ending}"], words.unit)
+    return [f"What is left holds a pattern of {rms} rms beside the noise. It {lies}, and follows {follows}."]
+
+
 def nearest(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The one effect that would leave least, where it would leave a little less; it is not named."""
     shown = [one for one in content["evidence"]["explanations"] if one["ids"]]
@@ -47,17 +61,36 @@ def nearest(content: dict[str, Any], words: Vocabulary) -> list[str]:
     alone = content["evidence"].get(f"calibrated_{words.ending}")
     if best is None or not alone or best[f"left_{words.ending}"] > LESS * alone:
         return []
-    kind = "one more effect" if content.get("adopted") else "an effect"
+    kind = "one more effect" if sight.included(content) else "an effect"
+    before = size(alone, words.unit)
     return [
-        f"Nearest comes {called(best['ids'])}: it would leave {left(best, content, words)}, too little less for {kind} "
-        "to be named."
+        f"The best that {kind} could do: with {called(best['ids'])}{stand_in(best['ids'])} "
+        f"{left(best, content, words)} would be left instead of {before}. That gain is too small to name it."
     ]
+
+
+def stand_in(ids: list[str]) -> str:
+    """What a name that begins with x_ means, where one does."""
+    return STAND_IN if any(id_.startswith("x_") for id_ in ids) else ""
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The smallest effect of each kind that would have been seen; none smaller than what is left unexplained."""
-    sizes = sorted(content["fit"][f"detectable_{words.ending}"].items(), key=lambda item: item[1])
-    if content["verdict"] not in UNNAMED or not sizes:
+    there = content["fit"][f"detectable_{words.ending}"]
+    held = [id_ for id_ in sight.included(content) if id_ in there]
+    if content["verdict"] not in UNNAMED or not there:
+        return []
+    said = sizes(content, words, held)
+    return said + (
+        [f"Not listed, for run.yaml has adopted {'it' if len(held) == 1 else 'them'}: {listing(held)}."] * bool(held)
+    )
+
+
+def sizes(content: dict[str, Any], words: Vocabulary, held: list[str]) -> list[str]:
+    """The smallest effect of each kind but those `held`, the smallest first."""
+    there = content["fit"][f"detectable_{words.ending}"]
+    sizes = sorted(((id_, least) for id_, least in there.items() if id_ not in held), key=lambda item: item[1])
+    if not sizes:
         return []
     left = unseen.left_over(content, words)
     larger = [f"{id_} {size(least, words.unit)}" for id_, least in sizes if least > left]

@@ -21,6 +21,7 @@ from . import (
     seen,
     sight,
     still,
+    tolerances,
     unseen,
     worth,
 )
@@ -50,14 +51,15 @@ def verdict_text(
     """
     words = Vocabulary.of(system)
     sections = [
-        (headline(content, words), certainty.summary(content)),
+        (headline(content, words), [*certainty.summary(content), *certainty.sizes(content, words)]),
         (
             DOUBTS,
             [
                 *doubts,
                 *adoption.cautions(content),
                 *unseen.cautions(content, words),
-                *certainty.alike(content),
+                *certainty.alike(content, words),
+                *tolerances.doubts(content, words),
                 *suspicious(content),
             ],
         ),
@@ -70,6 +72,7 @@ def verdict_text(
                 *likely(content),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
+                *seen.remains(content, words),
             ],
         ),
         ("What is likely beside it", tied(content, words)),
@@ -147,7 +150,10 @@ def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What ties, with what all share first."""
     if not content["alternatives"]:
         return []
-    return [rivals.shared(content), *rivals.ties(content, words), *probability.rule(content)]
+    return [
+        rivals.shared(content), *rivals.ties(content, words), *rivals.undecided(content, words),
+        *probability.rule(content),
+    ]  # fmt: skip
 
 
 def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -161,15 +167,16 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
             more,
         ]
     lines = beaten.beaten(content, words) if content["mechanisms"] else []
-    return [*(probability.rule(content) if content["verdict"] == "explained" else []), *lines]
+    alone = content["verdict"] == "explained"
+    return [*(probability.rule(content) if alone else []), *(rivals.undecided(content, words) if alone else []), *lines]
 
 
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
-    again = remeasured(content, sight.included(content), unseen.inexact(content, words), in_vain)
-    hiding = each_moved(content) if rivals.hidden(content, words) else []
-    return [*corrected(content, words), *hiding, *again]
+    again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
+    hiding = each_moved(content, words) if rivals.hidden(content, words) else []
+    return [*corrected(content, words), *hiding, *again, *tolerances.in_force(content, words)]
 
 
 def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
@@ -177,8 +184,9 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], o
     run = content["next_run"]
     if not run:
         return still.lines(content, words, folders, out) or no_run(content, words)
-    lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
+    lines = worth.first(run)
+    lines += [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    lines += [worth.care(content, words), worth.purpose(content, words)]
+    lines += [worth.care(content, words), worth.purpose(content, words, worth.first(run) == [])]
     found = commands.lines(folders, out, experiment.loads(run, words))
     return [line for line in (*lines, *commands.block(found, folders[-1].name, words.twisted)) if line]

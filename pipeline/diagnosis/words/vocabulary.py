@@ -1,6 +1,7 @@
 """What things are called on a rig: its motion, its reading, its directions; by the names of its columns."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from ...ground.schemas import unit_of
 from ...systems import System
@@ -24,6 +25,7 @@ class Vocabulary:
     load: str | None  # column of the load
     ending: str
     twisted: bool
+    shares: Mapping[str, float] = field(default_factory=dict)  # keys of `tolerance:` that are shares, with defaults
 
     @classmethod
     def of(cls, system: System) -> "Vocabulary":
@@ -36,6 +38,7 @@ class Vocabulary:
             "twisting rate" if twisted else "speed", reading, motion_unit, unit,
             unit_of(system.load) if system.load else "", system.driver, system.load,
             system.channel.rpartition("_")[2], twisted,
+            {key: usual for key, usual in system.tolerance.items() if key not in system.absolute},
         )  # fmt: skip
 
     @property

@@ -20,17 +20,22 @@ WRONG = "That is no noise, but a formula that is wrong by a few per cent can mak
 CHANCE = "Noise alone can make that"
 
 
-def purpose(content: dict[str, Any], words: Vocabulary) -> str:
-    """Whether the run is worth making, which two explanations it parts, how probable each is, and how far it parts."""
+def first(run: dict[str, Any]) -> list[str]:
+    """What to know before the steps of a run that decides nothing."""
+    return [] if "parts" not in run or decides(run) else [f"{NO_USE}: you can skip it."]
+
+
+def purpose(content: dict[str, Any], words: Vocabulary, whether: bool = True) -> str:
+    """Which two explanations the run parts, how probable each is, how far; before it `whether` it is worth making."""
     run = content["next_run"]
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     asked = f"Worth making if you need to know {question(content)}; otherwise {otherwise(content, words)}."
-    value = asked if decides(run) else f"{NO_USE}: you can skip it."
+    value = (asked if decides(run) else first(run)[0]) + " " if whether else ""
     one, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
-    return f"{value} It is to tell {one} from {other}{closest}.{aside(content)} {gaps(run)}"
+    return f"{value}It is to tell {one} from {other}{closest}.{aside(content)} {gaps(run)}"
 
 
 def gaps(run: dict[str, Any]) -> str:

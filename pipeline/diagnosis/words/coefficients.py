@@ -1,0 +1,38 @@
+"""What the numbers of adopted effects mean, from the library's own data: name, unit and what each does."""
+
+from collections.abc import Sequence
+
+from ..drivers import Drivers
+from ..library import mechanisms
+from ..problem import Act
+from .quantity import listing, said_unit
+from .vocabulary import Vocabulary
+
+HEAD = "What the numbers under simulation mean, by effect, each with the equation of its kind:"
+DOES = {
+    "twist": "act on the {motion}",
+    "radius": "change the radius, as a share of it",
+    "length": "lengthen the {string}",
+    "resistance": "are lost where motion is resisted",
+    "sensor": "add to the reading",
+}  # what coefficients do, by the port that they act at
+
+
+def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]:
+    """Each effect with its equation, then its coefficients by what they do, then the shape that they were found at."""
+    said = []
+    for act in acts:
+        mechanism = mechanisms()[act.id]
+        said.append(f"  {act.id}: {mechanism.equation}")
+        groups: dict[str, list[str]] = {}
+        values = iter(act.coefficients)
+        for shape in act.shapes:
+            for term in mechanism.terms(drivers, shape):
+                if next(values):
+                    unit = said_unit(drivers.units.unit(term.unit)) or "a share"
+                    does = f"in {unit}, {DOES[term.port].format(motion=words.motion, string=words.string)}"
+                    groups.setdefault(does, []).append(drivers.units.name(term.name))
+        said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
+        fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
+        said += [f"    {listing(list(fixed))}: the shape, chosen and held"] if fixed else []
+    return [HEAD, *said] if said else []

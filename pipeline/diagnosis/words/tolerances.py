@@ -1,0 +1,84 @@
+"""The tolerances that a verdict stands on, in the keys and units of `run.yaml`: some are shares, some are lengths."""
+
+import re
+from typing import Any
+
+from ...ground.schemas import unit_of
+from .quantity import listing, number, quantity
+from .vocabulary import Vocabulary
+
+KEYS = {"radius_mm": "radius"}  # keys of `tolerance:` in run.yaml that are not the dimension's own name
+SHOWN_BY_A_CALIPER_MM = 0.01  # its last digit: nobody measures a radius by hand to less
+
+
+def stem(name: str) -> str:
+    """A dimension without the number of its run: `angle_turns` for `angle_turns_2`."""
+    return re.sub(r"_\d+$", "", name)
+
+
+def key_of(name: str) -> str:
+    """The key of `tolerance:` in `run.yaml` of a dimension."""
+    return KEYS.get(stem(name), stem(name))
+
+
+def share(content: dict[str, Any], name: str, words: Vocabulary) -> float | None:
+    """The tolerance of a dimension as a share of its value; None where run.yaml gives it in the dimension's unit."""
+    sigma = content["evidence"].get("tolerance", {}).get(name)
+    nominal = content["parameters"].get(name, {}).get("nominal")
+    if not sigma or not nominal or key_of(name) not in words.shares:
+        return None
+    return float(sigma) / abs(float(nominal))
+
+
+def said(content: dict[str, Any], name: str, words: Vocabulary) -> str:
+    """The tolerance of a dimension: `0.012 mm (3 %)`, `0.5 %`, `1 mm`; nothing where the diagnosis does not hold it."""
+    sigma = content["evidence"].get("tolerance", {}).get(name)
+    if sigma is None:
+        return ""
+    part, unit = share(content, name, words), unit_of(stem(name))
+    own = quantity(sigma, unit)
+    if part is None:
+        return own
+    return f"{own} ({percent(part)})" if unit not in ("", "1") else percent(part)
+
+
+def percent(part: float) -> str:
+    """A share as run.yaml gives it, in per cent: 3 %, 0.5 %, 1.25 %."""
+    return f"{number(100.0 * part, 3)} %"
+
+
+def in_force(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """All tolerances as a block of `run.yaml`, and which of them are shares; nothing where none is known."""
+    block: dict[str, float] = {}
+    for name, sigma in content["evidence"].get("tolerance", {}).items():
+        part = share(content, name, words)
+        block.setdefault(key_of(name), sigma if part is None else part)
+    if not block:
+        return []
+    written = ", ".join(f"{key}: {number(value, 4).replace(',', '')}" for key, value in block.items())
+    shares = [key for key in block if key in words.shares]
+    what = ""
+    if shares:
+        are = "are shares" if len(shares) > 1 else "is a share"
+        first = number(block[shares[0]], 4)
+        what = f" ({listing(shares)} {are} of the value: {first} is {percent(block[shares[0]])})"
+    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}."]
+
+
+def doubts(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """A share in mm that nobody can measure by hand: likely a length in mm was written where a share belongs."""
+    lines = []
+    for name in content["evidence"].get("tolerance", {}):
+        part, key = share(content, name, words), key_of(name)
+        if part is None or not name.endswith("_mm") or part >= 0.99 * words.shares[key]:
+            continue
+        nominal = abs(float(content["parameters"][name]["nominal"]))
+        if part * nominal >= SHOWN_BY_A_CALIPER_MM:
+            continue
+        given = number(part, 4)
+        lines.append(
+            f"run.yaml says `tolerance: {{{key}: {given}}}`. That is a share: {percent(part)} of {number(nominal, 4)} "
+            f"mm, or {quantity(part * nominal, 'mm')}, which is less than a caliper shows. If {given} mm was meant, "
+            f"write {key}: {number(part / nominal, 3)} and diagnose again."
+        )
+    return lines
