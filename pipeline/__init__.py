@@ -1,12 +1,19 @@
-"""twistbench. Importing it gives this process one thread of linear algebra, whatever the environment says.
+"""twistbench: recordings of a twisted string actuator, its kinematic models, and which physics a simulator leaves out.
+
+In memory: `Recording`, `points`, `fit`, `load`, `model_names`, `Diagnosis`, `Mechanism`, `Interval`, `BadInput`. Each
+is imported when it is first used. What a person runs are programs beside them, each with --help.
+
+Importing it gives this process one thread of linear algebra, whatever the environment says.
 
 Small fits with more threads are up to ten times slower and, because sums are then taken in another order, differ in
 their last digits. Runs go side by side as processes instead. The libraries read these variables when they are first
 imported, so they are set here, which every program passes before numpy.
 """
 
+import importlib as _importlib
 import os as _os
 import sys as _sys
+from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 __version__ = "0.1.0"  # the one place that says it
 
@@ -22,3 +29,38 @@ if "numpy" in _sys.modules:  # imported by a program that uses twistbench: its l
     from threadpoolctl import threadpool_limits as _threadpool_limits
 
     _threadpool_limits(1)
+
+_NOTEBOOK = {
+    "Recording": "recording",
+    "points": "models",
+    "fit": "models",
+    "load": "models",
+    "model_names": "models",
+    "Diagnosis": "diagnosis",
+    "Mechanism": "diagnosis",
+    "Interval": "diagnosis",
+}
+if _TYPE_CHECKING:
+    from .ground.errors import BadInput as BadInput
+    from .notebook.diagnosis import Diagnosis as Diagnosis
+    from .notebook.diagnosis import Interval as Interval
+    from .notebook.diagnosis import Mechanism as Mechanism
+    from .notebook.models import fit as fit
+    from .notebook.models import load as load
+    from .notebook.models import model_names as model_names
+    from .notebook.models import points as points
+    from .notebook.recording import Recording as Recording
+
+__all__ = ["BadInput", "Diagnosis", "Interval", "Mechanism", "Recording", "fit", "load", "model_names", "points"]
+
+
+def __getattr__(name: str) -> object:
+    """A public name, imported when it is first asked for: a program that needs none of them starts no slower."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    home = f".notebook.{_NOTEBOOK[name]}" if name in _NOTEBOOK else ".ground.errors"
+    return getattr(_importlib.import_module(home, __name__), name)
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *__all__]

@@ -6,24 +6,22 @@ import os
 import sys
 import time
 import traceback
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
-from .diagnosis import engine, faint, figures, heldout, library, verdict
+from .diagnosis import figures, library
 from .diagnosis.adopt import adoptions, block
 from .diagnosis.judge import judge
+from .diagnosis.whole import diagnosed, optional
 from .diagnosis.words.text import verdict_text
 from .ground.alone import each_alone
 from .ground.command import command
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.outputs import folder_to_write
-from .run.description import Run
 from .run.samples import read_samples
 from .string.beside import jumps_into
 
-Result = TypeVar("Result")
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
 
 
@@ -48,43 +46,19 @@ def diagnose(
     say("reading")
     pairs = [read_samples(folder) for folder in folders]
     runs, tables = [run for run, _ in pairs], [table for _, table in pairs]
-    for run, folder in zip(runs, folders, strict=True):
-        if run.actuator != runs[0].actuator:
-            raise BadInput(folder, "actuator", f"is {run.actuator}, not {runs[0].actuator}", "diagnose them apart")
-        for field in ("rig", "string", "tolerance", "simulation"):
-            if described(run, field) != described(runs[0], field):
-                mend = "diagnose the runs of each string on each rig apart"
-                raise BadInput(folder, field, f"is not that of {runs[0].run}", mend)
-    load = runs[0].system.load
-    for folder, table in zip(folders, tables, strict=True):
-        if load and (load in table) != (load in tables[0]):
-            mend = "diagnose runs with and without it apart"
-            raise BadInput(folder, load, f"is in {'it' if load in table else folders[0]} only", mend)
     by = judge(judge_file) if judge_file else None
-    problem = engine.make_problem(runs, tables, folders, without=without, by=by)
-    fine = engine.at_own_rate(runs, tables)
-    say("held out")  # first: a study is large, and this one is let go before the other begins
-    held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
-    found = engine.study(problem, say)
-    faint.refuse_faint(found, folders[0])
-    found = engine.polished(found, fine)
-    say("writing")
-    experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
-    content = verdict.diagnosis(found, fine, held, runs, experiment, without)
+    content, found = diagnosed(runs, tables, folders, without, by, say)
     jumps = optional("the zero of this string's runs", name, lambda: jumps_into(folders, runs, tables)) or []
     if jumps:
         told = ("before", "run", "jump_mm", "floor_mm")
         content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
-    earlier = [one.model_dump(exclude_none=True) for run in runs for one in run.adopted]
-    if earlier:
-        content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
     if together:
         content["run"] = [run.run for run in runs]
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
     write_block(content, out)
     doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
-    words = verdict_text(content, problem.system, folders, out, doubts)
+    words = verdict_text(content, runs[0].system, folders, out, doubts)
     write_text(out / "verdict.txt", words + "\n")
     return words
 
@@ -98,24 +72,6 @@ def write_block(content: dict[str, Any], out: Path) -> None:
         )
     else:
         path.unlink(missing_ok=True)  # of an earlier diagnosis
-
-
-def described(run: Run, field: str) -> Any:
-    """What `run.yaml` says of a thing that runs of one rig must share: not load, strokes before and id."""
-    value = getattr(run, field)
-    if field == "rig":
-        return {key: one for key, one in value.items() if key != "load_n"}
-    return value.model_copy(update={"strokes_before": 0, "id": None}) if field == "string" and value else value
-
-
-def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
-    """What a step gives without which the verdict still stands; its failure is shown in full, and gives None."""
-    try:
-        return work()
-    except Exception:
-        print(f"warning: {name}: {step} failed; the verdict stands without it:", file=sys.stderr)
-        traceback.print_exc()
-        return None
 
 
 def _one(

@@ -58,6 +58,7 @@ ROOMS = {
     "models": "ground formats run diagnosis",
     "stages": "ground run string models",
     "export": "ground models stages",
+    "notebook": "ground systems run string diagnosis models stages",
     "lifespan": "ground run string",
     "campaign": "ground run string models stages",
     "proof": "ground systems run rig diagnosis",

@@ -20,7 +20,7 @@ def beats(search: Search, one: Explanation, other: Explanation) -> bool:
 
     The gap must be what the truth of `one` implies; where it is less, it must remain if both formulas may bend.
     """
-    for first, second in ((one, other), (search.bent(one), search.bent(other))):
+    for first, second in ((one, other), (search.with_discrepancy(one), search.with_discrepancy(other))):
         seen = price(search, second) - price(search, first)
         if seen <= LEAST_GAP:
             return False
@@ -84,9 +84,9 @@ def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], fl
         return None
     smaller = [search.explain(tuple(other for other in one.ids if other != id_)) for id_ in one.ids]
     small = min(smaller, key=lambda other: other.cost)
-    bent, whole = search.bent(small), search.bent(one)
+    bent, whole = search.with_discrepancy(small), search.with_discrepancy(one)
     if bent.energy - whole.energy > (FLAW * search.mismatch(floor)) ** 2 or not explains(search, small, floor):
         return None
     needed = REPLACED * (bent.cost - whole.cost)
     others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]
-    return small if any(bent.cost - search.bent(rival).cost >= needed for rival in others) else None
+    return small if any(bent.cost - search.with_discrepancy(rival).cost >= needed for rival in others) else None

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from ..ground.kinematics import Array
-from . import form
+from . import discrepancy
 from .interface import Term, physics
 from .library import mechanisms
 from .linear import Linear
@@ -73,4 +73,4 @@ def no_name(problem: Problem, state: State, dimensions: Linear) -> bool:
         return True
     if any(outside(problem, [term for term, value in problem.act_terms(act) if value]) for act in acts):
         return True
-    return any(only_calibration(form.effect(problem, state, id_)[: problem.rows], dimensions) for id_ in at_work)
+    return any(only_calibration(discrepancy.effect(problem, state, id_)[: problem.rows], dimensions) for id_ in at_work)

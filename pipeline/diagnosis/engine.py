@@ -11,7 +11,7 @@ from ..ground.errors import BadInput
 from ..run.description import Run
 from ..systems import Parameter, System
 from ..systems.interface import PORTS
-from . import calibrate, candidates, chance, form, generic
+from . import calibrate, candidates, chance, discrepancy, generic
 from .adopt import acts_from
 from .disguise import disguised, no_name
 from .drivers import Drivers, drivers_of
@@ -141,10 +141,10 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             leaders = search.leaders(chosen)
             refined = [calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys)) for one in leaders]
             own = [noise_of(problem, state, smooth) for state in refined]
-            place = min(range(len(own)), key=lambda i: unlikely(problem, own[i], refined[i]))
+            place = min(range(len(own)), key=lambda i: bic(problem, own[i], refined[i]))
             best, noise = refined[place], own[place]
             shapes = candidates.with_refined(problem, shapes, refined)
-            bends = form.columns(problem, [best, *(state for state in refined if state is not best)])
+            bends = discrepancy.columns(problem, [best, *(state for state in refined if state is not best)])
             del search  # it is large, and the next one is as large
             search = Search(Linear(problem, best, noise, shapes, form=bends), least)
             before, chosen = chosen, search.select(noise.floor)
@@ -190,7 +190,10 @@ def polished(found: Study, fine: Problem) -> Study:
     return replace(found, best=best, state=best if found.state is found.best else found.state)
 
 
-def unlikely(problem: Problem, noise: Noise, state: State) -> float:
-    """Minus twice the log-likelihood of a state under its own noise, and ln n for each number that acts."""
+def bic(problem: Problem, noise: Noise, state: State) -> float:
+    """Bayesian information criterion of a state: minus twice its log-likelihood, and ln n for each number that acts.
+
+    The likelihood is under the noise that the state itself leaves (Schwarz, 1978).
+    """
     active = sum(value != 0.0 for act in state.acts for value in act.coefficients)
     return 2.0 * problem.rows * float(np.log(noise.innovation)) + active * float(np.log(problem.rows))

@@ -62,7 +62,7 @@ def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
             f"left_{ending}": float(np.sqrt(max(one.energy, 0.0))),
         }
         entry["probability"] = probability(found, one.ids)
-        entry[f"bent_{ending}"] = float(np.sqrt(max(search.bent(one).energy, 0.0)))
+        entry[f"bent_{ending}"] = float(np.sqrt(max(search.with_discrepancy(one).energy, 0.0)))
         if first and one.ids and one is not first:
             entry["worse"] = price(search, one) - price(search, first)
             entry["because"] = because(found, one.ids, first.ids)

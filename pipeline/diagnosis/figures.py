@@ -3,13 +3,10 @@
 from pathlib import Path
 from typing import Any
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..ground.files import whole
@@ -50,6 +47,16 @@ def title(content: dict[str, Any]) -> str:
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
+    figure = drawn(found, content)
+    with whole(path.with_name(f"{path.name}.png")) as temporary:  # each canvas draws once, savefig twice
+        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
+    figure.set_layout_engine("none")  # what is laid out stays as it is
+    with whole(path.with_name(f"{path.name}.pdf")) as temporary:
+        FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})
+
+
+def drawn(found: Study, content: dict[str, Any]) -> Figure:
+    """The page as a figure of matplotlib, known to no window and no notebook."""
     problem, drivers, floor = found.problem, found.problem.drivers, found.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     states = {"nominal": found.nominal, "calibrated": found.base, "as diagnosed": found.state}
@@ -57,7 +64,7 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     if np.array_equal(simulated["as diagnosed"], simulated["calibrated"]):  # nothing is named: draw nothing twice
         del simulated["as diagnosed"]
     residuals = {name: problem.measured - values for name, values in list(simulated.items())[-2:]}
-    figure = plt.figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
+    figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
@@ -86,9 +93,4 @@ def page(found: Study, content: dict[str, Any], path: Path) -> None:
     handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
-    with whole(path.with_name(f"{path.name}.png")) as temporary:  # each canvas draws once, savefig twice
-        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
-    figure.set_layout_engine("none")  # what is laid out stays as it is
-    with whole(path.with_name(f"{path.name}.pdf")) as temporary:
-        FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})
-    plt.close(figure)
+    return figure

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..ground.kinematics import Array
-from . import form, generic
+from . import discrepancy, generic
 from .library import mechanisms
 from .linear import Key, Linear
 from .noise import Noise
@@ -76,7 +76,7 @@ def intervals(
     smooth = generic.dictionary(problem.drivers)
     scale = np.sqrt(np.mean(np.square(smooth[:, : problem.rows]), axis=1))
     smooth = smooth[scale > 0] / scale[scale > 0][:, None] * noise.floor
-    deviations = form.columns(problem, [state])
+    deviations = discrepancy.columns(problem, [state])
     shaped = [bends(problem, state, act) for act in acts]
     shaped = [np.vstack([bent, deviations[act.id]]) for act, bent in zip(acts, shaped, strict=True)]
     extra = np.ascontiguousarray(np.vstack([*shaped, smooth]))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ground.kinematics import Array
-from . import compare, order
+from . import compare, cross_validation
 from .interface import physics
 from .judge import Weighed
 from .problem import State
@@ -52,7 +52,7 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
     The judge was taught on strings. Where nothing is wound, explanations are compared by what their truth implies.
     """
     if not search.linear.problem.drivers.levered:
-        sets = order.by_prediction(search.linear, compare.unbeaten(search, chosen, floor))
+        sets = cross_validation.by_prediction(search.linear, compare.unbeaten(search, chosen, floor))
         return Judged(sets, {one.ids: 1.0 / len(sets) for one in sets}, 0.0)
     some = weighed(search, base, floor)
     *shares, none = search.linear.problem.judge.probabilities(some).tolist()

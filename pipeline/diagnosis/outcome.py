@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from . import chance, form
+from . import chance, discrepancy
 from .calibrate import calibrate
 from .interface import Shape, physics
 from .judged import UNKNOWN, Judged
@@ -127,7 +127,7 @@ def surely(noise: Noise) -> float:
 
 def cancels(problem: Problem, state: State) -> bool:
     """Whether the named effects are far larger than what they do together: such a balance is no explanation."""
-    effects = [form.effect(problem, state, act.id) for act in state.acts if act not in problem.included]
+    effects = [discrepancy.effect(problem, state, act.id) for act in state.acts if act not in problem.included]
     together = float(np.std(np.sum(effects, axis=0))) if len(effects) > 1 else np.inf
     return max((float(np.std(effect)) for effect in effects), default=0.0) > CANCELS * together
 
@@ -135,5 +135,5 @@ def cancels(problem: Problem, state: State) -> bool:
 def helped(problem: Problem, state: State, mismatch: float) -> bool:
     """Whether a helper, which is no physics, takes most of a mismatch."""
     helpers = [act.id for act in state.acts if act not in problem.included and mechanisms()[act.id].helper]
-    sizes = [float(np.std(form.effect(problem, state, id_)[: problem.rows])) for id_ in helpers]
+    sizes = [float(np.std(discrepancy.effect(problem, state, id_)[: problem.rows])) for id_ in helpers]
     return max(sizes, default=0.0) > HELPED * mismatch

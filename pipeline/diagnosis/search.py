@@ -138,7 +138,7 @@ class Search:
         others = {one.ids: one for one in near if one.ids != chosen.ids and one.energy < half}
         return [chosen, *others.values()]
 
-    def bent(self, one: Explanation) -> Explanation:
+    def with_discrepancy(self, one: Explanation) -> Explanation:
         """An explanation whose formulas may be wrong by a little, as smooth functions of the drivers."""
         form = [self.linear.form[id_] for id_ in one.ids if id_ in self.linear.form]
         columns = np.concatenate([self.linear.columns_of(one.keys), *form]).astype(int)
@@ -154,7 +154,7 @@ class Search:
             return large.cost <= small.cost - LEAST_GAIN and enough
         if small.energy - large.energy < self.least_energy(floor):
             return False
-        return self.bent(large).cost <= self.bent(small).cost - LEAST_MORE
+        return self.with_discrepancy(large).cost <= self.with_discrepancy(small).cost - LEAST_MORE
 
     def least_energy(self, floor: float) -> float:
         """Energy that a further mechanism must take away to count."""

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 from pydantic import Field, field_validator
 
-from ..diagnosis import calibrate, engine, faint, library, order, outcome
+from ..diagnosis import calibrate, cross_validation, engine, faint, library, outcome
 from ..diagnosis.problem import State
 from ..diagnosis.search import LARGEST, TRIED, apart
 from ..ground.errors import BadInput
@@ -172,12 +172,12 @@ def foreseeing(found: outcome.Study) -> Iterator[State]:
     search = found.search
     beside = [one for size in range(1, LARGEST + 1) for one in search.all_of(size)[:TRIED]]
     tried = list({one.keys: one for one in [*found.sets, *beside]}.values())
-    errors = order.left_out_errors(search.linear, tried)
+    errors = cross_validation.left_out_errors(search.linear, tried)
     good = tried[int(np.argmin(errors))].ids
     if len(good) < LARGEST:  # what foresees best may have been too far behind to be searched on
         sets = [(*good, id_) for id_ in search.linear.catalogue if id_ not in good]
         more = [search.explain(ids) for ids in sets if apart(ids)]
-        tried, errors = [*tried, *more], [*errors, *order.left_out_errors(search.linear, more)]
+        tried, errors = [*tried, *more], [*errors, *cross_validation.left_out_errors(search.linear, more)]
     for place in np.argsort(errors, kind="stable")[:FORESEEING]:
         state = found.best if tried[place] is found.sets[0] else engine.at_work(search, tried[place])
         if not outcome.cancels(found.problem, state):

@@ -22,6 +22,7 @@ from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.noise import resolution
 from pipeline.diagnosis.simulation import read_diagnosis, state_of
+from pipeline.diagnosis.whole import described
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_samples
 
@@ -276,7 +277,7 @@ def test_runs_of_one_string_may_name_it_or_not(conceal, tmp_path) -> None:
     first, _ = conceal()
     later = edited(first, tmp_path / "later", string=string_of(first) | {"id": first.name, "strokes_before": 5})
     thick = edited(first, tmp_path / "thick", string=string_of(first) | {"radius_mm": 0.7})
-    one, same, other = (diagnose.described(read_samples(folder)[0], "string") for folder in (first, later, thick))
+    one, same, other = (described(read_samples(folder)[0], "string") for folder in (first, later, thick))
     assert one == same != other
 
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipeline.diagnosis import judged, order, weigh
+from pipeline.diagnosis import cross_validation, judged, weigh
 from pipeline.diagnosis.judge import Weighed
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import white
@@ -64,5 +64,5 @@ def test_a_number_that_the_other_stretches_hardly_show_stays_nothing():
         table=np.vstack([late, target]), rows=rows, noise=white(1.0), gram=np.array([[late @ late]]), low=-free,
         high=free, begin=np.zeros(1), problem=SimpleNamespace(drivers=SimpleNamespace(first=np.arange(rows))),
     )  # fmt: skip
-    (error,) = order.left_out_errors(linear, [explanation("late")])
+    (error,) = cross_validation.left_out_errors(linear, [explanation("late")])
     assert error == pytest.approx(1.0, abs=0.2)

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from pipeline.diagnosis import order
+from pipeline.diagnosis import cross_validation
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
@@ -26,8 +26,8 @@ def sets(*names):
 )
 def test_the_smallest_that_foresees_as_well_stands_first_and_the_rest_stay(monkeypatch, errors, first):
     tied = sets("creep jam wear", "creep jam", "thermal")
-    monkeypatch.setattr(order, "left_out_errors", lambda linear, sets: errors)
-    ordered = [" ".join(one.ids) for one in order.by_prediction(None, tied)]
+    monkeypatch.setattr(cross_validation, "left_out_errors", lambda linear, sets: errors)
+    ordered = [" ".join(one.ids) for one in cross_validation.by_prediction(None, tied)]
     assert ordered == [first, *(" ".join(one.ids) for one in tied if " ".join(one.ids) != first)]
 
 
@@ -37,5 +37,5 @@ def test_what_is_there_foresees_stretches_that_what_is_not_does_not(tmp_path):
     search = study(make_problem([run], [samples])).search
     both = search.explain(("friction_hysteresis", "viscous_loss"))
     tried = [both, search.explain(("sensor_drift",)), search.nothing]
-    true, false, nothing = order.left_out_errors(search.linear, tried)
+    true, false, nothing = cross_validation.left_out_errors(search.linear, tried)
     assert true < 0.3 * false and true < 0.3 * nothing

@@ -1,4 +1,4 @@
-"""The formula of a mechanism is never exactly right: how its effect may differ from what the library says of it."""
+"""Model discrepancy: how an effect may differ from what its formula says, for no formula is exactly right."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The order of what ties: first the smallest explanation that predicts left-out stretches about as well as any."""
+"""Cross-validation: of what ties, the smallest that foretells left-out stretches about as well as any comes first."""
 
 import numpy as np
 

@@ -1,0 +1,84 @@
+"""A diagnosis from beginning to end, in memory: runs and their samples → what `diagnosis.json` says, and the study."""
+
+import sys
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import pandas as pd
+
+from ..ground.errors import BadInput
+from ..run.description import Run
+from . import engine, faint, heldout, verdict
+from .judge import Judge
+from .outcome import Study
+
+Result = TypeVar("Result")
+Say = Callable[[str], None]
+
+
+def diagnosed(
+    runs: list[Run],
+    tables: list[pd.DataFrame],
+    folders: list[Path],
+    without: frozenset[str] = frozenset(),
+    by: Judge | None = None,
+    say: Say = lambda _: None,
+) -> tuple[dict[str, Any], Study]:
+    """Diagnose one run, or several of one rig together: the content of `diagnosis.json`, and what it was made from.
+
+    `tables` holds each run's checked samples, `folders` where each lies or would lie, for what is said of it. The
+    library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told each step.
+    Raises BadInput for runs that are not of one rig, and for recordings too poor to decide anything.
+    """
+    of_one_rig(runs, tables, folders)
+    name = "+".join(folder.name for folder in folders)
+    problem = engine.make_problem(runs, tables, folders, without=without, by=by)
+    fine = engine.at_own_rate(runs, tables)
+    say("held out")  # first: a study is large, and this one is let go before the other begins
+    held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine)[0])
+    found = engine.study(problem, say)
+    faint.refuse_faint(found, folders[0])
+    found = engine.polished(found, fine)
+    say("writing")
+    experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
+    content = verdict.diagnosis(found, fine, held, runs, experiment, without)
+    earlier = [one.model_dump(exclude_none=True) for run in runs for one in run.adopted]
+    if earlier:
+        content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
+    return content, found
+
+
+def of_one_rig(runs: list[Run], tables: list[pd.DataFrame], folders: list[Path]) -> None:
+    """Raise BadInput unless all runs are of one string on one rig, with the same channels."""
+    for run, folder in zip(runs, folders, strict=True):
+        if run.actuator != runs[0].actuator:
+            raise BadInput(folder, "actuator", f"is {run.actuator}, not {runs[0].actuator}", "diagnose them apart")
+        for field in ("rig", "string", "tolerance", "simulation"):
+            if described(run, field) != described(runs[0], field):
+                mend = "diagnose the runs of each string on each rig apart"
+                raise BadInput(folder, field, f"is not that of {runs[0].run}", mend)
+    load = runs[0].system.load
+    for folder, table in zip(folders, tables, strict=True):
+        if load and (load in table) != (load in tables[0]):
+            mend = "diagnose runs with and without it apart"
+            raise BadInput(folder, load, f"is in {'it' if load in table else folders[0]} only", mend)
+
+
+def described(run: Run, field: str) -> Any:
+    """What `run.yaml` says of a thing that runs of one rig must share: not load, strokes before and id."""
+    value = getattr(run, field)
+    if field == "rig":
+        return {key: one for key, one in value.items() if key != "load_n"}
+    return value.model_copy(update={"strokes_before": 0, "id": None}) if field == "string" and value else value
+
+
+def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
+    """What a step gives without which the verdict still stands; its failure is shown in full, and gives None."""
+    try:
+        return work()
+    except Exception:
+        print(f"warning: {name}: {step} failed; the verdict stands without it:", file=sys.stderr)
+        traceback.print_exc()
+        return None

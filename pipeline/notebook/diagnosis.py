@@ -1,0 +1,161 @@
+"""A diagnosis in memory: the verdict, what explains the mismatch with its intervals, what ties, and its page."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+import json
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ..diagnosis import figures
+from ..diagnosis.outcome import Study
+from ..diagnosis.simulation import read_diagnosis
+from ..diagnosis.whole import diagnosed
+from ..diagnosis.words.text import verdict_text
+from ..ground.errors import BadInput
+from ..ground.files import write_text
+from ..ground.schemas import unit_of
+from ..systems import System, systems
+from .recording import Recording
+
+SHOWN_DOTS = 80  # an inch, of the page in a notebook
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A number with its 90 % interval, in `unit`; `low` and `high` are None where none is told."""
+
+    value: float
+    low: float | None = None
+    high: float | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """One effect that the diagnosis names: how sure it is, how large (rms), its coefficients, and it in a sentence."""
+
+    id: str
+    confidence: float
+    size: Interval
+    parameters: dict[str, Interval]
+    sentence: str
+
+
+def _interval(entry: dict[str, Any], unit: str = "") -> Interval:
+    return Interval(entry["value"], entry.get("low"), entry.get("high"), str(entry.get("unit", unit)))
+
+
+@dataclass(frozen=True, repr=False)
+class Diagnosis:
+    """What a diagnosis says. `content` is what `diagnosis.json` holds; the other names give its parts as objects."""
+
+    content: dict[str, Any]
+    actuator: str
+    _found: Study | None = field(default=None, compare=False)
+
+    @classmethod
+    def of(cls, *recordings: Recording, without: frozenset[str] = frozenset()) -> Diagnosis:
+        """The diagnosis of one recording, or of several of one rig together; the library lacks those in `without`.
+
+        Raises BadInput for recordings that are not of one rig, and for one too poor to decide anything.
+        """
+        if not recordings:
+            raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
+        runs, tables = [one.run for one in recordings], [one.samples for one in recordings]
+        content, found = diagnosed(runs, tables, [one.folder for one in recordings], without)
+        if len(runs) > 1:
+            content["run"] = [run.run for run in runs]
+        return cls(content, runs[0].actuator, found)
+
+    @classmethod
+    def read(cls, path: Path | str, actuator: str = "separator") -> Diagnosis:
+        """The diagnosis that a `diagnosis.json` holds, of a rig of this kind; it has no page. Raises BadInput."""
+        return cls(read_diagnosis(Path(path)), actuator)
+
+    @property
+    def system(self) -> System:
+        """The rig that it is about."""
+        return systems()[self.actuator]
+
+    @property
+    def verdict(self) -> str:
+        """consistent, parameters, explained, ambiguous or unknown."""
+        return str(self.content["verdict"])
+
+    @cached_property
+    def mechanisms(self) -> tuple[Mechanism, ...]:
+        """The best explanation: its mechanisms, the largest first; empty where nothing is named."""
+        unit = self.system.channel.rpartition("_")[2]
+        return tuple(
+            Mechanism(
+                entry["id"],
+                float(entry["confidence"]),
+                _interval(entry[f"rms_{unit}"], unit),
+                {name: _interval(each) for name, each in entry["parameters"].items()},
+                entry["sentence"],
+            )
+            for entry in self.content["mechanisms"]
+        )
+
+    @property
+    def alternatives(self) -> tuple[tuple[str, ...], ...]:
+        """Every other explanation that the recording cannot rule out, each the names of its mechanisms."""
+        return tuple(tuple(ids) for ids in self.content["alternatives"])
+
+    @cached_property
+    def parameters(self) -> dict[str, Interval]:
+        """The rig's dimensions as calibrated, by name, each in the unit that its name ends with."""
+        return {name: _interval(entry, unit_of(name)) for name, entry in self.content["parameters"].items()}
+
+    @property
+    def words(self) -> str:
+        """The whole verdict for a person, as `verdict.txt` has it."""
+        runs = self.content["run"]
+        folders = [Path("raw", run) for run in ([runs] if isinstance(runs, str) else runs)]
+        return verdict_text(self.content, self.system, folders)
+
+    def figure(self) -> Figure:
+        """The page of figures: recording over simulation, maps of the mismatch, explanations, error on unseen strokes.
+
+        Raises ValueError for a diagnosis that was read from a file: it holds no recording.
+        """
+        if self._found is None:
+            raise ValueError("a diagnosis read from a file has no recording to draw; diagnose the recording again")
+        return figures.drawn(self._found, self.content)
+
+    def to_json(self) -> str:
+        """It as `diagnosis.json` holds it."""
+        return json.dumps(self.content, indent=1, ensure_ascii=False) + "\n"
+
+    def save(self, folder: Path | str) -> None:
+        """Write `diagnosis.json`, `verdict.txt` and, where it was made here, the page as PNG and PDF, each whole."""
+        folder = Path(folder)
+        write_text(folder / "diagnosis.json", self.to_json())
+        write_text(folder / "verdict.txt", self.words + "\n")
+        if self._found is not None:
+            figures.page(self._found, self.content, folder / "diagnosis")
+
+    def __repr__(self) -> str:
+        named = " + ".join(one.id for one in self.mechanisms) or "nothing named"
+        ties = f", or {len(self.alternatives)} more" if self.alternatives else ""
+        return f"<Diagnosis of {self.content['run']}: {self.verdict}; {named}{ties}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the verdict in words, and the page."""
+        shown = f"<pre style='white-space: pre-wrap'>{html.escape(self.words)}</pre>"
+        if self._found is None:
+            return shown
+        drawn = io.BytesIO()
+        page = self.figure()
+        page.set_dpi(SHOWN_DOTS)
+        FigureCanvasAgg(page).print_png(drawn)
+        told = base64.b64encode(drawn.getvalue()).decode()
+        return f"{shown}<img alt='the page of figures' src='data:image/png;base64,{told}'>"

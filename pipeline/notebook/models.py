@@ -1,0 +1,62 @@
+"""Kinematic models by name, in memory: the points of recordings, and models fitted to them."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from ..ground import schemas
+from ..ground.errors import BadInput
+from ..models.interface import Model, names
+from ..run.description import STRING_ACTUATORS
+from ..stages.dataset import make_dataset
+from ..stages.train import configured, fitting
+from .recording import Recording
+
+
+def model_names() -> tuple[str, ...]:
+    """Names of all models, sorted, as `fit` and `load` take them."""
+    return names()
+
+
+def points(recordings: Sequence[Recording]) -> pd.DataFrame:
+    """The moving points of recordings of strings, tared and numbered by stroke; columns of `schemas.DATASET`.
+
+    The columns `within` and `later` say of each point whether it is to train on ("train"), held out ("test") or
+    neither (""), inside strokes and in the last quarter of the strokes. Raises BadInput for a rig that is no string.
+    """
+    for one in recordings:
+        if one.run.actuator not in STRING_ACTUATORS:
+            problem = f"is {one.run.actuator}: kinematic models are of strings"
+            raise BadInput(one.folder / "run.yaml", "actuator", problem, f"use {' or '.join(STRING_ACTUATORS)}")
+    if not recordings:
+        raise BadInput("points", "recordings", "are none", "give at least one recording")
+    return make_dataset([one.recorded() for one in recordings])
+
+
+def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> Model:
+    """The model of a name, fitted to points; the same points and seed give the same model.
+
+    `points` has the columns of `schemas.DATASET`, as `points` of recordings gives them. The fitted model has `forward`
+    (mm for turns), `inverse` (turns for mm) and `save`. Raises BadInput for an unknown name or setting, and for points
+    that it cannot be fitted to.
+    """
+    absent = [column for column in schemas.DATASET.names if column not in points]
+    if absent:
+        raise BadInput("points", absent[0], "is no column of these points", "make them by points(recordings)")
+    model = configured(name, json.dumps(settings))
+    with fitting(name):
+        model.fit(points, seed)
+    return model
+
+
+def load(name: str, path: Path | str, **settings: object) -> Model:
+    """The model of a name as `save` wrote it, with the settings it was fitted with; raises BadInput, OSError."""
+    model = configured(name, json.dumps(settings))
+    try:
+        model.load(Path(path))
+    except (ValueError, KeyError, TypeError) as error:
+        problem = f"is no saved {name} ({type(error).__name__})"
+        raise BadInput(path, "model", problem, "give the name and the settings that it was fitted with") from error
+    return model

@@ -1,0 +1,104 @@
+"""A recording in memory: the samples of one run, what was measured of its rig, and what may be asked of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Protocol
+
+import pandas as pd
+
+from ..diagnosis.engine import at_own_rate
+from ..diagnosis.simulation import of_run, tared
+from ..ground import schemas
+from ..ground.folders import whole_folder
+from ..ground.strict_yaml import write_yaml
+from ..run.description import Run, parse_run
+from ..run.folder import capture_info
+from ..run.recording import to_samples
+from ..run.samples import check, read_samples
+from ..run.strokes import segment
+from ..string.history import Recorded
+
+NAME = "recording"  # of a run that its description gives none
+
+
+class Explained(Protocol):
+    """What says how a rig is simulated: a diagnosis."""
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """What `diagnosis.json` holds."""
+
+
+@dataclass(frozen=True, repr=False)
+class Recording:
+    """One run: `run`, what its description says of string and rig; `samples`, one row a sample in our units.
+
+    `samples` has `time_s` in s and the rig's channels; for a string `motor_turns` (0 untwisted, winding positive),
+    `displacement_mm` (contraction positive) and `load_n`. Make one by `Recording.read` or `Recording.of`.
+    """
+
+    run: Run
+    samples: pd.DataFrame
+    folder: Path
+    started_utc: str = field(default="", compare=False)
+
+    @classmethod
+    def read(cls, folder: Path | str) -> Recording:
+        """The recording in a run folder, `run.yaml` and all, checked as the pipeline checks it; raises BadInput."""
+        folder = Path(folder)
+        run, samples = read_samples(folder)
+        return cls(run, samples, folder, str(capture_info(folder).get("started_utc", "")))
+
+    @classmethod
+    def of(cls, samples: pd.DataFrame, description: Mapping[str, Any]) -> Recording:
+        """A recording of a table, one row a sample, and of what `run.yaml` would say of it.
+
+        `description` has the keys of `run.yaml`: `string`, `rig`, `channels` where columns or units differ, and so on;
+        `run`, its name, may be left out. Raises BadInput naming the key or the column, as for a folder.
+        """
+        content = {"run": NAME, **description}
+        folder = Path(str(content["run"]))
+        run = parse_run(content, folder / "run.yaml")
+        table = samples.reset_index(drop=True)
+        made = to_samples(run, table, folder / "samples", folder / "run.yaml")
+        return cls(run, check(run, made, folder / "samples"), folder)
+
+    @cached_property
+    def strokes(self) -> pd.DataFrame:
+        """Its strokes, a row for each stretch of one phase of one stroke; columns of `schemas.STROKES`, times in s."""
+        return segment(self.samples, self.run.system.driver, self.folder)
+
+    def simulate(self, diagnosis: Explained | None = None) -> pd.DataFrame:
+        """What the simulator reads along this recording's motion: `time_s` in s and the predicted channel.
+
+        With a diagnosis its mechanisms and dimensions act; without one those that the description has adopted. The
+        measured channel serves for the zero alone. Raises BadInput where a diagnosis gives no number.
+        """
+        problem = at_own_rate([self.run], [self.samples], thin=False)
+        values = tared(problem, diagnosis.content if diagnosis else of_run(self.run), self.folder, self.run.run)
+        return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: values})
+
+    def save(self, raw: Path | str) -> Path:
+        """Write it as the run folder `raw/<run>`, whole or not at all; raises BadInput where that is there already."""
+        folder = Path(raw) / self.run.run
+        content = self.run.model_dump(exclude_unset=True, exclude_none=True, exclude={"channels", "file"})
+        with whole_folder(folder, "run", "choose another name; runs are never overwritten") as temporary:
+            (temporary / "run.yaml").write_text(write_yaml(content), encoding="utf-8")
+            schemas.write(self.samples, schemas.samples(list(self.samples.columns)), temporary / "recording.parquet")
+        return folder
+
+    def recorded(self) -> Recorded:
+        """It as the stages know a run, for a dataset."""
+        return Recorded(self.run, self.started_utc, self.samples, self.strokes, self.folder)
+
+    def __repr__(self) -> str:
+        span_s = self.samples["time_s"].iloc[-1] - self.samples["time_s"].iloc[0]
+        channels = ", ".join(self.samples.columns[1:])
+        return (
+            f"<Recording {self.run.run}: {self.strokes['stroke'].max()} strokes, {len(self.samples)} samples over "
+            f"{span_s:.1f} s of {channels}>"
+        )

@@ -1,0 +1,131 @@
+"""twistbench in memory: what a notebook can make, ask and keep, and what it is refused."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_recording import content, recording
+
+import pipeline as tb
+
+ROOT = Path(__file__).parents[2]
+DESCRIPTION = {key: value for key, value in content("a-01").items() if key != "run"}
+
+
+@pytest.fixture(scope="module")
+def nylon() -> tb.Recording:
+    return tb.Recording.of(recording(6), DESCRIPTION)
+
+
+@pytest.fixture(scope="module")
+def diagnosis(nylon: tb.Recording) -> tb.Diagnosis:
+    return tb.Diagnosis.of(nylon)
+
+
+def test_importing_the_package_imports_none_of_its_rooms_and_every_public_name_is_there() -> None:
+    program = "import sys, pipeline; sys.exit(any(name.startswith('pipeline.') for name in sys.modules))"
+    assert subprocess.run([sys.executable, "-c", program], cwd=ROOT).returncode == 0
+    for name in tb.__all__:
+        assert name in dir(tb) and getattr(tb, name).__doc__, name
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = tb.nothing
+
+
+def test_a_recording_of_a_table_is_what_its_run_folder_reads_as(nylon: tb.Recording, tmp_path: Path) -> None:
+    folder = nylon.save(tmp_path / "raw")
+    read = tb.Recording.read(folder)
+    pd.testing.assert_frame_equal(read.samples, nylon.samples)
+    assert read.run == nylon.run and folder.name == "recording" and "6 strokes" in repr(read)
+    assert read.strokes["stroke"].max() == 6
+    with pytest.raises(tb.BadInput, match="is there already"):
+        nylon.save(tmp_path / "raw")
+
+
+def test_columns_of_other_names_and_units_become_channels(nylon: tb.Recording) -> None:
+    foreign = pd.DataFrame({"ms": 1e3 * nylon.samples["time_s"], "rad": 2 * np.pi * nylon.samples["motor_turns"]})
+    foreign["laser"] = 5.0 - nylon.samples["displacement_mm"]
+    channels = {
+        "time_s": {"column": "ms", "unit": "ms"},
+        "motor_turns": {"column": "rad", "unit": "rad"},
+        "displacement_mm": {"column": "laser", "scale": -1, "offset": 5},
+    }
+    made = tb.Recording.of(foreign, {**DESCRIPTION, "channels": channels})
+    np.testing.assert_allclose(made.samples[["time_s", "motor_turns", "displacement_mm"]],
+                               nylon.samples[["time_s", "motor_turns", "displacement_mm"]], atol=1e-9)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("change", "column", "said"),
+    [
+        ({"string": {**DESCRIPTION["string"], "radius_mm": -1}}, None, "radius_mm"),
+        ({"nonsense": 1}, None, "nonsense"),
+        ({"run": "../escape"}, None, "run"),
+        ({}, "motor_turns", "motor_turns"),
+    ],
+)
+def test_what_cannot_be_right_is_refused_with_its_field(change, column, said) -> None:
+    samples = recording(6)
+    with pytest.raises(tb.BadInput, match=said):
+        tb.Recording.of(samples.drop(columns=column) if column else samples, {**DESCRIPTION, **change})
+
+
+def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, diagnosis: tb.Diagnosis, tmp_path: Path) -> None:
+    folder = nylon.save(tmp_path / "raw")
+    command = [sys.executable, "-m", "pipeline.diagnose", str(folder), "--out", str(tmp_path / "out")]
+    subprocess.run(command, check=True, capture_output=True, cwd=ROOT)
+    assert (tmp_path / "out" / "recording" / "diagnosis.json").read_text() == diagnosis.to_json()
+    diagnosis.save(tmp_path / "kept")
+    for name in ("diagnosis.json", "diagnosis.png", "diagnosis.pdf"):
+        assert (tmp_path / "kept" / name).read_bytes() == (tmp_path / "out" / "recording" / name).read_bytes(), name
+
+
+def test_a_diagnosis_gives_its_parts_as_objects_and_shows_itself(diagnosis: tb.Diagnosis, tmp_path: Path) -> None:
+    told = json.loads(diagnosis.to_json())
+    assert diagnosis.verdict == told["verdict"] and [one.id for one in diagnosis.mechanisms] == [
+        entry["id"] for entry in told["mechanisms"]
+    ]
+    assert diagnosis.mechanisms, "the made recording no longer has an effect to name"
+    size = diagnosis.mechanisms[0].size
+    assert size.unit == "mm" and size.low <= size.value <= size.high
+    assert diagnosis.parameters["radius_mm"].unit == "mm"
+    shown = diagnosis._repr_html_()
+    assert diagnosis.mechanisms[0].id in shown and "data:image/png;base64," in shown
+    diagnosis.save(tmp_path)
+    read = tb.Diagnosis.read(tmp_path / "diagnosis.json")
+    assert read == diagnosis and read.words == diagnosis.words and "<img" not in read._repr_html_()
+    with pytest.raises(ValueError, match="diagnose the recording again"):
+        read.figure()
+
+
+def test_simulating_with_a_diagnosis_errs_less_and_never_follows_the_reading(nylon, diagnosis) -> None:
+    def error_mm(simulated: pd.DataFrame) -> float:
+        return float(np.std(nylon.samples["displacement_mm"] - simulated["displacement_mm"]))
+
+    assert error_mm(nylon.simulate(diagnosis)) < 0.5 * error_mm(nylon.simulate())
+    start = nylon.samples["time_s"] <= 1.0  # which alone sets the zero
+    blind = nylon.samples.assign(displacement_mm=nylon.samples["displacement_mm"].where(start, 3.0))
+    blinded = tb.Recording(nylon.run, blind, nylon.folder)
+    pd.testing.assert_frame_equal(blinded.simulate(), nylon.simulate())
+
+
+def test_models_fit_answer_and_come_back_by_name(nylon: tb.Recording, tmp_path: Path) -> None:
+    points = tb.points([nylon])
+    model = tb.fit("polynomial", points[points["within"] == "train"], degree=4)
+    model.save(tmp_path / "p.model")
+    again = tb.load("polynomial", tmp_path / "p.model")
+    np.testing.assert_array_equal(again.forward(points), model.forward(points))
+    assert {"spline", "inn", "traditional"} <= set(tb.model_names())
+    with pytest.raises(tb.BadInput, match="polynomial"):
+        tb.fit("nothing", points)
+    with pytest.raises(tb.BadInput, match="strength"):
+        tb.fit("spline", points, strength=1)
+    with pytest.raises(tb.BadInput, match="load_n"):
+        tb.fit("spline", points.drop(columns="load_n"))
+    with pytest.raises(tb.BadInput, match="recordings"):
+        tb.points([])
+    with pytest.raises(tb.BadInput, match=r"p\.model"):
+        tb.load("spline", tmp_path / "p.model")
