@@ -92,6 +92,9 @@ def test_the_environment_has_twistbench_and_no_module_called_pipeline(place: Pat
     code = "import importlib.util as u, twistbench; print(twistbench.__version__, u.find_spec('pipeline'))"
     done = ended(place / "bin" / "python", "-c", code, cwd=folder)
     assert done.stdout.split() == [__version__, "None"], done.stderr
+    code = "import twistbench as tb; print(*sorted({getattr(tb, name).__module__ for name in tb.__all__}))"
+    homes = good(ended(place / "bin" / "python", "-c", code, cwd=folder)).split()
+    assert homes and all(home.startswith("twistbench.") for home in homes)
 
 
 def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, folder: Path, twistbench: Command) -> None:
