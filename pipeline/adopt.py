@@ -17,6 +17,7 @@ from .diagnosis.words.quantity import listing
 from .diagnosis.words.rivals import called
 from .diagnosis.words.sections import wrapped
 from .diagnosis.words.vocabulary import Vocabulary
+from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import program
 from .ground.files import whole
@@ -46,7 +47,7 @@ def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
 
 def taken_out(folder: Path) -> str:
     """The command that takes what was adopted out of a run's run.yaml, as a line to print."""
-    return f"  python -m pipeline.adopt --remove {shlex.quote(str(folder))}"
+    return f"  {command('adopt')} --remove {shlex.quote(str(folder))}"
 
 
 def write(path: Path, text: str) -> None:
@@ -73,8 +74,8 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    usage = "python -m pipeline.adopt DIAGNOSIS.json RUN_DIR\n       python -m pipeline.adopt --remove RUN_DIR"
-    parser = argparse.ArgumentParser(prog="python -m pipeline.adopt", usage=usage, description=__doc__)
+    usage = f"{command('adopt')} DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
+    parser = argparse.ArgumentParser(prog=command("adopt"), usage=usage, description=__doc__)
     parser.add_argument(
         "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
     )

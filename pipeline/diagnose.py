@@ -15,6 +15,7 @@ from .diagnosis.judge import judge
 from .diagnosis.whole import diagnosed, optional
 from .diagnosis.words.text import verdict_text
 from .ground.alone import each_alone
+from .ground.command import command
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.outputs import folder_to_write
@@ -94,7 +95,7 @@ def _one(
 @program
 def main() -> int:
     """Command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("diagnose"), description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
     parser.add_argument("--together", action="store_true", help="several runs of one rig in one diagnosis")

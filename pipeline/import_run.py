@@ -17,6 +17,7 @@ from .foreign.clock import check_mended, mend_time
 from .foreign.draft import draft
 from .formats import read_foreign
 from .ground import schemas
+from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
 from .ground.files import sha256, write_text
 from .ground.folders import whole_folder
@@ -121,16 +122,16 @@ def guess(file: Path, actuator: str, out: Path | None) -> None:
         write_text(out, text, new=True)
     except FileExistsError:
         raise BadInput(out, "--out", "is there already", "choose another name; no mapping is overwritten") from None
-    command = f"python -m pipeline.import_run {shlex.quote(str(file))} --map {shlex.quote(str(out))} --run NAME"
-    print(f"{out}: fill in what is empty, check what is a guess, then: {command}")
+    then = f"{command('import_run')} {shlex.quote(str(file))} --map {shlex.quote(str(out))} --run NAME"
+    print(f"{out}: fill in what is empty, check what is a guess, then: {then}")
 
 
 @program
 def main() -> None:
     """Import one file, or draft a mapping for it."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("import_run"), description=__doc__)
     parser.add_argument("file", type=Path)
-    mapping = "what is where in the file (docs/import.md), such as pipeline/mappings/tsa_haptic_1.yaml"
+    mapping = f"what is where in the file (docs/import.md), such as {HOUSE}/mappings/tsa_haptic_1.yaml"
     parser.add_argument("--map", type=Path, help=mapping)
     parser.add_argument("--run", help="name of the new run: lower-case letters, digits and -")
     parser.add_argument("--guess", action="store_true", help="draft a mapping for the file, and show its first rows")

@@ -12,6 +12,7 @@ from typing import Any
 import pandas as pd
 
 from .formats.stored import read_table
+from .ground.command import command
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.folders import whole_folder
@@ -33,7 +34,7 @@ def recording_name(recording: Path) -> str:
     """What a recording is called in its run folder; raises BadInput for a kind that has no name there."""
     name = f"recording{''.join(recording.suffixes[-2:]) if recording.suffix == '.gz' else recording.suffix}"
     if not recording.is_file() or name not in RECORDINGS[1:]:
-        mend = f"give a file that ends like {', '.join(RECORDINGS[1:])}, or use python -m pipeline.import_run"
+        mend = f"give a file that ends like {', '.join(RECORDINGS[1:])}, or use {command('import_run')}"
         raise BadInput(recording, "--recording", "is not there or not of a known kind", mend)
     return name
 
@@ -130,33 +131,43 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
 @program
 def main() -> None:
     """Make one run folder."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("new_run"), description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     kinds = "separator (default), or twisted_pair: two strings without a separator, x = L - sqrt(L^2 - (theta r)^2)"
     like = "a run of the same string on the same rig: all is taken from its run.yaml but what is given here"
     parser.add_argument("--like", type=Path, metavar="RUN_DIR", help=like)
     parser.add_argument("--actuator", choices=STRING_ACTUATORS, help=kinds)
-    parser.add_argument("--material", help="needed without --like")
+    parser.add_argument("--material", metavar="NAME", help="needed without --like")
     for name in ("radius-mm", "length-mm"):
-        parser.add_argument(f"--{name}", type=float, help="needed without --like")
-    parser.add_argument("--stiffness-n-per-mm", type=float, help="leave it out where nobody measured it")
+        parser.add_argument(f"--{name}", type=float, metavar="MM", help="needed without --like")
+    parser.add_argument("--stiffness-n-per-mm", type=float, metavar="K", help="leave it out where nobody measured it")
     for name, meaning in (
         ("torsion-zone-mm", "length of the zone that twists; needed with a separator"),
         ("separator-mm", "how far the separator holds the strings apart; needed with a separator"),
         ("load-n", "load, where no channel load_n tells it; default: 0"),
     ):
-        parser.add_argument(f"--{name}", type=float, help=meaning)
-    parser.add_argument("--string-id", help="name of this very string, if more than one run is made with it")
+        parser.add_argument(f"--{name}", type=float, metavar=name.rsplit("-")[-1].upper(), help=meaning)
     parser.add_argument(
-        "--strokes-before", type=int, help="strokes that the string had done before its first recording; default: 0"
+        "--string-id", metavar="ID", help="name of this very string, if more than one run is made with it"
+    )
+    parser.add_argument(
+        "--strokes-before",
+        type=int,
+        metavar="N",
+        help="strokes that the string had done before its first recording; default: 0",
     )
     columns = "time_s, motor_turns, displacement_mm and what else was measured, or what --channels names"
-    parser.add_argument("--recording", type=Path, help=f"a .csv, .csv.gz or .parquet with the columns {columns}")
+    parser.add_argument(
+        "--recording", type=Path, metavar="FILE", help=f"a .csv, .csv.gz or .parquet with the columns {columns}"
+    )
     parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument(
-        "--out", type=Path, help="folder in which the run's folder is made; default: raw, or beside the run it is like"
+        "--out",
+        type=Path,
+        metavar="DIR",
+        help="folder in which the run's folder is made; default: raw, or beside the run it is like",
     )
     arguments = parser.parse_args()
     lacking = [f"--{name}" for name in NEEDED if getattr(arguments, name.replace("-", "_")) is None]
@@ -169,7 +180,7 @@ def main() -> None:
     print(f"{folder} is there; {following(folder, recorded, arguments.like)}")
     effects = ", ".join(entry["id"] for entry in content.get("simulation", []))
     if effects:
-        mend = f"python -m pipeline.adopt --remove {shlex.quote(str(folder))}"
+        mend = f"{command('adopt')} --remove {shlex.quote(str(folder))}"
         print(f"It took over what {arguments.like} had adopted ({effects}). To take that out: {mend}")
 
 

@@ -1,7 +1,7 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`pipeline.models.parts.intervals`). A question outside the range of what was recorded, or further ahead of the last
+(`models/parts/intervals.py`). A question outside the range of what was recorded, or further ahead of the last
 recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
 """
 
@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 
 from .ground import schemas
+from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.outputs import file_to_write
@@ -82,7 +83,7 @@ def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float
 @program
 def main() -> None:
     """Write the answers to a csv of questions."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.predict", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("predict"), description=__doc__)
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
     parser.add_argument(
         "questions", type=Path, help="csv: motor_turns or displacement_mm; stroke; direction, 1 winding or -1 unwinding"
@@ -90,7 +91,7 @@ def main() -> None:
     parser.add_argument(
         "--model",
         default="spline",
-        help="a file of pipeline/models, without .py; fitted anew, no saved one is read; default: spline",
+        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved one is read; default: spline",
     )
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")

@@ -11,6 +11,7 @@ from .diagnosis.engine import at_own_rate
 from .diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
 from .diagnosis.words.quantity import listing, size
 from .ground import schemas
+from .ground.command import command
 from .ground.complaint import key_name
 from .ground.errors import program
 from .ground.outputs import file_to_write
@@ -25,7 +26,7 @@ COLUMNS = (
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.simulate", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("simulate"), description=__doc__)
     parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="the run whose motion and load are simulated")
     parser.add_argument(
         "--simulation", type=Path, metavar="FILE.json",

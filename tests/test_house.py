@@ -66,7 +66,7 @@ ROOMS = {
     "report": "ground run string campaign real",
     "workflow": "ground run string",
 }
-PROGRAMS = {"adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
+PROGRAMS = {"__main__", "adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
 
 
 def test_a_room_stands_on_the_rooms_below_it_and_on_no_other():
@@ -193,7 +193,8 @@ def test_what_needs_no_torch_does_not_import_it():
     stages = [
         module for module in MODULES if part(module) in ("stages", "workflow") and module != "pipeline.stages.leak"
     ]
-    programs = [f"pipeline.{name}" for name in ("import_run", "new_run", "diagnose", "simulate", "adopt", "capture")]
+    shown = ("import_run", "new_run", "diagnose", "simulate", "adopt", "predict", "capture", "export")
+    programs = [f"pipeline.{name}" for name in shown] + ["pipeline.export.__main__", "pipeline.export.onnx_model"]
     report = [module for module in MODULES if part(module) in ("report", "lifespan")]
     wanted = stages + programs + report + ["pipeline.models.traditional", DIAGNOSED[0]]
     program = f"import sys, {', '.join(wanted)}; sys.exit('torch' in sys.modules)"

@@ -9,14 +9,15 @@ from ..diagnosis.simulation import off, tared
 from ..diagnosis.words.dimensions import name_of
 from ..diagnosis.words.error_table import aligned
 from ..diagnosis.words.quantity import listing, size, times
+from ..ground.command import program_name
 
 WHY = (
     "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured. The effects were fitted "
     "together with the calibrated dimensions, so the simulator may err by more than the verdict says."
 )
 NEXT = (
-    "The next pipeline.diagnose calibrates the dimensions anew, with these effects in the simulator. Give it another "
-    "--out: in the same folder the verdict that was adopted is replaced."
+    f"The next {program_name('diagnose')} calibrates the dimensions anew, with these effects in the simulator. Give it "
+    "another --out: in the same folder the verdict that was adopted is replaced."
 )
 WORSE = 2.0  # times the error with the dimensions of the verdict: more is no simulator to predict with
 CALIBRATED = "now, calibrated"
@@ -58,16 +59,18 @@ def told(
     errors = [off(problem.measured, tared(problem, one, path, run)) for one in columns.values()]
     rows = [["error on this recording, rms of single samples", *columns]]
     if problem.system.free_zero:
-        rows.append(["zero set in the first second, as pipeline.simulate does"])
+        rows.append([f"zero set in the first second, as {program_name('simulate')} does"])
         rows.append(["zero fitted to the whole recording, as in a verdict"])
     else:
-        rows.append(["as pipeline.simulate RUN_DIR errs"])
+        rows.append([f"as {program_name('simulate')} RUN_DIR errs"])
     for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
         row += [size(error, unit) for error in found]
     said = aligned(rows)
     if CALIBRATED not in columns:
         return said
-    said.append(f"{CALIBRATED}: with the dimensions of the verdict too, as by pipeline.simulate --simulation {path}")
+    said.append(
+        f"{CALIBRATED}: with the dimensions of the verdict too, as by {program_name('simulate')} --simulation {path}"
+    )
     warned = distrust(errors[1][0], errors[2][0], path)
     return [*warned, *([remove] if warned and remove else []), *said]
 
@@ -80,5 +83,5 @@ def distrust(now: float, calibrated: float, path: Path) -> list[str]:
         f"Beware: do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as with "
         "the dimensions of the verdict. Measure the dimensions again. If a value changes: write it into run.yaml, "
         "take the effects out, diagnose again and adopt anew. If none changes: take the effects out, and predict with "
-        f"pipeline.simulate --simulation {path}"
+        f"{program_name('simulate')} --simulation {path}"
     ]

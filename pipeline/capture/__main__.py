@@ -8,6 +8,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
+from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..run.folder import read_run
 from .commit import commit, recover
@@ -61,7 +62,7 @@ def capture_lines(
             began = datetime.now(UTC)
             outcome = follow(port, log, asked, columns, beginning, longest_s)
         except OSError as error:
-            mend = f"make room, then run python -m pipeline.capture --recover {folder}"
+            mend = f"make room, then run {command('capture')} --recover {folder}"
             raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
         finally:
             log.close()
@@ -88,7 +89,7 @@ def capture(name: str, folder: Path, baud: int, longest_s: float = math.inf) -> 
             began = datetime.now(UTC)
             outcome = record(port, log, hello, asked, longest_s)
         except OSError as error:
-            mend = f"make room, then run python -m pipeline.capture --recover {folder}"
+            mend = f"make room, then run {command('capture')} --recover {folder}"
             raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
         finally:
             log.close()
@@ -146,7 +147,7 @@ def main() -> int:
 
     Nothing without a sample is exit 0.
     """
-    parser = argparse.ArgumentParser(prog="python -m pipeline.capture", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("capture"), description=__doc__)
     parser.add_argument("port", metavar="PORT", nargs="?", help="the rig's serial port")
     parser.add_argument("run_dir", metavar="RUN_DIR", nargs="?", type=Path, help="raw/<run>")
     parser.add_argument("--baud", type=int, default=1_000_000)

@@ -8,6 +8,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.files import write_text
 from ..run.folder import capture_info
@@ -138,14 +139,14 @@ def seal(folder: Path, name: str, info: dict[str, Any]) -> dict[str, Any]:
 def check_own(folder: Path, name: str, sha256: str) -> None:
     """Raise BadInput where capture.json is that of other bytes than those of recording `name`."""
     if committed(folder).get("sha256", sha256) != sha256:
-        mend = f"move {name} into the folder of a new run, and run python -m pipeline.capture --recover on that"
+        mend = f"move {name} into the folder of a new run, and run {command('capture')} --recover on that"
         problem = f"is there already, of another recording; {name} is whole and kept"
         raise BadInput(folder, "capture.json", problem, mend)
 
 
 def unwritten(folder: Path, name: str, error: OSError) -> BadInput:
     """That a file of a recording could not be written when it had ended."""
-    mend = f"make room, then run python -m pipeline.capture --recover {folder}"
+    mend = f"make room, then run {command('capture')} --recover {folder}"
     problem = f"could not be written ({error.strerror}); the recording is whole and kept"
     return BadInput(folder, name, problem, mend)
 

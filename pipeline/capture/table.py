@@ -6,6 +6,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.files import sha256, whole
 from . import holes
@@ -83,13 +84,13 @@ def commit_lines(
             csv_sha256 = _write(printed, temporary)
             if not lines.good:
                 problem, mend = lines.problem()
-                again = mend.replace("--columns", f"python -m pipeline.capture --recover {folder} --columns")
+                again = mend.replace("--columns", f"{command('capture')} --recover {folder} --columns")
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", again)
             check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
             hole_count, found = holes.find(times, printed.steps.usual)
     except FileExistsError:
-        mend = f"move it away, then run python -m pipeline.capture --recover {folder}"
+        mend = f"move it away, then run {command('capture')} --recover {folder}"
         raise BadInput(folder, CSV, f"is there already; {LINES} is whole and kept", mend) from None
     except OSError as error:
         raise unwritten(folder, CSV, error) from None

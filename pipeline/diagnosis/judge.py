@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 
@@ -99,5 +100,5 @@ def judge(path: Path = HERE / "judge.json") -> Judge:
     try:
         return read(json.loads(path.read_text(encoding="utf-8")))
     except (OSError, ValueError, KeyError, TypeError) as error:
-        mend = "give a file that `python -m pipeline.proof.teach` wrote"
+        mend = f"give a file that `{command('proof.teach')}` wrote"
         raise BadInput(path, "--judge", f"is no judge: {error}", mend) from None

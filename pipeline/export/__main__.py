@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write, folder_to_write
@@ -19,7 +20,7 @@ LONGEST = 31  # characters of a name's beginning, which C compilers must tell ap
 
 def arguments(words: list[str]) -> argparse.Namespace:
     """The command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.export", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("export"), description=__doc__)
     parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
     parser.add_argument("--format", required=True, choices=("c", "onnx"))
     parser.add_argument(

@@ -1,6 +1,6 @@
 """The conditional INN in C: from root to root of contractions over eq. 4, and back by steps of the secant."""
 
-from ..models import cinn
+from ..models.parts import secant
 from .c_coupling import chain_of, four_others, restored, scaled
 from .c_physics import physics, standardised
 from .c_text import Body, function, real
@@ -77,10 +77,10 @@ def body(source: Source) -> Body:
         f"return root * root - {real(model.shift_mm)};",
     )
     numbers = {
-        "secants": cinn.SECANTS,
-        "flattest": real(cinn.FLATTEST),
-        "steepest": real(cinn.STEEPEST),
-        "nearest": real(cinn.NEAREST),
+        "secants": secant.SECANTS,
+        "flattest": real(secant.FLATTEST),
+        "steepest": real(secant.STEEPEST),
+        "nearest": real(secant.NEAREST),
     }
     made.code += SECANT % numbers + function(
         "tsa_real",

@@ -1,6 +1,6 @@
 """The networks as ONNX nodes: chains of coupling blocks, and the pair of MLPs."""
 
-from ..models import cinn
+from ..models.parts.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
 from .graph import Graph
 from .onnx_query import Query
 from .source import Source
@@ -92,13 +92,13 @@ def _secant(chain: _Chain, wanted: str, four: str) -> str:
     g = chain.g
     there = g.columns(chain.inverse(g.beside(wanted, four)), [0])
     slope, last, missed = g.constant([[1.0]]), "", ""
-    for step in range(cinn.SECANTS):
+    for step in range(SECANTS):
         short = g.add("Sub", wanted, g.columns(chain.forward(g.beside(there, four)), [0]))
         if step:
             apart = g.add("Sub", there, last)
-            near = g.add("Less", g.add("Abs", apart), cinn.NEAREST)
-            secant = g.add("Div", g.add("Sub", missed, short), g.add("Where", near, cinn.NEAREST, apart))
-            slope = g.add("Where", near, slope, g.clipped(secant, cinn.FLATTEST, cinn.STEEPEST))
+            near = g.add("Less", g.add("Abs", apart), NEAREST)
+            secant = g.add("Div", g.add("Sub", missed, short), g.add("Where", near, NEAREST, apart))
+            slope = g.add("Where", near, slope, g.clipped(secant, FLATTEST, STEEPEST))
         last, missed, there = there, short, g.add("Add", there, g.add("Div", short, slope))
     return there
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import scipy.io
 
+from ..ground.command import command
 from ..ground.errors import program
 from ..ground.regular_file import open_regular
 from .interface import Columns
@@ -44,7 +45,7 @@ def unpack(content: bytes) -> tuple[Columns, bool]:
 @program
 def main() -> None:
     """Write the series of one file to standard output."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.formats.matlab_child", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("formats.matlab_child"), description=__doc__)
     parser.add_argument("file", type=Path)
     told = parser.parse_args()
     with open_regular(told.file) as file, warnings.catch_warnings():

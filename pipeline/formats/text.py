@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.regular_file import open_regular
 from ..ground.text_file import TextFile
@@ -18,7 +19,7 @@ from .interface import Format
 from .text_layout import DELIMITERS, LOOK, cells, check_start, other_delimiter, uneven, without_half
 from .unpacked import BOMB_BYTES, GZIP, IS_IT, NO_READINGS, is_bomb
 
-IMPORT = "make a run of it with python -m pipeline.import_run, which reads it"
+IMPORT = f"make a run of it with {command('import_run')}, which reads it"
 OTHERS = {  # what else a file that is no text begins with, and what to do about it
     b"PK\x03\x04": ("an Excel workbook or another zip file", IMPORT),
     b"\xd0\xcf\x11\xe0": ("an old Excel workbook, or one with a password", "save it as .xlsx without a password"),

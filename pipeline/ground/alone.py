@@ -5,12 +5,14 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from typing import TypeVar
 
+from .command import HOUSE
+
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 
 def each_alone(
-    work: Callable[..., Result], items: Sequence[Item], *told: object, jobs: int = 1, preload: str = "pipeline"
+    work: Callable[..., Result], items: Sequence[Item], *told: object, jobs: int = 1, preload: str = HOUSE
 ) -> list[Result]:
     """What `work(item, *told)` gives for each item, in their order, each in a fresh process, `jobs` at a time.
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from .command import command
 from .errors import BadInput
 from .units import ending_of
 
@@ -87,5 +88,5 @@ def syntax_mend(text: str) -> str:
         return "check its indentation, colons and quotes"
     return (
         'JSON within YAML is the value of a key: write `"key": [...]` from the left margin, indent the lines after it, '
-        "and put no comma after its last bracket; for a diagnosis.json let python -m pipeline.adopt do it"
+        f"and put no comma after its last bracket; for a diagnosis.json let {command('adopt')} do it"
     )

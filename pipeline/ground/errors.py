@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 LOOK_EVERY_S = 1.0
+EXTRAS = {"torch": "models", "onnx": "export", "h5py": "formats", "openpyxl": "formats"}  # of the installed package
 
 
 class BadInput(Exception):
@@ -61,7 +62,7 @@ def _unusable(error: OSError) -> BadInput:
 
 
 def _status(main: Callable[[], int | None]) -> int | None:
-    """What `main` gives, or 2 where it is told bad input, which is said."""
+    """What `main` gives, or 2 where it is told bad input, or lacks a package that is left to choose; that is said."""
     try:
         return main()
     except BadInput as error:
@@ -70,6 +71,11 @@ def _status(main: Callable[[], int | None]) -> int | None:
         if error.errno is None or error.errno == errno.EPIPE:
             raise
         print(f"error: {_unusable(error)}", file=sys.stderr)
+    except ModuleNotFoundError as error:
+        if error.name not in EXTRAS:
+            raise
+        mend = f"pip install 'twistbench[{EXTRAS[error.name]}]'"
+        print(f"error: {BadInput('python', error.name, 'is not installed', mend)}", file=sys.stderr)
     return 2
 
 

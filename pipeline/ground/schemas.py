@@ -8,10 +8,11 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from . import seal
+from .command import REMAKE
 from .errors import BadInput
 from .files import whole
 
-MEND = "delete it and run snakemake: it is made again"
+MEND = f"delete it and {REMAKE}"
 REFUSED = b"refused"  # the key under which a file tells why there is no table in it
 
 

@@ -1,13 +1,14 @@
 """Runs of strings → how many strokes each has left: lifespan.json, lifespan.png and sentences.
 
 A forecast needs 12 complete strokes of a string, in one run or in several that are named together. With fewer the
-answer says how far the limits are now. On the synthetic rig: python -m pipeline.rig paper --link /tmp/rig --strokes 24
+answer says how far the limits are now.
 """
 
 import argparse
 import json
 from pathlib import Path
 
+from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from ..ground.outputs import folder_to_write
@@ -27,7 +28,8 @@ def ask(one: Health, loss: float, drift_mm: float) -> list[Answer]:
 @program
 def main() -> int:
     """Command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.lifespan", description=__doc__)
+    on_a_rig = f"On the synthetic rig: {command('rig')} paper --link /tmp/rig --strokes 24"
+    parser = argparse.ArgumentParser(prog=command("lifespan"), description=__doc__, epilog=on_a_rig)
     runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes or more in all"
     parser.add_argument("run_dir", type=Path, nargs="+", help=runs)
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")

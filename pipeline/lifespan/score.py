@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import folder_to_write
@@ -94,7 +95,7 @@ def score(folder: Path, loss: float, drift_mm: float) -> pd.DataFrame:
     """Rows of every string under a folder that the endurance rig wrote; raises BadInput."""
     path = folder / "truth.parquet"
     if not path.is_file():
-        raise BadInput(path, "file", "is missing", "write it: python -m pipeline.rig.endurance --out DIR")
+        raise BadInput(path, "file", "is missing", f"write it: {command('rig.endurance')} --out DIR")
     try:
         truth = pd.read_parquet(path, columns=["run", "stroke", "stroke_mm"])
     except (OSError, ValueError) as error:
@@ -108,7 +109,7 @@ def score(folder: Path, loss: float, drift_mm: float) -> pd.DataFrame:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.lifespan.score", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("lifespan.score"), description=__doc__)
     parser.add_argument("lives", type=Path, help="folder with run folders and truth.parquet")
     parser.add_argument("--loss", type=float, default=0.10)
     parser.add_argument("--drift-mm", type=float, default=1.0)

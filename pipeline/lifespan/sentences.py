@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..ground.command import command, program_name
 from ..string.zero import Jump
 from .advice import advice
 from .ask import Answer
@@ -20,7 +21,7 @@ UNFORESEEN = (
 )
 SYNTHETIC = (
     "The synthetic rig takes a new string for each recording: let it do more strokes in one, by `--strokes 24` of "
-    "python -m pipeline.rig."
+    f"{command('rig')}."
 )
 LAST = 3  # strokes that tell how far a limit is
 
@@ -112,7 +113,7 @@ def young(run: str) -> str:
     return (
         f"{run} begins as this string began: its first strokes and their loops are those of strokes 1 to {REFERENCE} "
         f"again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its run.yaml "
-        "(--string-id of pipeline.new_run)."
+        f"(--string-id of {program_name('new_run')})."
     )
 
 

@@ -23,14 +23,13 @@ from .parts.box import Box
 from .parts.conditions import Conditions
 from .parts.features import conditions
 from .parts.scaling import Scaling
+from .parts.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
 from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
 from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are among the five
 WARM_UP = 0.1  # of the epochs
-SECANTS = 4  # steps
-FLATTEST, STEEPEST, NEAREST = 0.2, 5.0, 1e-5  # of the secant's slope and width, in standard deviations
 ABOVE_ZERO = 0.005  # of the contraction's range, that the root's argument stays above 0 in the whole box
 
 

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from types import FrameType
 
+from ..ground import command as called
 from ..ground.errors import program
 from .device import Device
 from .line import line, serve
@@ -36,13 +37,13 @@ def paced(pace: float, rate_hz: float) -> str:
 def strokes_of(count: int) -> str:
     """How many strokes a recording has, and how it has another number."""
     said = f"every recording has {count} stroke{'s' if count != 1 else ''}; --strokes N is for another number"
-    return f"{said} (pipeline.lifespan needs {FORECAST} to foretell)" if count < FORECAST else said
+    return f"{said} ({called.program_name('lifespan')} needs {FORECAST} to foretell)" if count < FORECAST else said
 
 
 @program
 def main() -> int:
     """Make the link, then serve until Ctrl-C, or so many recordings; exit 1 when nobody acknowledges the last one."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.rig", description=__doc__)
+    parser = argparse.ArgumentParser(prog=called.command("rig"), description=__doc__)
     parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
     parser.add_argument("--link", type=Path, required=True, help="name of the serial port that is made")
     parser.add_argument("--seed", type=int, default=0)

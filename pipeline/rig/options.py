@@ -4,6 +4,7 @@ import os
 from itertools import count
 from pathlib import Path
 
+from ..ground import command as called
 from .setup import SetUp
 
 MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
@@ -26,5 +27,5 @@ def command(setup: SetUp, run: str) -> str:
     """The command that makes a run folder of that name, with a string of its own; a dimension without value is left."""
     content = {**setup.run.get("string", {}), **setup.run.get("rig", {})}
     sizes = [f"{option(name)} {content[name]:g}" for name in (*STRING, *RIG) if content.get(name) is not None]
-    words = ["python -m pipeline.new_run", run, option("material"), MATERIAL, *sizes, option("string_id"), run]
+    words = [called.command("new_run"), run, option("material"), MATERIAL, *sizes, option("string_id"), run]
     return " ".join(words)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import yaml
 
+from ..ground.command import HOUSE, command
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from .setup import SetUp, described, names, read_setup
@@ -34,7 +35,7 @@ def record(which: str, folder: Path, seed: int) -> int:
     environment["PYTHONPATH"] = os.pathsep.join(filter(None, roots))
     with tempfile.TemporaryDirectory(prefix="rig-") as place:
         link = Path(place) / "port"
-        command = [sys.executable, "-m", "pipeline.rig", which, "--link", str(link), "--seed", str(seed)]
+        command = [sys.executable, "-m", __package__, which, "--link", str(link), "--seed", str(seed)]
         command += ["--pace", "inf", "--recordings", "1"]
         # a session of its own: Ctrl-C is for the capture program, which then stops the rig in good order
         rig = subprocess.Popen(command, env=environment, start_new_session=True, stdout=subprocess.DEVNULL)
@@ -44,7 +45,7 @@ def record(which: str, folder: Path, seed: int) -> int:
                 if rig.poll() is not None or time.monotonic() > deadline_s:
                     return rig.poll() or 1
                 time.sleep(0.01)
-            capture = [sys.executable, "-m", "pipeline.capture", str(link), str(folder)]
+            capture = [sys.executable, "-m", f"{HOUSE}.capture", str(link), str(folder)]
             status = subprocess.run(capture, env=environment, check=False).returncode
             return status or rig.wait(PATIENCE_S)
         finally:
@@ -55,7 +56,7 @@ def record(which: str, folder: Path, seed: int) -> int:
 @program
 def main() -> int:
     """Write RUN_DIR with run.yaml, recording.frames and capture.json."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.rig.record", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("rig.record"), description=__doc__)
     parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
     parser.add_argument("run_dir", metavar="RUN_DIR", type=Path)
     parser.add_argument("--seed", type=int, default=0)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
 from ..ground.regular_file import read_regular
@@ -22,7 +23,7 @@ def read_run(folder: Path | str) -> Run:
     """Read and check `run.yaml` of a run folder; raises BadInput."""
     path = Path(folder) / "run.yaml"
     if not os.path.lexists(path):
-        raise BadInput(path.parent, "run.yaml", "is missing", "write it with python -m pipeline.new_run")
+        raise BadInput(path.parent, "run.yaml", "is missing", f"write it with {command('new_run')}")
     run = parse_run(read_yaml(path), path)
     if run.string and run.string.material == SYNTHETIC and _of_another_rig(path.parent):
         checked(own_material, run.string.material, path, "string.material")
@@ -42,7 +43,7 @@ def recording_path(folder: Path | str) -> Path:
     """The one recording of a run folder; raises BadInput when there is none, more than one, or it is unfinished."""
     folder = Path(folder)
     if unfinished(folder):
-        mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
+        mend = f"wait for the capture to end, or run {command('capture')} --recover {folder}"
         raise BadInput(folder, "capture.json", "is missing, so the recording is unfinished", mend)
     found = [folder / name for name in RECORDINGS if (folder / name).is_file()]
     if not found:

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from ..ground import schemas
+from ..ground.command import REMAKE
 from ..ground.errors import BadInput
 from ..ground.regular_file import read_regular
 
@@ -51,7 +52,7 @@ def from_json(text: str | bytes, source: Path | str = "the runs left out") -> li
             return runs
     except (ValueError, TypeError, RecursionError):
         pass
-    raise BadInput(source, "JSON", "is not what the pipeline writes", "run snakemake: it is made again")
+    raise BadInput(source, "JSON", "is not what the pipeline writes", REMAKE)
 
 
 def read_left_out(path: Path) -> list[LeftOut]:

@@ -3,25 +3,27 @@
 import shlex
 from pathlib import Path
 
+from ..ground.command import INSTALLED, command
+
 MAIN = "snakemake --cores 2"
 
 
 def following(folder: Path, recorded: bool, like: Path | None = None) -> str:
-    """What is done next with a run folder: the main job finds runs in raw/ alone.
+    """What is done next with a run folder: the main job, which is in the checkout, finds runs in raw/ alone.
 
     A run that is `like` another of the same string is diagnosed together with it.
     """
     own = shlex.quote(str(folder))
-    diagnose = f"python -m pipeline.diagnose {own} --out reports/mine"
+    diagnose = f"{command('diagnose')} {own} --out reports/mine"
     if like:
         out = shlex.quote(str(Path("reports/mine") / folder.name))
-        diagnose = f"python -m pipeline.diagnose {shlex.quote(str(like))} {own} --together --out {out}"
+        diagnose = f"{command('diagnose')} {shlex.quote(str(like))} {own} --together --out {out}"
     alone = f"or ask only what the simulator leaves out: {diagnose}"
-    in_raw = folder.parent.resolve() == Path("raw").resolve()
+    in_raw = not INSTALLED and folder.parent.resolve() == Path("raw").resolve()
     if not recorded:
-        command = f"python -m pipeline.capture PORT {shlex.quote(str(folder))}"
+        capture = f"{command('capture')} PORT {shlex.quote(str(folder))}"
         then = f"then make its reports with: {MAIN}, {alone}" if in_raw else f"then diagnose it by {diagnose}"
-        return f"record into it with: {command} (add --text where the rig prints lines of numbers); {then}"
+        return f"record into it with: {capture} (add --text where the rig prints lines of numbers); {then}"
     if in_raw:
         return f"make its reports with: {MAIN}, {alone}"
-    return f"snakemake reads raw/ alone: diagnose it by {diagnose}"
+    return f"diagnose it by {diagnose}" if INSTALLED else f"snakemake reads raw/ alone: diagnose it by {diagnose}"

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.kinematics import Geometry
 from .description import STRING_ACTUATORS, Run
@@ -54,7 +55,7 @@ def check_clock(samples: pd.DataFrame, path: Path, slowest_s: float = STEP_S[1])
     if (step_s <= 0).any():
         row = int(np.argmax(step_s <= 0)) + 2
         word = "runs backwards" if (step_s < 0).any() else "stands still"
-        mend = "python -m pipeline.import_run mends repeated and backward time stamps and says so"
+        mend = f"{command('import_run')} mends repeated and backward time stamps and says so"
         raise BadInput(path, "time_s", f"{word} at row {row} ({(step_s <= 0).sum()} times in all)", mend)
     if step_s.max() > LONGEST_GAP_S:
         row = int(np.argmax(step_s))

@@ -13,6 +13,7 @@ import pandas as pd
 from pydantic import ValidationError
 
 from ..ground import schemas
+from ..ground.command import HOUSE, command
 from ..ground.errors import BadInput, program
 from ..ground.outputs import file_to_write
 from ..ground.tables import opened
@@ -58,7 +59,7 @@ def predictions(model: Model, test: pd.DataFrame) -> pd.DataFrame:
 def configured(name: str, settings: str) -> Model:
     """The unfitted model of a name with settings given as a JSON object; raises BadInput for what it refuses."""
     if name not in names():
-        problem = "is no file of pipeline/models that has a MODEL"
+        problem = f"is no file of {HOUSE}/models that has a MODEL"
         raise BadInput("--model", shown(name) or '""', problem, f"choose one of {', '.join(names())}")
     try:
         given = told(settings)
@@ -89,9 +90,9 @@ def seed(text: str) -> int:
 
 def arguments(words: list[str]) -> Any:
     """The command line."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.stages.train", description=__doc__)
+    parser = argparse.ArgumentParser(prog=command("stages.train"), description=__doc__)
     parser.add_argument("dataset", type=Path)
-    parser.add_argument("--model", required=True, help="a file of pipeline/models, without .py")
+    parser.add_argument("--model", required=True, help=f"a file of {HOUSE}/models, without .py")
     parser.add_argument("--split", required=True, choices=SPLITS)
     parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
@@ -110,7 +111,7 @@ def main() -> None:
     model = configured(asked.model, asked.settings)
     for option, path in (("--out-model", asked.out_model), ("--out-predictions", asked.out_predictions)):
         file_to_write(path, option, reads=[asked.dataset])
-    dataset = opened(asked.dataset, schemas.DATASET, "make it: python -m pipeline.stages.dataset")
+    dataset = opened(asked.dataset, schemas.DATASET, f"make it: {command('stages.dataset')}")
     train, test = divided(dataset, asked.split, asked.dataset)
     if test.empty:
         print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")

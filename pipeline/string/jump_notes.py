@@ -5,6 +5,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
+from ..ground.command import REMAKE
 from ..ground.errors import BadInput
 from ..ground.regular_file import read_regular
 
@@ -25,7 +26,7 @@ def from_json(content: bytes, source: Path) -> list[str]:
         said = None
     if isinstance(said, list) and all(isinstance(one, str) for one in said):
         return said
-    raise BadInput(source, "JSON", "is not what the dataset's stage writes", "run snakemake: it is made again")
+    raise BadInput(source, "JSON", "is not what the dataset's stage writes", REMAKE)
 
 
 def read_jumps(notes: Sequence[Path]) -> list[str]:

@@ -4,6 +4,7 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+from ...ground.command import command, program_name
 from . import sight, unseen, worth
 from .dimensions import far_moved
 from .quantity import listing
@@ -11,8 +12,8 @@ from .rivals import called
 from .vocabulary import Vocabulary
 
 NAMED = 2  # explanations that tied, by name; the others are counted
-COMMAND = "python -m pipeline.adopt"
-SIMULATE = "python -m pipeline.simulate"
+COMMAND = command("adopt")
+SIMULATE = command("simulate")
 
 
 def cautions(content: dict[str, Any]) -> list[str]:
@@ -81,9 +82,9 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
         lines.append(
             f"Do not adopt it yet: calibration moved {moved} far, and adopting takes over the effects alone. With the "
             "dimensions of run.yaml as they are now the simulator would err by more than the table above says of it "
-            "as diagnosed (pipeline.adopt prints by how much). If measuring changes run.yaml, diagnose again into "
-            "another folder, and adopt what the new verdict names. If it changes nothing, predict with the command "
-            "above. Who wants the effects in run.yaml all the same:"
+            f"as diagnosed ({program_name('adopt')} prints by how much). If measuring changes run.yaml, diagnose again "
+            "into another folder, and adopt what the new verdict names. If it changes nothing, predict with the "
+            "command above. Who wants the effects in run.yaml all the same:"
         )
     else:
         lines.append("To adopt its effects: they go into run.yaml, whose dimensions stay as measured:")

@@ -4,7 +4,8 @@ import shlex
 from pathlib import Path
 from typing import Any
 
-from . import commands, sight, still, unseen, worth
+from ...ground.command import command
+from . import sight, still, unseen, worth
 from .adoption import predictions
 from .dimensions import GAIN, far_moved, name_of, tolerance_keys
 from .headline import moved_in_vain
@@ -85,7 +86,7 @@ def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:
         f"Measure {names} again. If a value changes, write it into run.yaml, take the adopted effects out, "
         "diagnose again and adopt anew: they were fitted together with the dimensions. If none changes, take them out "
         f"too, and predict with {'the diagnosis that was adopted' if adopted else 'the adopted diagnosis.json'}:",
-        *(f"  {commands.PROGRAMS}adopt --remove {shlex.quote(str(folder))}" for folder in folders),
+        *(f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders),
         *(f"  {line}" for source in adopted for line in predictions(Path(source), folders)),
     ]
 

@@ -3,8 +3,9 @@
 import shlex
 from pathlib import Path
 
-DIAGNOSE = "python -m pipeline.diagnose"
-PROGRAMS = "python -m pipeline."
+from ...ground.command import command
+
+DIAGNOSE = command("diagnose")
 CAPTURE = (
     "PORT is the rig's; --text where it prints lines of numbers. With a file of your own logger give new_run "
     "--recording FILE instead, and leave the capture line out."
@@ -22,8 +23,8 @@ def lines(folders: list[Path], out: Path | None, loads: list[str]) -> list[str]:
     made = []
     for folder, load in zip(new, loads, strict=True):
         other = f" --load-n {load}" if load else ""
-        made.append(f"{PROGRAMS}new_run {shlex.quote(folder.name)} --like {shlex.quote(str(old))}{other}")
-        made.append(f"{PROGRAMS}capture PORT {shlex.quote(str(folder))}")
+        made.append(f"{command('new_run')} {shlex.quote(folder.name)} --like {shlex.quote(str(old))}{other}")
+        made.append(f"{command('capture')} PORT {shlex.quote(str(folder))}")
     where = shlex.quote(str(out.with_name(f"{out.name}-next"))) if out else "DIR"
     named = " ".join(shlex.quote(str(folder)) for folder in (*folders, *new))
     return [*made, f"{DIAGNOSE} {named} --together --out {where}"]

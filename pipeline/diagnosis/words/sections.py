@@ -2,7 +2,9 @@
 
 import textwrap
 
-PROGRAM = "  python -m pipeline."
+from ...ground.command import START
+
+PROGRAM = f"  {START}"
 WIDE = 112
 
 

@@ -5,6 +5,7 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+from ...ground.command import command
 from ..adopt import NO_USE
 from . import commands
 from .headline import UNNAMED
@@ -39,7 +40,7 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: 
         said += [LOST] if told is None else [STILL, *protocol(told)]
     told = next((one["next_experiment"] for one in reversed(tied) if one.get("next_experiment")), "")
     found = commands.lines(folders, out, loads(told) if words.twisted else [""] * len(loads(told)))
-    remove = [f"  {commands.PROGRAMS}adopt --remove {shlex.quote(str(folder))}" for folder in folders]
+    remove = [f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders]
     return [*said, FIRST, *remove, *commands.block(found, folders[-1].name, words.twisted)]
 
 

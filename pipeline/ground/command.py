@@ -1,0 +1,16 @@
+"""How a person starts a program of ours: a checkout's by `python -m pipeline.diagnose`, an installed one's by name."""
+
+HOUSE = __package__.partition(".")[0]  # `pipeline` in a checkout, `twistbench` where it is installed
+INSTALLED = HOUSE != "pipeline"
+START = f"{HOUSE} " if INSTALLED else f"python -m {HOUSE}."  # of every command that a person is told to type
+REMAKE = "make it again" if INSTALLED else "run snakemake: it is made again"  # the workflow is in the checkout alone
+
+
+def program_name(program: str) -> str:
+    """What a sentence calls a program, such as `new_run`: pipeline.new_run, or installed twistbench new-run."""
+    return f"{HOUSE} {program.replace('_', '-')}" if INSTALLED else f"{HOUSE}.{program}"
+
+
+def command(program: str) -> str:
+    """What a person types to start a program, such as `new_run`, or `rig.record`, which has no short name."""
+    return program_name(program) if INSTALLED and "." not in program else f"python -m {HOUSE}.{program}"

@@ -1,0 +1,106 @@
+"""CONTRIBUTING.md, executed: its three files dropped into a copy of the package, named as it says, and asked."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from models.made_dataset import made_dataset
+
+from pipeline.ground import schemas
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = (ROOT / "CONTRIBUTING.md").read_text()
+FILES = dict(re.findall(r"^`([\w/.-]+)`\n\n```python\n(.*?)^```", PAGE, flags=re.M | re.S))
+
+MODEL_AND_HEADER = """
+import sys
+from pathlib import Path
+import numpy as np, pandas as pd
+from pipeline.export import c_header, c_shifted, source
+from pipeline.models.interface import make_model, names
+from pipeline.models.parts.conditions import MEASURED
+
+points = pd.read_parquet("points.parquet")
+assert "shifted" in names()
+model, plain = make_model("shifted"), make_model("traditional")
+model.fit(points, 0)
+file = Path("shifted/within-0.model")
+file.parent.mkdir()
+model.save(file)
+again = make_model("shifted")
+again.load(file)
+x = again.forward(points.drop(columns="displacement_mm"))
+err = lambda answers: float(np.sqrt(np.mean((answers - points["displacement_mm"]) ** 2)))
+assert err(x) < err(plain.forward(points))
+turns = again.inverse(points.drop(columns="motor_turns").assign(displacement_mm=x))
+assert np.allclose(turns, points["motor_turns"], atol=1e-6)
+source.READS["shifted"], c_header.BODIES["shifted"] = MEASURED, c_shifted.body
+text = c_header.header(source.opened(file, None, source.Beside(Path("points.parquet"))), "arm")
+assert f"{model.zero_mm:.6g}"[:5] in text and "arm_raw_inverse" in text
+Path("arm.h").write_text(text)
+"""
+METHOD = """
+import sys
+from pathlib import Path
+import numpy as np
+from pipeline.diagnosis import engine
+from pipeline.proof.baselines import __main__ as command
+from pipeline.proof.baselines.learnt import calibrated
+from pipeline.run.samples import read_samples
+
+folder = Path(sys.argv[1])
+run, samples = read_samples(folder)
+seen = calibrated(engine.make_problem([run], [samples], [folder]))
+learnt = command.method("cubic_fit")(seen)
+left = seen.residual_mm - learnt.adds_mm(seen.problem)
+assert learnt.named is None and engine.rms(left) < engine.rms(seen.residual_mm)
+"""
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the package that holds the page's files too."""
+    root = tmp_path_factory.mktemp("house")
+    shutil.copytree(ROOT / "pipeline", root / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
+    for path, text in FILES.items():
+        assert not (root / path).exists(), path
+        (root / path).write_text(text)
+    return root
+
+
+def run(house: Path, code: str, *words: object) -> None:
+    environment = {**os.environ, "PYTHONPATH": str(house)}
+    command = [sys.executable, "-c", code, *map(str, words)]
+    done = subprocess.run(command, cwd=house, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_pages_model_learns_is_kept_and_is_exported(house: Path) -> None:
+    schemas.write(made_dataset(60, 6), schemas.DATASET, house / "points.parquet")
+    run(house, MODEL_AND_HEADER)
+
+
+def test_the_pages_method_corrects_a_recording(house: Path, make_run: object) -> None:
+    run(house, METHOD, make_run("method-01"))  # type: ignore[operator]
+
+
+def test_the_pages_files_keep_the_house_style(house: Path) -> None:
+    assert len(FILES) == 3
+    command = [sys.executable, "-m", "ruff"]
+    for words in (["check"], ["format", "--check"]):
+        tried = [*command, *words, "--config", str(ROOT / "pyproject.toml"), *FILES]
+        done = subprocess.run(tried, cwd=house, capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_what_the_page_names_is_there() -> None:
+    for path in re.findall(r"`((?:pipeline|tests|docs)/[\w/]+\.(?:py|md|yaml))`|\((docs/[\w.]+)", PAGE):
+        named = next(filter(None, path))
+        assert named in FILES or (ROOT / named).is_file(), named
+    short = re.findall(r"`((?:diagnosis|export|models|parts|proof|ground|config)/[\w/]+\.(?:py|yaml))`", PAGE)
+    for name in short:
+        assert any((ROOT / "pipeline" / room / name).is_file() for room in (".", "models")), name

@@ -1,0 +1,141 @@
+"""The wheel in an environment of its own: the command is there, works on a person's files and speaks its own name."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import venv
+from collections.abc import Callable
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import yaml
+from made_recording import content, recording
+
+from pipeline import __version__
+from pipeline.__main__ import PROGRAMS
+
+ROOT = Path(__file__).resolve().parents[2]
+Command = Callable[..., subprocess.CompletedProcess[str]]
+SCREEN = 40  # lines, of 100 columns
+EVERY_HELP = """
+import sys
+from contextlib import suppress
+from twistbench.__main__ import main
+
+for number, name in enumerate(names := sys.argv[1:]):
+    print(end="\\f" if number else "")
+    sys.argv = ["twistbench", name, "--help"]
+    with suppress(SystemExit):
+        main()
+"""  # in one process, which imports once
+CLEAN = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "PIP_", "TWISTBENCH"))}
+
+
+def ended(*words: object, cwd: Path) -> subprocess.CompletedProcess[str]:
+    """How a command ended that sees nothing of the checkout."""
+    environment = {**CLEAN, "COLUMNS": "100", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+    return subprocess.run([str(word) for word in words], cwd=cwd, capture_output=True, text=True, env=environment)
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An environment with the wheel, which finds the packages of others in the project's; nothing is downloaded."""
+    made = tmp_path_factory.mktemp("package")
+    source = made / "source"
+    shutil.copytree(ROOT / "pipeline", source / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, source)
+    offline = ("--no-deps", "--no-index", "-q")
+    pip = (sys.executable, "-m", "pip")
+    done = ended(*pip, "wheel", "--no-build-isolation", *offline, "-w", made, ".", cwd=source)
+    assert done.returncode == 0, done.stdout + done.stderr
+    (wheel,) = made.glob("*.whl")
+    venv.create(made / "env", symlinks=True)
+    python = made / "env" / "bin" / "python"
+    done = ended(*pip, "--python", python, "install", *offline, wheel, cwd=made)
+    assert done.returncode == 0, done.stdout + done.stderr
+    packages = ended(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))", cwd=made).stdout.strip()
+    Path(packages, "others.pth").write_text(sysconfig.get_path("purelib") + "\n")
+    return made / "env"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where a person works: a recording of his own and a mapping for it."""
+    here = tmp_path_factory.mktemp("work")
+    recording(strokes=4).rename(columns={"motor_turns": "theta"}).to_csv(here / "log.csv", index=False)
+    named = {"motor_turns": {"column": "theta", "unit": "turns"}}
+    mapping = {key: value for key, value in content("x", channels=named).items() if key != "run"}
+    (here / "map.yaml").write_text(yaml.safe_dump(mapping))
+    return here
+
+
+@pytest.fixture(scope="module")
+def twistbench(place: Path, folder: Path) -> Command:
+    """The installed command, run where a person works."""
+    return lambda *words: ended(place / "bin" / "twistbench", *words, cwd=folder)
+
+
+def good(done: subprocess.CompletedProcess[str]) -> str:
+    """What a command said that ended well, and never in the words of the checkout."""
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert not re.search(r"\bpipeline\b|snakemake", done.stdout + done.stderr), done.stdout + done.stderr
+    return done.stdout
+
+
+def test_the_environment_has_twistbench_and_no_module_called_pipeline(place: Path, folder: Path) -> None:
+    code = "import importlib.util as u, twistbench; print(twistbench.__version__, u.find_spec('pipeline'))"
+    done = ended(place / "bin" / "python", "-c", code, cwd=folder)
+    assert done.stdout.split() == [__version__, "None"], done.stderr
+    code = "import twistbench as tb; print(*sorted({getattr(tb, name).__module__ for name in tb.__all__}))"
+    homes = good(ended(place / "bin" / "python", "-c", code, cwd=folder)).split()
+    assert homes and all(home.startswith("twistbench.") for home in homes)
+
+
+def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, folder: Path, twistbench: Command) -> None:
+    said = good(twistbench("--help"))
+    assert all(re.search(rf"^  {name} +\w", said, re.M) for name in PROGRAMS) and len(said.splitlines()) <= SCREEN
+    assert good(twistbench("--version")) == f"twistbench {__version__}\n"
+    done = ended(place / "bin" / "python", "-c", EVERY_HELP, *PROGRAMS, cwd=folder)
+    for name, shown in zip(PROGRAMS, good(done).split("\f"), strict=True):
+        assert shown.startswith(f"usage: twistbench {name} ") and len(shown.splitlines()) <= SCREEN, shown
+        assert max(map(len, shown.splitlines())) <= 100
+    wrong = twistbench("diagnos")
+    assert wrong.returncode == 2 and "use one of new-run" in wrong.stderr
+
+
+def test_a_run_is_made_diagnosed_and_simulated(twistbench: Command, folder: Path) -> None:
+    said = good(twistbench("import-run", "log.csv", "--map", "map.yaml", "--run", "imported"))
+    assert "twistbench diagnose raw/imported" in said
+    told = {"radius": 0.4, "length": 400, "torsion-zone": 150, "separator": 8}
+    sizes = [word for name, value in told.items() for word in (f"--{name}-mm", value)]
+    columns = ("--channels", "{motor_turns: {column: theta, unit: turns}}")
+    said = good(twistbench("new-run", "made", "--material", "UHMWPE", *sizes, *columns, "--recording", "log.csv"))
+    assert "twistbench diagnose raw/made" in said
+    good(twistbench("diagnose", "raw/made", "--out", "out"))
+    found = json.loads((folder / "out" / "made" / "diagnosis.json").read_text())
+    assert found["run"] == "made" and found["code"]
+    assert not re.search(r"\bpipeline\b|snakemake", (folder / "out" / "made" / "verdict.txt").read_text())
+    simulation = ("--simulation", "out/made/diagnosis.json")
+    good(twistbench("simulate", "raw/imported", *simulation, "--out", "sim.parquet"))
+    assert list(pd.read_parquet(folder / "sim.parquet")) == ["time_s", "displacement_mm"]
+
+
+def test_what_is_wrong_is_said_with_the_installed_name(twistbench: Command) -> None:
+    done = twistbench("diagnose", "raw/nothing", "--out", "out")
+    assert done.returncode == 2 and "twistbench new-run" in done.stderr and "pipeline" not in done.stderr
+
+
+def test_a_package_that_is_left_to_choose_is_named_where_it_lacks(place: Path, folder: Path) -> None:
+    code = (
+        "import sys; sys.modules['h5py'] = None; sys.argv = ['twistbench', 'import-run', 'a.h5', '--guess']; "
+        "from twistbench.__main__ import main; main()"
+    )
+    (folder / "a.h5").write_bytes(b"\x89HDF\r\n\x1a\n")
+    done = ended(place / "bin" / "python", "-c", code, cwd=folder)
+    assert done.returncode == 2 and "pip install 'twistbench[formats]'" in done.stderr, done.stderr
