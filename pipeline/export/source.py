@@ -65,7 +65,7 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     try:
         source = _loaded(file, name, beside)
         _try(source)
-    except BadInput:
+    except (BadInput, ModuleNotFoundError):  # such as torch, which is left to choose where twistbench is installed
         raise
     except Exception as error:  # whatever a file that is no such model makes its loaders stumble over
         what = f"is not a saved {name} ({type(error).__name__})"

@@ -18,6 +18,7 @@ from made_recording import content, recording
 
 from pipeline import __version__
 from pipeline.__main__ import PROGRAMS
+from pipeline.models.parts.saved import write_json
 
 ROOT = Path(__file__).resolve().parents[2]
 Command = Callable[..., subprocess.CompletedProcess[str]]
@@ -131,11 +132,24 @@ def test_what_is_wrong_is_said_with_the_installed_name(twistbench: Command) -> N
     assert done.returncode == 2 and "twistbench new-run" in done.stderr and "pipeline" not in done.stderr
 
 
-def test_a_package_that_is_left_to_choose_is_named_where_it_lacks(place: Path, folder: Path) -> None:
+@pytest.mark.parametrize(
+    ("lacks", "extra", "file", "words"),
+    [
+        ("h5py", "formats", "a.h5", ["import-run", "a.h5", "--guess"]),
+        ("torch", "models", "mlp/within-0.model", ["export", "mlp/within-0.model", "--format", "c"]),
+    ],
+)
+def test_a_package_that_is_left_to_choose_is_named_where_it_lacks(
+    place: Path, folder: Path, lacks: str, extra: str, file: str, words: list[str]
+) -> None:
+    (folder / file).parent.mkdir(exist_ok=True)
+    if file.endswith(".model"):
+        write_json(folder / file, {})
+    else:
+        (folder / file).write_bytes(b"\x89HDF\r\n\x1a\n")
     code = (
-        "import sys; sys.modules['h5py'] = None; sys.argv = ['twistbench', 'import-run', 'a.h5', '--guess']; "
+        f"import sys; sys.modules[{lacks!r}] = None; sys.argv = ['twistbench', *{words}]; "
         "from twistbench.__main__ import main; main()"
     )
-    (folder / "a.h5").write_bytes(b"\x89HDF\r\n\x1a\n")
     done = ended(place / "bin" / "python", "-c", code, cwd=folder)
-    assert done.returncode == 2 and "pip install 'twistbench[formats]'" in done.stderr, done.stderr
+    assert done.returncode == 2 and f"pip install 'twistbench[{extra}]'" in done.stderr, done.stderr
