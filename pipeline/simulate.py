@@ -17,11 +17,6 @@ from .ground.errors import program
 from .ground.outputs import file_to_write
 from .run.samples import read_samples
 
-COLUMNS = (
-    "required; a Parquet file with a row for each sample of the recording and two columns: time_s, and what the rig "
-    "reads, displacement_mm of a string (jaw_deg of a cable_drive, force_n of a moving_mass, and so on)"
-)
-
 
 @program
 def main() -> None:
@@ -33,7 +28,11 @@ def main() -> None:
         help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "
         "twice; default: the mechanisms that run.yaml has adopted, and its dimensions as they were measured",
     )  # fmt: skip
-    parser.add_argument("--out", type=Path, required=True, help=COLUMNS)
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="FILE.parquet",
+        help="the file that is written, with a row for each sample of the recording and two columns: time_s, and what "
+        "the rig reads, displacement_mm of a string (jaw_deg of a cable_drive, force_n of a moving_mass, …); required",
+    )  # fmt: skip
     arguments = parser.parse_args()
     source = arguments.simulation or arguments.run_dir / "run.yaml"
     file_to_write(arguments.out, reads=[source])

@@ -14,8 +14,8 @@ import yaml
 
 from pipeline.adoption import before_after
 from pipeline.adoption.block import adopted, bare, with_block, without_block
-from pipeline.diagnose import described
 from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.whole import described
 from pipeline.diagnosis.words import commands
 from pipeline.ground.errors import BadInput
 from pipeline.ground.strict_yaml import parse_yaml

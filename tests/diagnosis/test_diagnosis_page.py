@@ -22,16 +22,15 @@ from pipeline.systems import systems
 
 @pytest.fixture
 def drawn(conceal, tmp_path, monkeypatch, request):
-    """The page of a run with creep, or with what the test's parameter says, not yet closed, and its diagnosis."""
+    """The page of a run with creep, or with what the test's parameter says, and its diagnosis."""
     run, samples = read_samples(conceal(*getattr(request, "param", ("creep",)))[0])
     found = study(make_problem([run], [samples]))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())
-    with monkeypatch.context() as held:
-        held.setattr(plt, "close", lambda figure: None)
-        figures.page(found, content, tmp_path / "page")
+    kept, draw = [], figures.drawn
+    monkeypatch.setattr(figures, "drawn", lambda *told: kept.append(draw(*told)) or kept[-1])
+    figures.page(found, content, tmp_path / "page")
     assert (tmp_path / "page.png").is_file() and (tmp_path / "page.pdf").is_file()
-    yield plt.gcf(), content
-    plt.close("all")
+    return kept[0], content
 
 
 def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what_the_words_say(drawn) -> None:

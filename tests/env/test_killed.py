@@ -90,6 +90,7 @@ def lines_of_a_build(checkout: Checkout) -> int:
     return int(checkout.run("no-such-command", KILLED_AT_LINE="-1").stdout)
 
 
+@pytest.mark.long
 def test_killed_at_50_moments_every_next_start_ends_whole(traced):
     """Half the moments are spread over the time that a build takes, half over the lines of the launcher's code.
 

@@ -5,8 +5,12 @@ import re
 import pytest
 from fault_table import FAULTS, HEAD, PAGE, ROOT, line, parts, play
 
+LONG = ("24 hours of frames (10 Hz, accelerated)",)
 
-@pytest.mark.parametrize("name", FAULTS)
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.long) if name in LONG else name for name in FAULTS]
+)
 def test_a_fault_does_what_the_table_says(name):
     assert line(name, play(FAULTS[name])) in PAGE.read_text().splitlines(keepends=True)
 

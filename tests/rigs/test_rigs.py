@@ -45,6 +45,7 @@ SMALL_TANKS = {  # of the benchmark's tanks, forty times as fast
 }
 
 
+@pytest.mark.long
 def test_tanks_that_overflow_are_told_from_tanks_that_do_not(tmp_path, diagnosed):
     file = tmp_path / "dataBenchmark.csv"
     content = diagnosed(written(benches.tanks(1), file), "cascaded_tanks", **SMALL_TANKS)

@@ -15,6 +15,8 @@ import yaml
 from made_recording import recording
 from markupsafe import escape
 
+# The main job, which is the README's other command, run and run again: in pytest -m long.
+pytestmark = pytest.mark.long
 ROOT = Path(__file__).parents[2]
 
 
@@ -143,7 +145,6 @@ def test_a_new_material_asks_for_a_fit_of_every_model_and_of_nothing_else(projec
     assert project.rules_to_run() == {"train": 17, **OF_A_MATERIAL}
 
 
-@pytest.mark.long
 def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(few):
     project = few
     add_run(project, "nylon-01", "nylon")
@@ -172,7 +173,6 @@ BAD = {
 }
 
 
-@pytest.mark.long
 def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(few):
     project = few
     names = [*HOSTILE, *BAD, "good-01"]
@@ -243,7 +243,6 @@ def test_a_recording_goes_stale_by_its_content_and_not_by_its_time(project):
     }  # fmt: skip
 
 
-@pytest.mark.long
 def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(few, few_finished):
     project = few
     shutil.rmtree(project.folder / "processed" / "synthetic")
@@ -269,7 +268,6 @@ def test_killed_at_any_point_the_launcher_goes_on_to_the_same_tables(few, few_fi
         assert project.read(f"reports/synthetic/{name}") == few_finished.read(f"reports/synthetic/{name}")
 
 
-@pytest.mark.long
 def test_a_killed_snakemake_leaves_no_job_behind(few):
     project = few
     shutil.rmtree(project.folder / "processed" / "synthetic" / "inn")
