@@ -5,12 +5,15 @@ import signal
 import subprocess
 import time
 
+import pytest
+
 
 def held(locks):
     """Whether a Snakemake has written down which files it holds."""
     return any(path.stat().st_size for path in locks.glob("*.lock"))
 
 
+@pytest.mark.long  # it makes an environment of its own
 def test_a_second_main_job_says_that_one_runs_already(bare_project):
     target = "raw/synthetic-01/run.yaml"
     locks = bare_project.folder / ".snakemake" / "locks"
