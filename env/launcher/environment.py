@@ -19,9 +19,13 @@ from launcher.words import say
 
 
 def candidates() -> list[Path]:
-    """The folders that may be the environment, what `env/.venv` names first."""
+    """The folders that may be the environment, what `env/.venv` names first; never `env/.venv` itself.
+
+    While another launcher makes that link, it is absent now and there a moment later.
+    """
     named = Path(os.path.realpath(LINK))
-    return [named, *(path for path in environments() if path != named)]
+    there = [named] if named != LINK else []
+    return [*there, *(path for path in environments() if path != named)]
 
 
 def usable(mending: bool = False) -> Path | None:

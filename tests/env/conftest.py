@@ -27,8 +27,9 @@ def quick(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """Variables under which making a virtual environment takes a second."""
     folder = tmp_path_factory.mktemp("quick")
     bundled = next((Path(ensurepip.__file__).parent / "_bundled").glob("pip-*.whl"), None)
-    if bundled is None:
-        return {}
+    if bundled is None:  # as Debian packages Python: made by its own installer, slower
+        (folder / "sitecustomize.py").write_text("")
+        return {"PYTHONPATH": str(folder)}
     with zipfile.ZipFile(bundled) as wheel:
         wheel.extractall(folder / "pip")
     compileall.compile_dir(folder / "pip", quiet=2)

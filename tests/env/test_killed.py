@@ -202,3 +202,35 @@ def test_two_launchers_at_once_make_one_environment(bare):
     place = bare.link.resolve()
     assert all(text.endswith(f"alpha 1.0 {place}\n") for text in said), said
     assert bare.places() == [place] and sum("making the environment in" in text for text in said) == 1
+
+
+# another launcher ends its work, the link last, when this one asks for the second time where the link leads
+ENDS_MEANWHILE = """
+import os, sys
+realpath, times_asked = os.path.realpath, []
+
+def late(path, *args, **kwargs):
+    found = realpath(path, *args, **kwargs)
+    link = os.path.join(os.environ["CHECKOUT"], "env", ".venv")
+    if os.fspath(path) == link:
+        times_asked.append(1)
+        if len(times_asked) == 2:
+            os.rename(os.environ["HELD_BACK"], os.environ["PLACE"])
+            os.symlink(os.environ["PLACE"], link)
+    return found
+
+if os.path.basename(sys.orig_argv[1]) == "run.py":
+    os.path.realpath = late
+"""
+
+
+def test_an_environment_that_another_launcher_ends_meanwhile_is_taken_where_it_lies(bare, tmp_path):
+    assert bare.run("true").returncode == 0
+    (place,) = bare.places()
+    held_back = place.rename(tmp_path / "held back")
+    bare.link.unlink()
+    site = Path(bare.quick["PYTHONPATH"]) / "sitecustomize.py"
+    (tmp_path / "sitecustomize.py").write_text(site.read_text() + ENDS_MEANWHILE)
+    names = {"CHECKOUT": str(bare.folder), "PLACE": str(place), "HELD_BACK": str(held_back)}
+    done = bare.run("alpha", PYTHONPATH=str(tmp_path), **names)
+    assert bare.link.is_symlink() and done.stdout == f"alpha 1.0 {place}\n" and not done.stderr
