@@ -11,7 +11,7 @@ import yaml
 
 from pipeline.diagnosis import band
 
-ROOT = Path(__file__).parent.parent.parent
+ROOT = Path(__file__).parents[2]
 EACH = 10  # samples of 1 ms that are compared as one
 
 

@@ -25,7 +25,7 @@ from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 from pipeline.systems.moving_mass import MovingMass
 
-ROOT = Path(__file__).parent.parent.parent
+ROOT = Path(__file__).parents[2]
 
 
 def studied(tmp_path: Path, case: str, seed: int):

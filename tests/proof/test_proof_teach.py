@@ -17,7 +17,7 @@ from pipeline.proof.teach import across, fit
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written
 from pipeline.rig.authors import authors, names
 
-ROOT = Path(__file__).parent.parent.parent
+ROOT = Path(__file__).parents[2]
 JUDGES = ROOT / "pipeline" / "proof" / "teach" / "judges"
 
 

@@ -11,7 +11,7 @@ from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
 
-ROOT = Path(__file__).parent.parent.parent
+ROOT = Path(__file__).parents[2]
 ANSWERS = {"mass_kg": 95.11, "viscous": 203.5, "coulomb": 20.39, "offset": -3.16}  # of the benchmark's authors
 DIRECTION = {"friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip"}  # what parts by direction
 

@@ -30,7 +30,7 @@ def made_metrics():
 @pytest.fixture(scope="module")
 def material(tmp_path_factory):
     """A dataset, metrics and the models' predictions of two seeds, as the DAG leaves them."""
-    from test_dataset import NINE
+    from stages.nine_strokes import NINE
 
     folder = tmp_path_factory.mktemp("processed") / "UHMWPE"
     schemas.write(NINE, schemas.DATASET, folder / "dataset.parquet")

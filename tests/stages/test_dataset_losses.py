@@ -15,7 +15,7 @@ from pipeline.run.left_out import from_json
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import touched
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 STROKES = pd.DataFrame(
     {
         "stroke": [0, 1, 1, 1, 2, 2],

@@ -12,10 +12,9 @@ import pytest
 import scipy.io
 import yaml
 from forked import fork_the_reader
+from formats.foreign_files import CHANNELS, SERIES, struct_of, workbook
 from made_recording import content
 from shares import shares
-from test_import_nested import CHANNELS, SERIES, struct_of
-from test_import_workbook import workbook
 
 from pipeline.formats.matlab import read_matlab
 from pipeline.ground.errors import BadInput

@@ -15,7 +15,7 @@ from pipeline.ground.fingerprint import fingerprint, reachable
 from pipeline.run.left_out import LeftOut
 from pipeline.workflow.dag import fits, make_plan, recorded_files, table_order
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 
 
 def test_plan_sorts_runs_by_material(make_run, tmp_path):
@@ -203,7 +203,7 @@ def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
 def test_mappings_are_runs_without_a_name():
     from pipeline.run.description import parse_run
 
-    for path in sorted((Path(__file__).parent.parent / "pipeline" / "mappings").glob("*.yaml")):
+    for path in sorted((Path(__file__).parents[2] / "pipeline" / "mappings").glob("*.yaml")):
         mapping = yaml.safe_load(path.read_text())
         parse_run({"run": "a", **mapping}, Path("raw/a/run.yaml"))
 

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.diagnose import diagnose
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 RECORDINGS = ROOT / "tests" / "data" / "blind" / "round-1"
 VERDICTS = ROOT / "reports" / "blind" / "round-1"
 RUNS = sorted(path.name for path in RECORDINGS.iterdir() if path.is_dir())

@@ -10,7 +10,7 @@ from pipeline.stages.evaluate import angle_bands, evaluate
 
 @pytest.fixture(scope="module")
 def dataset():
-    from test_dataset import NINE
+    from stages.nine_strokes import NINE
 
     return NINE
 

@@ -16,7 +16,7 @@ from models.made_dataset import made_dataset
 from pipeline.ground import progress, schemas
 from pipeline.ground.progress import steps
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 
 
 class Clock:

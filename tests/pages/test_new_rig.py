@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 INERTIA_KG_M2, WEIGHT_NM = 0.0213, 0.94  # within the tolerance of what the page's run.yaml says
 RATE_HZ = 500.0
 
@@ -140,7 +140,7 @@ def test_a_mechanism_of_ones_own_alone_counts_as_unknown_but_is_told_with_its_si
 def test_the_tests_that_the_page_names_accept_its_files(house):
     root, _ = house
     shutil.copytree(ROOT / "tests", root / "tests", ignore=shutil.ignore_patterns("__pycache__", "data"))
-    named = ["tests/test_systems.py", "tests/diagnosis/test_library.py"]
+    named = ["tests/systems/test_systems.py", "tests/diagnosis/test_library.py"]
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *named, "-k", "not longer_recording"],
         cwd=root, env={**os.environ, "PYTHONPATH": str(root)}, capture_output=True, text=True,

@@ -9,7 +9,7 @@ import pandas as pd
 import programs
 import pytest
 from made_recording import content, recording
-from test_dataset import recorded, string
+from stages.nine_strokes import recorded, string
 
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
@@ -21,7 +21,7 @@ from pipeline.string.history import Recorded
 from pipeline.string.jump_notes import read_jumps
 from pipeline.string.zero import jumps, offsets_mm
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 CUT_S, JUMP_MM = 121.0, 0.58  # amid the rest after the fourth of eight strokes; 29 times the noise
 NAMES = ("a-1", "a-2")
 

@@ -3,28 +3,12 @@ import pandas as pd
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from made_recording import BASE, content, recording
+from made_recording import BASE, recording
+from stages.nine_strokes import NINE, recorded, string
 
 from pipeline.ground import schemas
-from pipeline.run.description import parse_run
-from pipeline.run.strokes import segment
 from pipeline.stages.dataset import HELD_OUT_POINTS, blocks_from_top, held_out, make_dataset
 from pipeline.string.history import Recorded, in_order, tare_mm
-
-
-def recorded(name="a-01", started_utc="", samples=None, **changes):
-    from pathlib import Path
-
-    samples = recording(9, rate_hz=50.0) if samples is None else samples
-    run = parse_run(content(name, **changes), Path(f"raw/{name}/run.yaml"))
-    return Recorded(run, started_utc, samples, segment(samples, "motor_turns", name))
-
-
-NINE = make_dataset([recorded()])
-
-
-def string(**changes):
-    return {**content("x")["string"], **changes}
 
 
 def test_points_move_and_carry_the_string():

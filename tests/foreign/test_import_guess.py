@@ -9,12 +9,12 @@ import pandas as pd
 import programs
 import pytest
 import scipy.io
+from formats.foreign_files import workbook
 from made_recording import recording
-from test_import_workbook import workbook
 
 from pipeline.run.samples import read_samples
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 GOOD = recording()
 SIZES = {"material": "nylon", "radius_mm": 0.4, "length_mm": 400, "torsion_zone_mm": 150, "separator_mm": 8}
 

@@ -12,7 +12,7 @@ import pytest
 
 from pipeline.ground.errors import program as command
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 PROGRAMS = sorted(
     ".".join(path.relative_to(ROOT).with_suffix("").parts)
     for path in (ROOT / "pipeline").rglob("*.py")

@@ -137,7 +137,7 @@ def test_no_flipped_bit_of_a_model_is_read_silently(tmp_path, name):
 
 
 def test_every_program_says_whether_its_out_is_a_file_or_a_folder_and_the_default():
-    pipeline, seen = Path(__file__).parent.parent / "pipeline", 0
+    pipeline, seen = Path(__file__).parents[2] / "pipeline", 0
     for path in pipeline.rglob("*.py"):
         for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute)):

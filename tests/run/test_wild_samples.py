@@ -14,7 +14,7 @@ from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
 from pipeline.run.wild_samples import without_wild
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 BLIND = sorted((ROOT / "tests" / "data" / "blind").rglob("recording.parquet"))
 KINDS = {"tsa": ("tsa_haptic", "*.csv.gz"), "davinci": ("davinci_tool", "*.gz"), "emps": ("emps", "*.mat")}
 MAPPINGS = [

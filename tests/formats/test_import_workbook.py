@@ -3,10 +3,9 @@
 import datetime
 import zipfile
 
-import openpyxl
 import pytest
+from formats.foreign_files import imported, read_back, refused, workbook
 from made_recording import recording
-from test_import_nested import imported, read_back, refused
 
 from pipeline.run.samples import read_samples
 
@@ -19,17 +18,6 @@ CHANNELS = {
 }
 ROWS = [[row.time_s, row.motor_turns * 360, row.displacement_mm / 10] for row in GOOD.itertuples()]
 UNITS = ["s", "deg", "cm"]
-
-
-def workbook(file, **sheets):
-    book = openpyxl.Workbook()
-    book.remove(book.active)
-    for title, rows in sheets.items():
-        sheet = book.create_sheet(title)
-        for row in rows:
-            sheet.append(row)
-    book.save(file)
-    return file
 
 
 @pytest.mark.parametrize(

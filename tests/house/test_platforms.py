@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 # what needs a serial port or a pseudo-terminal by its nature
 SERIAL = ("pipeline.capture", "pipeline.rig.line", "pipeline.rig.__main__", "pipeline.rig.record")
 # takes them from our own code, and /proc from everybody

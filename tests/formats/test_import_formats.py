@@ -14,7 +14,7 @@ from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
 
-MAPPINGS = Path(__file__).parent.parent / "pipeline" / "mappings"
+MAPPINGS = Path(__file__).parents[2] / "pipeline" / "mappings"
 TIME_S = np.arange(3000) / 200
 POSITION_M = 0.1 * (1 - np.cos(TIME_S))
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from imported import imported
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 MODULES = {
     ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): path
     for path in sorted((ROOT / "pipeline").rglob("*.py"))
@@ -291,3 +291,33 @@ def test_rules_hold_no_logic_and_only_record_makes_raw():
 
 def test_the_snakefile_is_thin():
     assert len((ROOT / "Snakefile").read_text().splitlines()) <= 80
+
+
+# folders of tests that are no room of pipeline/, and what they test
+NO_ROOMS = {
+    "data": "recordings that tests read",
+    "env": "the launcher, env/",
+    "faults": "docs/faults.md, played over a pseudo-terminal",
+    "firmware": "firmware/",
+    "golden": "what was published, and whether tables agree with it",
+    "house": "all rooms at once: walls, style, hostile input, other systems",
+    "package": "what pip installs",
+    "pages": "pages of docs/ and CONTRIBUTING.md, executed",
+    "rigs": "docs/rigs.md, each rig recorded by another hand",
+}
+
+
+def test_tests_mirror_the_rooms():
+    tests = ROOT / "tests"
+    folders = {path.relative_to(tests).parts[0] for path in tests.rglob("*.py") if path.parent != tests} | {"data"}
+    assert not folders - set(ROOMS) - set(NO_ROOMS), "a folder of tests is a room's, or NO_ROOMS says what it tests"
+    assert set(NO_ROOMS) <= folders - set(ROOMS), "NO_ROOMS names a folder that is a room or is not there"
+    assert not set(ROOMS) - folders - {"adoption"}, "a room without tests; adoption's are diagnosis/test_adopt.py"
+    of_programs = {path.stem.removeprefix("test_") for path in tests.glob("test_*.py")}
+    assert of_programs <= PROGRAMS, "a test beside the folders is a program's"
+
+
+def test_no_two_test_files_have_one_name():
+    """Test folders are no packages: pytest imports a file by its bare name, and helpers by theirs."""
+    names = [path.stem for path in (ROOT / "tests").rglob("*.py") if path.stem != "conftest"]
+    assert not {name for name in names if names.count(name) > 1}

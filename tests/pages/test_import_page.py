@@ -10,15 +10,15 @@ import pandas as pd
 import programs
 import pytest
 import scipy.io
+from formats.foreign_files import workbook
 from made_recording import recording
-from test_import_workbook import workbook
 
 from pipeline.ground.text_file import TextFile
 from pipeline.run.description import Channel, Run, String
 from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "import.md").read_text(encoding="utf-8")
 
 
