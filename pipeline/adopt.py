@@ -13,13 +13,13 @@ from .diagnosis.adopt import acts_from, adoptions, checked
 from .diagnosis.engine import at_own_rate
 from .diagnosis.simulation import read_diagnosis
 from .diagnosis.words import coefficients
+from .diagnosis.words.adoption import ANYWAY
 from .diagnosis.words.quantity import listing
-from .diagnosis.words.rivals import called
 from .diagnosis.words.sections import wrapped
 from .diagnosis.words.vocabulary import Vocabulary
 from .ground.command import command
 from .ground.complaint import short
-from .ground.errors import program
+from .ground.errors import BadInput, program
 from .ground.files import whole
 from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
@@ -27,6 +27,10 @@ from .run.folder import RECORDINGS, read_run
 from .run.samples import read_samples
 
 MOST = 5  # explanations that are named
+WAIT = (
+    "measure them again, write that into run.yaml and diagnose again; or predict with the diagnosis itself "
+    f"({command('simulate')} RUN_DIR --simulation DIAGNOSIS.json --out FILE); to adopt all the same, add {ANYWAY}"
+)
 
 
 def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
@@ -74,7 +78,7 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    usage = f"{command('adopt')} DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
+    usage = f"{command('adopt')} [{ANYWAY}] DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
     parser = argparse.ArgumentParser(prog=command("adopt"), usage=usage, description=__doc__)
     parser.add_argument(
         "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
@@ -85,6 +89,9 @@ def main() -> None:
     parser.add_argument(
         "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
     )
+    parser.add_argument(
+        ANYWAY, action="store_true", help="adopt although the verdict says to wait: to measure dimensions again first"
+    )
     arguments = parser.parse_args()
     if arguments.remove and arguments.diagnosis:
         parser.error("--remove takes a run folder and nothing else")
@@ -93,17 +100,23 @@ def main() -> None:
         return
     if arguments.run_dir is None:
         parser.error("give a diagnosis.json and the run's folder, or --remove and the run's folder")
-    adopt(arguments.diagnosis, arguments.run_dir)
+    adopt(arguments.diagnosis, arguments.run_dir, arguments.anyway)
 
 
-def adopt(source: Path, folder: Path) -> None:
-    """Put what a diagnosis names into a run's `run.yaml`, and say what that does. Raises BadInput."""
+def adopt(source: Path, folder: Path, anyway: bool = False) -> None:
+    """Put what a diagnosis names into a run's `run.yaml`, and say what that does.
+
+    Raises BadInput, also where the verdict says to wait, unless `anyway`.
+    """
     run, content = read_run(folder), read_diagnosis(source)
     path = (folder / "run.yaml").resolve()
     names = listing(list(dict.fromkeys(str(entry.get("id")) for entry in content[KEY] if isinstance(entry, dict))))
     if not content[KEY]:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
+    wait = before_after.waits(content)
+    if wait and not anyway:
+        raise BadInput(source, "evidence.moved_sigma", wait, WAIT)
     errors = check(content, source, folder)
     if not before_after.is_of(content, run.run):
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
@@ -118,8 +131,9 @@ def adopt(source: Path, folder: Path) -> None:
     told = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all else in it stays as it was"]
     others = origin[-1]["tied"] if origin else []
     if others:
-        many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely as well"
-        told.append(f"{many}: {listing([called(ids) for ids in others[:MOST]], 'or')}.")
+        many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
+        sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
+        told.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
     told += [*errors, before_after.why(content), before_after.NEXT]
     if taken_out(folder) not in told:
         told += ["To take the effects out of run.yaml again:", taken_out(folder)]

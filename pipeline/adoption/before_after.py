@@ -6,9 +6,10 @@ from typing import Any
 from ..diagnosis.adopt import is_number
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
-from ..diagnosis.words.dimensions import name_of
+from ..diagnosis.words.dimensions import LEAVES, name_of
 from ..diagnosis.words.error_table import aligned
-from ..diagnosis.words.quantity import listing, size, times
+from ..diagnosis.words.quantity import listing, percent, size, times
+from ..diagnosis.words.rivals import called
 from ..ground.command import program_name
 
 WHY = (
@@ -26,15 +27,36 @@ FAR, MOST = 1.0, 8  # sigma from which a dimension is measured again; dimensions
 
 def why(content: dict[str, Any]) -> str:
     """Why the simulator may err by more than the verdict says, and which dimensions to measure again, by name."""
+    moved = moved_by(content, FAR)
+    if not moved:
+        return WHY
+    return f"{WHY} Calibration moved {moved}: measure again, and write what you measured, not the calibrated values."
+
+
+def waits(content: dict[str, Any]) -> str:
+    """Why a diagnosis is not to be adopted yet: the dimensions that calibration moved far; nothing where it may."""
+    moved = moved_by(content, LEAVES)
+    return f"says not to adopt yet: calibration moved {moved}" if moved else ""
+
+
+def moved_by(content: dict[str, Any], least: float) -> str:
+    """The dimensions that calibration moved by at least so many tolerances, the farthest first, in words."""
     evidence = content.get("evidence")
     sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
     found = sigmas.items() if isinstance(sigmas, dict) else []
-    far = {name: abs(sigma) for name, sigma in found if is_number(sigma) and abs(sigma) >= FAR}
+    far = {name: abs(sigma) for name, sigma in found if is_number(sigma) and abs(sigma) >= least}
     named = sorted(far, key=lambda name: -far[name])[:MOST]
-    if not named:
-        return WHY
-    moved = listing([f"the {name_of(name)} ({times(far[name])} times its tolerance)" for name in named])
-    return f"{WHY} Calibration moved {moved}: measure again, and write what you measured, not the calibrated values."
+    return listing([f"the {name_of(name)} ({times(far[name])} times its tolerance)" for name in named])
+
+
+def probable(ids: list[str], content: dict[str, Any]) -> str:
+    """An explanation by its name, with its probability where the diagnosis holds one."""
+    evidence = content.get("evidence")
+    shown = evidence.get("explanations") if isinstance(evidence, dict) else None
+    for one in shown if isinstance(shown, list) else []:
+        if isinstance(one, dict) and one.get("ids") == ids and is_number(one.get("probability")):
+            return f"{called(ids)} ({percent(one['probability'])})"
+    return called(ids)
 
 
 def is_of(content: dict[str, Any], run: str) -> bool:
@@ -71,17 +93,17 @@ def told(
     said.append(
         f"{CALIBRATED}: with the dimensions of the verdict too, as by {program_name('simulate')} --simulation {path}"
     )
-    warned = distrust(errors[1][0], errors[2][0], path)
+    warned = distrust(errors[1][0], errors[2][0], path, unit)
     return [*warned, *([remove] if warned and remove else []), *said]
 
 
-def distrust(now: float, calibrated: float, path: Path) -> list[str]:
+def distrust(now: float, calibrated: float, path: Path, unit: str) -> list[str]:
     """That nobody should predict with the adopted simulator where it errs far more than the verdict at `path`."""
     if now <= WORSE * calibrated:
         return []
     return [
-        f"Beware: do not predict with run.yaml as it is now: it errs {times(now / calibrated)} times as much as with "
-        "the dimensions of the verdict. Measure the dimensions again. If a value changes: write it into run.yaml, "
-        "take the effects out, diagnose again and adopt anew. If none changes: take the effects out, and predict with "
-        f"{program_name('simulate')} --simulation {path}"
+        f"Beware: do not predict with run.yaml as it is now: it errs by {size(now, unit)}, with the dimensions of the "
+        f"verdict by {size(calibrated, unit)}. Measure the dimensions again. If a value changes: write it into "
+        "run.yaml, take the effects out, diagnose again and adopt anew. If none changes: take the effects out, and "
+        f"predict with {program_name('simulate')} --simulation {path}"
     ]

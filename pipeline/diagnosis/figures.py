@@ -11,9 +11,12 @@ from matplotlib.patches import Patch
 
 from ..ground.files import whole
 from . import panels
+from .bounds import at_bound
 from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
+from .words.dimensions import name_of
+from .words.quantity import listing
 from .words.sight import heading, included
 from .words.unseen import noises
 from .words.vocabulary import Vocabulary
@@ -45,6 +48,14 @@ def title(content: dict[str, Any]) -> str:
     return f"{head}\n{best}, {more}"
 
 
+def warning(content: dict[str, Any]) -> str:
+    """Which dimensions stand at the limit of what calibration may do, in a line; nothing where none does."""
+    found = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
+    one = len(found) == 1
+    said = f"{listing(found)} {'stands at its limit' if one else 'stand at their limits'} of three tolerances"
+    return f"{said}: measure {'it' if one else 'them'} again first" if found else ""
+
+
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
     figure = drawn(found, content)
@@ -66,11 +77,14 @@ def drawn(found: Study, content: dict[str, Any]) -> Figure:
     residuals = {name: problem.measured - values for name, values in list(simulated.items())[-2:]}
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
+    warned = warning(content)
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
     styles = ({"color": "0.7", "lw": 0.8}, {"color": "#2166ac", "lw": 0.8, "ls": ":"}, {"color": AFTER, "lw": 0.8})
-    lines = {"recording": (problem.measured, {"color": "k", "lw": 1.6})}
+    if warned:
+        top.suptitle(warned, fontsize=8.5, color=AFTER)
+    lines = {"recording": (problem.measured, {"color": "k", "lw": 2.4})}
     lines |= {name: (values, style) for (name, values), style in zip(simulated.items(), styles, strict=False)}
     panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
     left = {name: (values, {"color": SHADES[name], "lw": 0.6}) for name, values in residuals.items()}

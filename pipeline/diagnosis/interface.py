@@ -47,7 +47,7 @@ class Mechanism:
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
     value of the effect), {times} (its time constants), {temperature}, and the rig's words: {string} {motion}
     {rate} {reading} {up} {down}. `details` follow it: of these the first all of whose parameters were found, each said
-    as its value.
+    as its value. `names` says what a word in its coefficients' names multiplies, for who reads them in run.yaml.
     """
 
     id: str
@@ -62,6 +62,7 @@ class Mechanism:
     steps: int = 1
     details: tuple[str, ...] = ()
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
+    names: dict[str, str] = field(default_factory=dict)
     units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty
     suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []
     random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None

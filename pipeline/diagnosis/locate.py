@@ -37,10 +37,11 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
     return best, place[0], place[1], place[2], place[3]
 
 
-def box(mismatch: Array, problem: Problem) -> dict[str, Any]:
+def box(mismatch: Array, problem: Problem, share: float = SHARE) -> dict[str, Any]:
     """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
 
-    Where there is no mismatch, the whole recording with a share of 0.
+    The box is the smallest that holds `share` of the energy: the whole recording with a share of 0 where there is no
+    mismatch.
     """
     drivers = problem.drivers
     low, high = float(drivers.motion.min()), float(drivers.motion.max())
@@ -61,9 +62,9 @@ def box(mismatch: Array, problem: Problem) -> dict[str, Any]:
         energy, samples = np.zeros(shape), np.zeros(shape)
         np.add.at(energy, (row[inside], column[inside]), squared[inside])
         np.add.at(samples, (row[inside], column[inside]), 1.0)
-        if energy.sum() < SHARE * whole:
+        if energy.sum() < share * whole:
             continue
-        count, a, b, c, d = _smallest(energy, samples, SHARE * whole)
+        count, a, b, c, d = _smallest(energy, samples, share * whole)
         if best is None or count < best[0]:
             last = min((b + 1) * per_bin, len(strokes)) - 1
             found = {

@@ -32,11 +32,11 @@ STANDINGS = {
 }  # of an explanation: its colour, and what that means
 MORE_ALONE = "takes away too little to be named"  # where nothing is
 BENT_FORMULA = "left if its formulas may be a little wrong"
-NO_HELP = "\n(all below the noise: they decide nothing)"
 NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
 MOTION = {
     "turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion",
 }  # by its unit  # fmt: skip
+GAP = 4.0  # bins: points further apart are not joined by a line
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 
 
@@ -70,7 +70,9 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
     axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
     bent = [min(one[f"bent_{ending}"] / floor, rms) for one, rms in zip(shown, left, strict=True)]
-    axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
+    decide = not rivals.all_below_noise(content, ending)
+    if decide:
+        axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
     axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
     for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
         axes.text(1.15 * rms, place, briefly(one), va="center", fontsize=6.5, color="0.3")
@@ -79,12 +81,15 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     standings = [name for name in STANDINGS if name in there]
     said = {name: MORE_ALONE if name == "not needed" and "named" not in there else STANDINGS[name][1] for name in there}
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=said[name]) for name in standings]
-    all_below = max((x for x, one in zip(bent, shown, strict=True) if one["ids"]), default=1.0) < 1.0
-    wrong = BENT_FORMULA + NO_HELP * all_below
-    handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=wrong))
+    if decide:
+        handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
-    axes.set(xscale="log", xlim=(0.5 * min(1.0, *left, *bent), 2.6 * max(2.0, *left)), xlabel="rms left ÷ noise")
+    axes.set(
+        xscale="log",
+        xlim=(0.5 * min(1.0, *left, *(bent if decide else [])), 2.6 * max(2.0, *left)),
+        xlabel="rms left ÷ noise",
+    )
     plain(axes.xaxis)
     likely = any(one.get("probability") is not None for one in shown)
     no_more = bool(content.get("simulation")) and not there & {"named", "tied", "not enough"}
@@ -173,6 +178,7 @@ def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: flo
     axes.axhspan(-floor, floor, color=BAND)
     for name, residual in residuals.items():
         mean = np.bincount(bins, weights=residual, minlength=BINS)[usual] / count[usual]
-        axes.plot(middle, mean, ".-", ms=3, lw=1, color=SHADES[name], label=name)
+        even = np.diff(middle).max(initial=0.0) < GAP * (edges[1] - edges[0])  # points far apart are not joined
+        axes.plot(middle, mean, ".-" if even else ".", ms=3 if even else 5, lw=1, color=SHADES[name], label=name)
     axes.set_xlabel(label, fontsize=8)
     axes.tick_params(labelsize=7)

@@ -125,6 +125,7 @@ def diagnosis(
         elif named and not found.random:
             rest, follows = systematic(found, found.state)
             pattern = {"location": locate.box(rest, problem), "driver": follows, f"rms_{unit}": rms(rest)}
+            pattern["half"] = locate.box(rest, problem, 0.5)
         place = locate.box(signal, problem)
         mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}

@@ -187,9 +187,12 @@ def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibr
     assert free[:2] == pytest.approx([before_fitted, fitted()], rel=0.05) and second.startswith("zero fitted to the wh")
     assert f"as by pipeline.simulate --simulation {diagnosis}" in flat(done)
     assert "Do not predict" not in done.stdout and free[1] < 2.0 * free[2]
-    assert before_after.distrust(0.99, 0.5, diagnosis) == []
-    (warned,) = before_after.distrust(0.99, 0.034, diagnosis)
-    assert "errs 29 times as much as with the dim" in warned and f"simulate --simulation {diagnosis}" in warned
+    assert before_after.distrust(0.99, 0.5, diagnosis, "mm") == []
+    (warned,) = before_after.distrust(0.99, 0.034, diagnosis, "mm")
+    assert (
+        "it errs by 0.99 mm, with the dimensions of the verdict by 0.034 mm" in warned
+        and f"simulate --simulation {diagnosis}" in warned
+    )
     assert "If a value changes: write it into run.yaml, take the effects out, diagnose again and adopt anew." in warned
     assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in flat(done)
     assert "measure again" not in done.stdout  # the diagnosis names no dimension
@@ -229,7 +232,8 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     assert programs.run("pipeline.adopt", diagnosis).returncode == 2
     usage = programs.run("pipeline.adopt", "--help").stdout
     assert usage.startswith(
-        "usage: python -m pipeline.adopt DIAGNOSIS.json RUN_DIR\n       python -m pipeline.adopt --remove RUN_DIR\n"
+        "usage: python -m pipeline.adopt [--anyway] DIAGNOSIS.json RUN_DIR\n"
+        "       python -m pipeline.adopt --remove RUN_DIR\n"
     )
     columns = " ".join(programs.run("pipeline.simulate", "--help").stdout.split())
     assert columns.startswith("usage: python -m pipeline.simulate ") and "two columns: time_s, and what" in columns
@@ -273,7 +277,10 @@ def judged(path: Path, verdict: str, tied: list, **more: object) -> dict:
 def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folder: Path, diagnosis: Path) -> None:
     judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
     done = programs.run("pipeline.adopt", diagnosis, folder)
-    assert done.returncode == 0 and "2 other explanations were likely as well: creep or thermal + wear." in flat(done)
+    assert (
+        done.returncode == 0
+        and "2 other explanations were likely too: creep or thermal + wear. Adopted is " in flat(done)
+    )
     first = {"effects": ["sensor_drift"], "verdict": "ambiguous", "tied": TIED, "runs": [folder.name]}
     first |= {"diagnosis": str(diagnosis), "next_experiment": NEXT}
     text = (folder / "run.yaml").read_text()
@@ -346,3 +353,14 @@ def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_ol
     assert shlex.split(record)[2:] == ["pipeline.capture", "PORT", str(new)]
     both = [str(folder), str(new), "--together", "--out", str(folder.parent / "out-next")]
     assert shlex.split(diagnose)[2:] == ["pipeline.diagnose", *both]
+
+
+def test_what_a_verdict_says_to_wait_with_is_adopted_only_anyway(folder: Path, diagnosis: Path) -> None:
+    content, before = json.loads(named(diagnosis, **DRIFT).read_text()), (folder / "run.yaml").read_bytes()
+    moved = {"radius_mm": 2.9, "length_mm": -1.4}
+    diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
+    done = programs.run("pipeline.adopt", diagnosis, folder)
+    assert done.returncode == 2 and (folder / "run.yaml").read_bytes() == before
+    assert "says not to adopt yet: calibration moved the radius (2.9 times its tolerance). Mend: " in done.stderr
+    done = programs.run("pipeline.adopt", "--anyway", diagnosis, folder)
+    assert done.returncode == 0 and (folder / "run.yaml").read_bytes() != before

@@ -195,14 +195,17 @@ def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best
 
 
 @pytest.mark.parametrize(("bent", "below"), [(0.04, True), (0.06, False)])
-def test_the_legend_says_where_diamonds_decide_nothing_and_the_title_where_no_more_effect_is_named(bent, below) -> None:
+def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_where_no_more_effect_is_named(
+    bent, below
+) -> None:
     one = {"left_mm": 0.1, "bent_mm": bent, "probability": None}
     shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
+    shown += [{**one, "ids": ["creep"], "standing": "not needed"}]
     content = {"evidence": {"explanations": shown, "floor_mm": 0.05}, "simulation": [{"id": "creep"}]}
     _, axes = plt.subplots()
     panels.ranking(axes, content, "mm")
     said = " ".join(text.get_text() for text in axes.get_legend().get_texts())
-    assert ("they decide nothing" in said) is below
+    assert ("left if its formulas may be a little wrong" in said) is not below
     assert axes.get_title() == "one more effect: none takes enough away"
     panels.ranking(axes, content | {"simulation": []}, "mm")
     assert axes.get_title() == "explanations: what each leaves"

@@ -43,6 +43,12 @@ MECHANISM = Mechanism(
     confused_with="plastic_elongation, thermal, sensor_drift",
     told_apart_by="a hold under load, then a rest without it: creep goes on in the hold and comes back in the rest",
     sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and shortens again without it.",
+    names={
+        "load": "the load",
+        "steep_load": "the load squared",
+        "twist": "load x tan(helix angle)^2",
+        "steep_twist": "load x tan(helix angle)^4",
+    },
     shapes=shapes,
     terms=terms,
 )

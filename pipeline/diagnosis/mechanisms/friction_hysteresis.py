@@ -106,6 +106,15 @@ MECHANISM = Mechanism(
         "half the loop is {dry_mm}",
         "half the play is {play_turns} under the usual load",
     ),
+    names={
+        "stop": "the state of a stop, from -1 to 1, as wide as that share of the range",
+        "dry": "the direction, closed below that share of the highest speed",
+        "load": "the load",
+        "load_twist": "load x tan(helix angle)",
+        "dry_*_twist": "load x tan(helix angle) x direction, closed below that share of the highest speed",
+        "load_steep": "load x tan(helix angle)^3",
+        "root_load_twist": "the root of the load, x tan(helix angle)",
+    },
     shapes=shapes,
     terms=terms,
 )

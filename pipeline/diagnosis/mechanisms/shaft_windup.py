@@ -45,6 +45,12 @@ MECHANISM = Mechanism(
     told_apart_by="two loads; or lock the string's end and twist",
     sentence="The shaft winds up under the torque of the {string}, which costs up to {span} of {reading} ({size}).",
     details=("{turns_per_10_n} in proportion to the torque",),
+    names={
+        "up_to": "the torque, up to that share of the highest",
+        "yielding": "the torque squared",
+        "rubbing": "the torque x direction",
+        "stiffening_turns": "the root of the torque",
+    },
     shapes=shapes,
     terms=terms,
 )

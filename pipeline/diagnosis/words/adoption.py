@@ -11,6 +11,7 @@ from .quantity import listing
 from .rivals import called
 from .vocabulary import Vocabulary
 
+ANYWAY = "--anyway"
 NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = command("adopt")
 SIMULATE = command("simulate")
@@ -84,11 +85,12 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
             "dimensions of run.yaml as they are now the simulator would err by more than the table above says of it "
             f"as diagnosed ({program_name('adopt')} prints by how much). If measuring changes run.yaml, diagnose again "
             "into another folder, and adopt what the new verdict names. If it changes nothing, predict with the "
-            "command above. Who wants the effects in run.yaml all the same:"
+            f"command above. Who wants the effects in run.yaml all the same adds {ANYWAY}:"
         )
     else:
         lines.append("To adopt its effects: they go into run.yaml, whose dimensions stay as measured:")
-    lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]
+    anyway = f" {ANYWAY}" if far else ""
+    lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}{anyway}" for folder in folders]
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
         can = bool(run) and "parts" in run and worth.decides(run)

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Any
 
 from ...ground.command import command
-from . import sight, still, unseen, worth
+from . import report, sight, still, unseen, worth
 from .adoption import predictions
-from .dimensions import GAIN, far_moved, name_of, tolerance_keys
+from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
 from .quantity import listing
 from .vocabulary import Vocabulary
@@ -19,7 +19,7 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
     """One piece of advice, on the runs in `folders`."""
     verdict, run = content["verdict"], content["next_run"]
     if verdict == "ambiguous":
-        return [*_first(content), _ambiguous(content, words)]
+        return [*_first(content), _ambiguous(content, words), *report.lines(content, words)]
     if verdict == "unknown":
         shows = "Make the run below: it shows more of what is missing. " if run else ""
         return [f"{shows}Adopt nothing: no effect of the library is named."]
@@ -29,7 +29,7 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
                 f"Adopt nothing: on the {sight.strokes(content)} the explanation makes the simulator worse. Record "
                 "the rig once more, with more strokes, and diagnose both runs together."
             ]
-        return [*_first(content), "Use the explanation: the commands are below."]
+        return [*_first(content), "Use the explanation: the commands are below.", *report.lines(content, words)]
     tied = [one for one in content.get("adopted", []) if one["tied"]]
     if tied and not still.worth_making(tied):
         count = 1 + max(len(one["tied"]) for one in tied)
@@ -51,9 +51,8 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
         return f"{without[0].upper()}{without[1:]}."
     if worth.decides(run):
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
-    tried = "No run that was tried decides, so you can skip The run to make next"
     use = "" if unseen.harmful(content, words) else ", and predict with the first command under To use it"
-    return f"{without[0].upper()}{without[1:]}{use}. {tried}."
+    return f"No run that was tried decides: {without}{use}."
 
 
 def _first(content: dict[str, Any]) -> list[str]:
@@ -62,18 +61,12 @@ def _first(content: dict[str, Any]) -> list[str]:
     if not names:
         return []
     return [
-        f"First measure {names} again. If a value changes, or you know it better than its tolerance says (see "
-        "Dimensions), write that into run.yaml and diagnose again: it can turn this verdict over. If neither, keep "
-        "run.yaml as it is: missing physics bends them.",
-        *in_run_yaml(content),
+        f"First measure {names} again; how exactly, and how run.yaml says it, stands under Dimensions. If a value "
+        "changes, or its tolerance does, write that into run.yaml and diagnose again: it can turn this verdict over. "
+        "If neither does, keep run.yaml as it is: then physics that is in no explanation here moved them. The "
+        "explanation still foretells this rig under such loads, speeds and ranges, but its dimensions are not the "
+        "rig's.",
     ]
-
-
-def in_run_yaml(content: dict[str, Any]) -> list[str]:
-    """How run.yaml says how well the dimensions to measure again were measured, and what the sensor's gain is."""
-    keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
-    gain = f" {GAIN}." if "scale" in far_moved(content) else ""
-    return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 
 
 def _anew(content: dict[str, Any], folders: list[Path]) -> list[str]:

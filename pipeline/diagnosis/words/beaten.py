@@ -14,6 +14,7 @@ from .vocabulary import Vocabulary
 
 CLOSEST = 4  # explanations that are shown where none does
 SHOWN = 8  # of those that were beaten
+RARE = 0.005  # a probability below which an explanation needs no further word
 VISIBLE = 0.4  # noise floors: smaller gains need no further word
 UNWEIGHED = "It was not weighed: the recording lacks a mark of its effects, or cheaper ones of its size are many. "
 
@@ -62,6 +63,8 @@ def _beaten(one: dict[str, Any], first: dict[str, Any], content: dict[str, Any],
     where = place(one["location"], content["evidence"], words)
     where = where if where == EVERYWHERE else f"mostly {where}"
     follows = f" This difference follows {words.follows(one['driver'])}." if one["driver"] else ""
+    if one.get("probability") is not None and one["probability"] < RARE:
+        return f"{said}."
     gap = size(one[f"gap_{ending}"], words.unit)
     differs = f"Its prediction differs from the best one by {gap} rms, {where}.{follows}"
     if one[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:

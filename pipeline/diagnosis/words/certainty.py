@@ -2,13 +2,15 @@
 
 from typing import Any
 
+from ..bounds import at_bound
 from ..library import mechanisms
 from . import probability, rivals
+from .dimensions import name_of
 from .quantity import listing, number, percent, size
 from .vocabulary import Vocabulary
 
 SURE, PROBABLE = 0.8, 0.5
-HOLDS = "All this holds if the dimensions are right within their tolerances (see Dimensions)."
+COMPARES = "The percentages compare explanations in which each dimension may move by up to three times its tolerance"
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 # drivers that go on over a whole recording
 SLOW = ("time under load", "absolute time", "worked strokes", "load x worked strokes", "travel")
@@ -20,8 +22,23 @@ def alike(content: dict[str, Any], words: Vocabulary) -> list[str]:
     there = [entry["id"] for entry in content["mechanisms"] if entry["id"] in slow]
     if content["evidence"]["loaded"] or not there or words.load is None:
         return []
-    others = listing([id_ for id_ in slow if id_ not in there])
-    return [f"Under one load slow effects look much alike: {listing(there)} may hide {others}, or stand in for them."]
+    others = listing([id_ for id_ in slow if id_ not in there], "or")
+    asks = "; ".join(dict.fromkeys(mechanisms()[id_].told_apart_by for id_ in there))
+    parts = (content.get("next_run") or {}).get("parts")
+    chosen = " The run to make next is chosen between the likely explanations, and need not ask that." if parts else ""
+    return [
+        f"Under one load slow effects look much alike: {listing(there)} may hide {others}, or stand in for it, where "
+        f"a law of this rig differs from the library's formula. What tells them apart: {asks}.{chosen}"
+    ]
+
+
+def limits(content: dict[str, Any]) -> str:
+    """What the percentages stand on, and which dimensions are at the end of it."""
+    found = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
+    if not found:
+        return f"{COMPARES}."
+    stand = f"The {listing(found)} {'stand' if len(found) > 1 else 'stands'} at that limit"
+    return f"{COMPARES}. {stand}: measured better, {'they' if len(found) > 1 else 'it'} can change the percentages."
 
 
 def known(content: dict[str, Any]) -> dict[str, float]:
@@ -38,9 +55,13 @@ def summary(content: dict[str, Any]) -> list[str]:
     probable = [f"{id_} ({percent(share)})" for id_, share in shares.items() if PROBABLE <= share < SURE]
     doubtful = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share < PROBABLE]
     others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in shares)
-    groups = {"Sure": sure, "Probable": probable, "Open": [*doubtful, *others]}
+    groups = {
+        f"Sure ({percent(SURE)} or more)": sure,
+        f"Probable ({percent(PROBABLE)} or more)": probable,
+        "Open": [*doubtful, *others],
+    }
     said = [f"{word}: {listing(found)}." for word, found in groups.items() if found]
-    return [f"{' '.join(said)} {HOLDS}"] if shares else []
+    return [" ".join(said), limits(content)] if shares else []
 
 
 def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -49,17 +70,23 @@ def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
         return []
     missing = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
     found = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
-    poorly = [
-        f"{id_} ({span(known['low'], known['high'], words)})"
-        for id_, known in found.items()
-        if (known["high"] > WIDE * known["low"] and known["high"] > known["low"])
-        or known["value"] > rivals.LARGER * content["mismatch"][f"rms_{words.ending}"]
-    ]
+    poorly = [f"{id_} ({span(low, high, words)})" for id_, (low, high) in poorly_known(content, words).items()]
     own = f"Poorly known is the own size of {listing(poorly)}" if poorly else ""
     if not poorly and all(known["high"] > known["low"] for known in found.values()):
         own = "Each effect's own size is known" if len(found) > 1 else "The effect's own size is known"
         own += f" within a factor of {number(WIDE)}"
     return [f"Size: {missing} rms is missing after calibration.{f' {own}, if this explanation is right.' * bool(own)}"]
+
+
+def poorly_known(content: dict[str, Any], words: Vocabulary) -> dict[str, tuple[float, float]]:
+    """The effects whose own size the recording leaves open, each with its interval."""
+    whole = content["mismatch"][f"rms_{words.ending}"]
+    found = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
+    return {
+        id_: (known["low"], known["high"])
+        for id_, known in found.items()
+        if known["high"] > max(WIDE * known["low"], known["low"]) or known["value"] > rivals.LARGER * whole
+    }
 
 
 def span(low: float, high: float, words: Vocabulary) -> str:

@@ -1,5 +1,6 @@
 """What the numbers of adopted effects mean, from the library's own data: name, unit and what each does."""
 
+import re
 from collections.abc import Sequence
 
 from ..drivers import Drivers
@@ -18,6 +19,17 @@ DOES = {
 }  # what coefficients do, by the port that they act at
 
 
+def multiplied(words: dict[str, str], names: Sequence[str]) -> list[str]:
+    """What each word in the names of coefficients multiplies, a line each; of two words at one place the longer one."""
+    left, lines = [f"_{name}_" for name in dict.fromkeys(names)], []
+    for word, what in sorted(words.items(), key=lambda item: -len(item[0])):
+        there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
+        if any(there.search(name) for name in left):
+            lines.append(f"    {word.replace('_*', '')} in a name: it multiplies {what}")
+        left = [there.sub("_", name) for name in left]
+    return lines
+
+
 def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]:
     """Each effect with its equation, then its coefficients by what they do, then the shape that they were found at."""
     said = []
@@ -33,6 +45,7 @@ def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]
                     does = f"in {unit}, {DOES[term.port].format(motion=words.motion, string=words.string)}"
                     groups.setdefault(does, []).append(drivers.units.name(term.name))
         said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
+        said += multiplied(mechanism.names, [name for names in groups.values() for name in names])
         fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
         said += [f"    {listing(list(fixed))}: the shape, chosen and held"] if fixed else []
     return [HEAD, *said] if said else []

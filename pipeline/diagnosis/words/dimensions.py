@@ -1,5 +1,6 @@
 """Dimensions that calibration moved further than they were measured wrong, in words."""
 
+import math
 import re
 from collections.abc import Iterable
 from typing import Any
@@ -7,12 +8,13 @@ from typing import Any
 from ...ground.schemas import unit_of
 from ..bounds import BOUND, at_bound
 from . import tolerances
-from .headline import LITTLE
-from .quantity import listing, number, said_unit, size, times
+from .headline import LITTLE, moved_in_vain
+from .quantity import listing, number, quantity, said_unit, size, times
 from .vocabulary import Vocabulary
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
+TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 GAIN = (
@@ -42,10 +44,16 @@ def remeasured(
         known = tolerances.said(content, name, words)
         far = f"{abs(sigma):.1f} times its tolerance{f' of {known}' if known else ''} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
+        exactly = f", to {exactness(content, name)} or better"
+        best = f"but {value} fits best{likely_range(content, name)}, {far}"
         if assumed(name):
-            lines.append(f"Measure the {name_of(name)}: {nominal} was assumed, but {value} fits best, {far}.")
+            lines.append(f"Measure the {name_of(name)}{exactly}: {nominal} was assumed, {best}.")
         else:
-            lines.append(f"Measure the {name_of(name)} again: run.yaml says {nominal}, but {value} fits best, {far}.")
+            lines.append(f"Measure the {name_of(name)} again{exactly}: run.yaml says {nominal}, {best}.")
+    if lines:
+        lines.append("A measurement as exact as that tells the two values apart.")
+        if any(beyond(content, name) for name in moved):
+            lines.append("Intervals are those of the fit: they may reach beyond what calibration may do.")
     if moved and in_vain:
         names = listing([f"the {name_of(name)}" for name in moved])
         lines.append(f"Measure {names} again before you believe any of these values.")
@@ -55,10 +63,17 @@ def remeasured(
         lines.append(f"What the simulation still misses bends dimensions as well. {do_not_copy(moved)}")
     if len(moved) >= MANY:
         lines.append(
-            "So many at once are seldom all measured wrong: where measuring again changes none, missing physics bends "
-            "them, or run.yaml describes another rig."
+            "So many at once are seldom all measured wrong: where measuring again changes none, physics that is in no "
+            "explanation here moved them, or run.yaml describes another rig."
         )
     return lines
+
+
+def in_run_yaml(content: dict[str, Any]) -> list[str]:
+    """How run.yaml says how well the dimensions to measure again were measured, and what the sensor's gain is."""
+    keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
+    gain = f" {GAIN}." if "scale" in far_moved(content) else ""
+    return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 
 
 def tolerance_keys(moved: Iterable[str]) -> list[str]:
@@ -86,8 +101,7 @@ def suspicious(content: dict[str, Any]) -> list[str]:
     one = len(found) == 1
     return [
         f"Suspicious: calibration moved {'a dimension' if one else f'{len(found)} dimensions'} as far as it may, three "
-        f"times the tolerance: {'; '.join(said)}. The best value may lie beyond. Measure {'it' if one else 'them'} "
-        f"again; where nothing changes, missing physics bends {'it' if one else 'them'}."
+        f"times the tolerance: {'; '.join(said)}. The best value may lie beyond."
     ]
 
 
@@ -97,11 +111,43 @@ def assumed(name: str) -> bool:
 
 
 def from_to(content: dict[str, Any], name: str) -> tuple[str, str]:
-    """A dimension as `run.yaml` has it and as it fits, with as many digits as it takes to tell them apart."""
+    """A dimension as `run.yaml` has it, and as it fits to a third of its tolerance, finer where both read the same."""
     known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
-    digits = next((n for n in range(4, 6) if number(known["nominal"], n) != number(known["value"], n)), 6)
-    nominal, value = (f"{number(known[key], digits)} {unit}".strip() for key in ("nominal", "value"))
-    return nominal, value
+    nominal = number(known["nominal"], 6)
+    least = decimals(content, name)
+    found = (number(round(known["value"], places), 12) for places in range(least, least + 6))
+    value = next((said for said in found if said != nominal), nominal)
+    return f"{nominal} {unit}".strip(), f"{value} {unit}".strip()
+
+
+def decimals(content: dict[str, Any], name: str) -> int:
+    """After how many decimals a dimension is known: to a third of its tolerance; four digits where that is unknown."""
+    sigma = content["evidence"].get("tolerance", {}).get(name)
+    known = TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
+    return max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
+
+
+def likely_range(content: dict[str, Any], name: str) -> str:
+    """The 90 % interval of a dimension, in brackets; nothing where it has none."""
+    known = content["parameters"][name]
+    if not known.get("low", 0.0) < known.get("high", 0.0):
+        return ""
+    places, unit = decimals(content, name), said_unit(unit_of(re.sub(r"_\d+$", "", name)))
+    low, high = (number(round(known[end], places), 12) for end in ("low", "high"))
+    return f" (90 % interval {low} to {high} {unit}".rstrip() + ")"
+
+
+def beyond(content: dict[str, Any], name: str) -> bool:
+    """Whether the interval of a dimension reaches further than calibration may move it."""
+    known, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
+    ends = [known.get(end, known["nominal"]) for end in ("low", "high")]
+    return bool(sigma) and max(abs(end - known["nominal"]) for end in ends) > BOUND * sigma
+
+
+def exactness(content: dict[str, Any], name: str) -> str:
+    """How exactly to measure a dimension: to a third of the way that it moved."""
+    known = content["parameters"][name]
+    return quantity(TELLS * abs(known["value"] - known["nominal"]), unit_of(re.sub(r"_\d+$", "", name)))
 
 
 def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -115,22 +161,30 @@ def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
         if before <= LITTLE * after:
             lines.append("So moving them explains next to nothing: these values are no better than the measured ones.")
-    return [*lines, *each_moved(content, words)]
+    return [*lines, *each_moved(content, words, () if moved_in_vain(content, words) else far_moved(content))]
 
 
-def each_moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """Each dimension that moved, the farthest first: from what to what, by how much of which tolerance."""
-    moved = {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= HARDLY}
-    lines = []
+def each_moved(content: dict[str, Any], words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
+    """Each dimension that moved, the farthest first: from what to what, by how much of which tolerance.
+
+    `but` are those that are told elsewhere.
+    """
+    sigmas = content["evidence"]["moved_sigma"]
+    moved = {name: sigma for name, sigma in sigmas.items() if abs(sigma) >= HARDLY and name not in but}
+    lines, within = [], [name_of(name) for name, sigma in moved.items() if but and abs(sigma) < 1.0]
+    if within:
+        lines.append(f"Within {'its' if len(within) == 1 else 'their'} tolerance: {listing(within)}.")
+        moved = {name: sigma for name, sigma in moved.items() if abs(sigma) >= 1.0}
     for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
         nominal, value = from_to(content, name)
         known = tolerances.said(content, name, words)
         far = f"{number(abs(sigma))} times its tolerance{f' of {known}' if known else ''}"
-        lines.append(f"{name_of(name)}: from {nominal}{' (assumed)' if assumed(name) else ''} to {value}, {far}.")
-    if moved and all(abs(sigma) < 1.0 for sigma in moved.values()):
+        whence = f"{nominal}{' (assumed)' if assumed(name) else ''}"
+        lines.append(f"{name_of(name)}: from {whence} to {value}{likely_range(content, name)}, {far}.")
+    if moved and not but and all(abs(sigma) < 1.0 for sigma in moved.values()):
         right = content["verdict"] == "parameters"
         lines.append(f"Every dimension stays within its tolerance{': none of them was measured wrong' * right}.")
-    if not moved:
+    if not moved and not but:
         lines.append("No dimension moved by a hundredth of its tolerance: only the zero of the reading did.")
     return lines
 

@@ -98,7 +98,7 @@ def loop_details(mechanism: Mechanism, parameters: dict[str, Any], units: Units)
     if not part["value"] or not others:
         return mechanism.details
     wide = quantity(2.0 * part["value"], part["unit"])
-    return (f"{wide} of it was fitted as the same under every load and at every {{motion}}",)
+    return (f"{wide} of its width are the same under every load and at every {{motion}}",)
 
 
 def time_constants(parameters: dict[str, Any]) -> str:

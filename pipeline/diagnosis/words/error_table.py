@@ -1,7 +1,9 @@
 """The one table of errors that every sentence of a verdict refers to: of which simulator, on which strokes."""
 
+import math
 from typing import Any
 
+from ...ground.command import program_name
 from . import rivals, sight, unseen
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
@@ -35,7 +37,24 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     )
     zero = any(name.startswith("zero") for name in content["parameters"])
     told = [ANEW if sight.sight(content) == sight.UNSEEN else ""] if held else [TOO_FEW]
-    return [*aligned(rows), *(line for line in (*told, unseen.ZERO if zero else "") if line)]
+    told += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
+    return [*aligned(rows), *(line for line in told if line)]
+
+
+def _single(error: float | None, content: dict[str, Any], words: Vocabulary) -> str:
+    """What the last error of the whole recording is of single samples, where it was compared in averages.
+
+    Averages take noise away and leave what is systematic, so the noise of single samples comes in its place.
+    """
+    if error is None or not unseen.averaged(content, words):
+        return ""
+    floor, noise = content["evidence"][f"floor_{words.ending}"], content["fit"][f"noise_floor_{words.ending}"]
+    single = math.sqrt(max(error**2 - floor**2, 0.0) + noise**2)
+    least = size(error, words.unit)
+    return (
+        f"The left column is of averages. Of single samples, as {program_name('simulate')} and {program_name('adopt')} "
+        f"count, {least} would be about {size(single, words.unit)}."
+    )
 
 
 def held_out(content: dict[str, Any]) -> str:

@@ -14,6 +14,14 @@ def title(run: dict[str, Any], words: Vocabulary) -> str:
     return f"{said[0].upper()}{said[1:]}"
 
 
+def brief(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """A run that decides nothing, in as few lines as that is worth."""
+    run = content["next_run"]
+    called = title(run, words)
+    said = f"{worth.first(run)[0]} It would be {called[0].lower()}{called[1:]}, {lasting(run)} in all"
+    return [f"{said}; its steps are `next_run` in diagnosis.json.", worth.purpose(content, words, False)]
+
+
 def steps(run: dict[str, Any], words: Vocabulary, whole: float) -> list[str]:
     """The protocol, a line each step, numbered; a line before each run where it takes several or another load."""
     found, lines = parts(run, words, whole), []

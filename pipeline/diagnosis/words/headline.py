@@ -76,10 +76,7 @@ def as_it_stands(content: dict[str, Any], words: Vocabulary) -> str:
     said = f" run.yaml as it stands errs by {size(now, words.unit)} rms"
     if now <= WORSE * calibrated:
         return f"{said}, calibrated by {size(calibrated, words.unit)}."
-    return (
-        f"{said}, {times(now / calibrated)} times as much as calibrated ({size(calibrated, words.unit)}): do not "
-        "predict with it."
-    )
+    return f"{said}, calibrated by {size(calibrated, words.unit)}: do not predict with it."
 
 
 def how_sure(content: dict[str, Any]) -> str:

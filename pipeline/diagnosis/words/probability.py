@@ -38,15 +38,13 @@ def rule(content: dict[str, Any]) -> list[str]:
     together = sum(one.get("probability") or 0.0 for one in shown if one["standing"] in HELD_STANDINGS)
     none = content["evidence"]["probability_of_none"]
     several = content["verdict"] == "ambiguous"
-    kept = f"Here the {1 + len(content['alternatives'])} kept have" if several else "Here the best one alone has"
-    lines = [
-        f"Which explanations are kept: the likeliest ones, until together they have {percent(HELD)} of the probability "
-        f"of all explanations. Every other is less likely, not impossible. {kept} {percent(together)}, "
-        f"all together {percent(1.0 - none)}."
+    kept = f"These {1 + len(content['alternatives'])} have" if several else "Here the best one alone has"
+    rest = max(1.0 - none - together, 0.0)
+    others = f"; all others of the library {percent(rest)}; physics that the library lacks {percent(none)}"
+    return [
+        f"Kept are the likeliest explanations, until together they reach {percent(HELD)} of what the library has. "
+        f"{kept} {percent(together)}{others}. None of these is impossible."
     ]
-    if none >= SEEN:
-        lines.append(f"That no physics of the library explains the recording has a probability of {percent(none)}.")
-    return lines
 
 
 def of_none(content: dict[str, Any]) -> list[str]:

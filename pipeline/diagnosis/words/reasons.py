@@ -1,6 +1,5 @@
 """Why an explanation is less likely than the best one: what counts most against it, in words."""
 
-import math
 from typing import Any
 
 from .quantity import number, times
@@ -52,12 +51,4 @@ def reason(found: dict[str, Any]) -> str:
         return NAMES
     if aspect == "size" and not found["more"]:
         return OF_ITS_SIZE
-    if aspect == "cancels":  # the sign is a logarithm
-        parts = f"its parts are {ratio(found['more'])} times as large, beside what they do together"
-        return f"{SAID[aspect][larger]}: {parts}"
     return SAID[aspect][larger]
-
-
-def ratio(log: float) -> str:
-    """How many times, of its logarithm: 1.22, 0.9, 12."""
-    return number(math.exp(log), 3 if abs(log) < 1.0 else 2)

@@ -13,10 +13,6 @@ MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides 
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
 BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
 DIMENSIONS = "Dimensions"  # the heading under which they stand
-UNDECIDED = (
-    "In the figure the diamonds of all explanations lie below the noise: if formulas may be a little wrong, each of "
-    "these fits, so the diamonds decide nothing."
-)
 ALLOWED = "If a true effect may differ from its formula by 10 % of its size"
 
 
@@ -82,7 +78,7 @@ def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
     ]
     all_bent = {called(one["ids"]): _bent(one, content, words) for one in found if one}
     bent = {name: ratio for name, ratio in all_bent.items() if ratio is not None}
-    if bent:
+    if bent and not all_below_noise(content, words.ending):
         who = listing([f"({name})" if len(bent) > 1 else name for name in bent])
         ends = list(dict.fromkeys(times(ratio) for ratio in (min(bent.values()), max(bent.values()))))
         leave = "leave" if len(bent) > 1 else "leaves"
@@ -90,16 +86,11 @@ def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return lines
 
 
-def diamonds(content: dict[str, Any], words: Vocabulary) -> bool:
-    """Whether every explanation would come below the noise if its formulas may be a little wrong."""
-    floor = content["evidence"][f"floor_{words.ending}"]
-    bent = [one[f"bent_{words.ending}"] for one in content["evidence"]["explanations"] if one["ids"]]
+def all_below_noise(content: dict[str, Any], ending: str) -> bool:
+    """Whether every explanation comes below the noise if its formulas may be a little wrong: that decides nothing."""
+    floor = content["evidence"][f"floor_{ending}"]
+    bent = [one[f"bent_{ending}"] for one in content["evidence"]["explanations"] if one["ids"]]
     return len(bent) > 1 and max(bent) < floor
-
-
-def undecided(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """That the diamonds of the figure decide nothing, where all lie below the noise."""
-    return [UNDECIDED] if diamonds(content, words) else []
 
 
 def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> float | None:
@@ -115,7 +106,7 @@ def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
     for one in entries(content, "named"):
         lines.append(f"{who} {left(one, content, words)}.")
         bent = _bent(one, content, words)
-        if bent is not None:
+        if bent is not None and not all_below_noise(content, words.ending):
             lines.append(f"{ALLOWED}, {times(bent)} times the noise is left.")
     return lines
 

@@ -11,13 +11,13 @@ from . import commands
 from .headline import UNNAMED
 from .vocabulary import Vocabulary
 
-STILL = "Others were likely as well as what was adopted. The run that decides is still that of the adopted verdict:"
+STILL = "Others were likely beside what was adopted. The run that decides is still that of the adopted verdict:"
 HARDLY = (
-    "None is proposed: other explanations were as likely as what was adopted, and the adopted verdict found no run "
+    "None is proposed: other explanations were likely beside what was adopted, and the adopted verdict found no run "
     "that decides between them."
 )
 LOST = (
-    "Others were likely as well as what was adopted. The run that decides stands in the adopted verdict, under the "
+    "Others were likely beside what was adopted. The run that decides stands in the adopted verdict, under the "
     "same heading."
 )
 FIRST = "Take out what was adopted first, for it is not weighed again. Later adopt what the new verdict names."

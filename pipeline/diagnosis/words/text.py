@@ -25,20 +25,16 @@ from . import (
     unseen,
     worth,
 )
-from .dimensions import corrected, each_moved, remeasured, suspicious
+from .dimensions import corrected, each_moved, far_moved, in_run_yaml, remeasured, suspicious
 from .headline import headline, moved_in_vain, no_run
 from .places import EVERYWHERE, place
-from .quantity import duration, listing, percent, size, times
+from .quantity import duration, size, times
 from .sections import section
 from .spoken import whole
 from .vocabulary import Vocabulary
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
-CHOSEN = (
-    "diagnosis.json has the intervals of the other numbers. Those with `low` equal to `high` have none: they were "
-    "chosen from a few values that were tried."
-)
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
@@ -69,7 +65,6 @@ def verdict_text(
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
             [
                 *named(content, words),
-                *likely(content),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
                 *seen.remains(content, words),
@@ -128,22 +123,9 @@ def named(content: dict[str, Any], words: Vocabulary) -> list[str]:
     for entry in content["mechanisms"]:
         said = [entry["sentence"], effects.interval(entry, words), hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in said if part)}")
-    if any(each["low"] == each["high"] for entry in content["mechanisms"] for each in entry["parameters"].values()):
-        lines.append(CHOSEN)
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
-
-
-def likely(content: dict[str, Any]) -> list[str]:
-    """How likely each named mechanism is at work, where several explanations are held."""
-    if content["verdict"] != "ambiguous":
-        return []
-    sure = {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
-    said = listing([f"{id_} {percent(share)}" for id_, share in sure.items()])
-    lines = [f"Probability that each of these effects is at work, in whichever explanation: {said}."] if sure else []
-    best = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    return lines if best is None else [*lines, f"Probability of this explanation as a whole: {percent(best)}."]
 
 
 def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -151,8 +133,7 @@ def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     if not content["alternatives"]:
         return []
     return [
-        rivals.shared(content), *rivals.ties(content, words), *rivals.undecided(content, words),
-        *probability.rule(content),
+        rivals.shared(content), *rivals.ties(content, words), *probability.rule(content),
     ]  # fmt: skip
 
 
@@ -168,15 +149,16 @@ def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
         ]
     lines = beaten.beaten(content, words) if content["mechanisms"] else []
     alone = content["verdict"] == "explained"
-    return [*(probability.rule(content) if alone else []), *(rivals.undecided(content, words) if alone else []), *lines]
+    return [*(probability.rule(content) if alone else []), *lines]
 
 
 def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
     again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
-    hiding = each_moved(content, words) if rivals.hidden(content, words) else []
-    return [*corrected(content, words), *hiding, *again, *tolerances.in_force(content, words)]
+    hiding = each_moved(content, words, far_moved(content)) if rivals.hidden(content, words) else []
+    written = in_run_yaml(content) if content["verdict"] in ("explained", "ambiguous") else []
+    return [*corrected(content, words), *again, *hiding, *written, *tolerances.in_force(content, words)]
 
 
 def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
@@ -184,9 +166,10 @@ def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], o
     run = content["next_run"]
     if not run:
         return still.lines(content, words, folders, out) or no_run(content, words)
-    lines = worth.first(run)
-    lines += [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
+    if worth.first(run):
+        return experiment.brief(content, words)
+    lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    lines += [worth.care(content, words), worth.purpose(content, words, worth.first(run) == [])]
+    lines += [worth.care(content, words), worth.purpose(content, words)]
     found = commands.lines(folders, out, experiment.loads(run, words))
     return [line for line in (*lines, *commands.block(found, folders[-1].name, words.twisted)) if line]

@@ -1,0 +1,44 @@
+"""What of a verdict can go into a paper, with its numbers, and what cannot."""
+
+from typing import Any
+
+from . import certainty, sight, unseen
+from .dimensions import far_moved
+from .quantity import listing, size, times
+from .vocabulary import Vocabulary
+
+
+def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
+    if not content["mismatch"]:
+        return []
+    missing = f"{size(content['mismatch'][f'rms_{words.ending}'], words.unit)} rms is missing after calibration"
+    said = [missing, *_unseen(content, words), *_sure(content)]
+    return [f"To report: {'; '.join(said)}.", *_not_yet(content, words)]
+
+
+def _unseen(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The error on strokes that no fit has seen, without the explanation and with it."""
+    found = unseen.errors(content, words)
+    if found is None or sight.sight(content) != sight.UNSEEN or unseen.harmful(content, words):
+        return []
+    _, calibrated, explained = (size(error, words.unit) for error in found)
+    ratio = times(found[2] / content["fit"][f"noise_floor_{words.ending}"])
+    return [
+        f"on the {sight.strokes(content)} the best explanation errs by {explained} ({ratio} times the noise of single "
+        f"samples), calibration alone by {calibrated}"
+    ]
+
+
+def _sure(content: dict[str, Any]) -> list[str]:
+    """Which effects are at work, where that is sure."""
+    sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
+    return [f"of the library's effects {listing(sure)} {'are' if len(sure) > 1 else 'is'} sure"] if sure else []
+
+
+def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
+    poorly = list(certainty.poorly_known(content, words))
+    parts = [f"the own size of {listing(poorly)}"] if poorly else []
+    parts += ["the calibrated dimensions"] if far_moved(content) else []
+    return [f"Not to report: {', and '.join(parts)}."] if parts else []
