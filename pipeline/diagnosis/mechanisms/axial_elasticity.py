@@ -1,4 +1,4 @@
-"""The string, or what holds it, stretches with the load [A5, A7, A10, F10]."""
+"""The string, or what holds it, stretches with the load."""
 
 import numpy as np
 
@@ -36,7 +36,10 @@ MECHANISM = Mechanism(
     id="axial_elasticity",
     driver="load",
     equation="dx = -(F - F_tare)/K - toe(F)",
-    source="physics.md A5, A7, A10, F10",
+    source=(
+        "Wuertz et al., The twisted string actuation system: modeling and control, IEEE/ASME AIM 2010; toe "
+        "region: McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004"
+    ),
     confused_with="frame compliance (the same name), creep of short time constant, shaft_windup",
     told_apart_by="load steps at two twists: a stretch is the same at both",
     sentence="The {string} stretches with its load, by up to {span} ({size}).",

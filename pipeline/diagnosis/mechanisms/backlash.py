@@ -1,4 +1,4 @@
-"""Play of constant width on the twist, whatever the load [C1, D1]."""
+"""Play of constant width on the twist, whatever the load."""
 
 import numpy as np
 
@@ -28,7 +28,7 @@ MECHANISM = Mechanism(
     id="backlash",
     driver="direction",
     equation="theta_s = play(theta, w)",
-    source="physics.md C1, D1",
+    source="Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38, 2002",
     confused_with="friction_hysteresis, sensor_lag, viscous_loss",
     told_apart_by="a second load: the play keeps its width",
     sentence="After each reversal the motor moves a little before the {string} follows, worth {size}.",

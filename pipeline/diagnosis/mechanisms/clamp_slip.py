@@ -1,4 +1,4 @@
-"""A sudden permanent offset: the string slips in its clamp or a knot gives [F12]."""
+"""A sudden permanent offset: the string slips in its clamp or a knot gives."""
 
 import numpy as np
 
@@ -27,7 +27,7 @@ MECHANISM = Mechanism(
     id="clamp_slip",
     driver="sudden events on the length",
     equation="dx = -sum s_i [t >= t_i]",
-    source="physics.md F12",
+    source="a sum of steps: no law of its own in print",
     confused_with="count_slip (which grows with twist), plastic_elongation",
     told_apart_by="a mark on the string at the clamp",
     sentence="The {string} slipped in its clamp and stayed so, worth {size}.",

@@ -1,4 +1,4 @@
-"""Twist lost suddenly between encoder and string: missed steps, a slipping screw or knot [D3, D5]."""
+"""Twist lost suddenly between encoder and string: missed steps, a slipping screw or knot."""
 
 import numpy as np
 
@@ -34,7 +34,7 @@ MECHANISM = Mechanism(
     id="count_slip",
     driver="sudden events on the twist",
     equation="theta_s = theta - sum k_i [t >= t_i]",
-    source="physics.md D3, D5",
+    source="a sum of steps: no law of its own in print",
     confused_with="clamp_slip (which is the same at every twist), wear",
     told_apart_by="an index mark on the string's end; unwinding to slack",
     sentence="Motion was lost suddenly between encoder and {string}, worth {size}.",

@@ -1,4 +1,4 @@
-"""Lengthening under load over time, recovering at least partly [A3, A4]."""
+"""Lengthening under load over time, recovering at least partly."""
 
 import numpy as np
 
@@ -39,7 +39,9 @@ MECHANISM = Mechanism(
     id="creep",
     driver="time under load",
     equation="dx = -sum z_i, dz_i/dt = (a_i F - z_i)/tau_i",
-    source="physics.md A3, A4",
+    source=(
+        "Findley, Lai and Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976 (Kelvin-Voigt chain)"
+    ),
     confused_with="plastic_elongation, thermal, sensor_drift",
     told_apart_by="a hold under load, then a rest without it: creep goes on in the hold and comes back in the rest",
     sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and shortens again without it.",

@@ -1,4 +1,4 @@
-"""A ripple once per turn: the motor's axis, or the sensor wheel's, is off centre [F9]."""
+"""A ripple once per turn: the motor's axis, or the sensor wheel's, is off centre."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ MECHANISM = Mechanism(
     id="eccentricity",
     driver="angle within the turn",
     equation="x_m = x + A sin(theta + p)",
-    source="physics.md F9",
+    source="a first harmonic of the turn: textbook",
     confused_with="stick_slip, load_swing",
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",
     sentence="The {reading} ripples once per turn, {size}.",

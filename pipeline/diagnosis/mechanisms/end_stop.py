@@ -1,4 +1,4 @@
-"""The displacement is clipped: the carriage meets a stop or the sensor its range [F13]."""
+"""The displacement is clipped: the carriage meets a stop or the sensor its range."""
 
 import numpy as np
 
@@ -51,7 +51,7 @@ MECHANISM = Mechanism(
     id="end_stop",
     driver="reading at its end",
     equation="x_m = min(x, x_stop)",
-    source="physics.md F13",
+    source="a hard stop: textbook",
     confused_with="jam, slack",
     told_apart_by="a stroke that ends above the stop: behind a stop nothing moves at all",
     sentence="The motion is clipped at a stop, which takes up to {span} away ({size}).",

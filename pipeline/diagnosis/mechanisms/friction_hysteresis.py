@@ -1,4 +1,4 @@
-"""A rounded loop by direction that grows with load or twist: friction of strands and guides [C2-C5]."""
+"""A rounded loop by direction that grows with load or twist: friction of strands and guides."""
 
 import numpy as np
 
@@ -96,7 +96,10 @@ MECHANISM = Mechanism(
     id="friction_hysteresis",
     driver="direction x load",
     equation="dx = -(F/K) g(a) s, s: stop operators of the twist (Prandtl-Ishlinskii)",
-    source="physics.md C2-C5",
+    source=(
+        "Visintin, Differential Models of Hysteresis, 1994 (Prandtl-Ishlinskii); Armstrong-Helouvry, Dupont and "
+        "Canudas de Wit, Automatica 30, 1994"
+    ),
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
     sentence="Friction makes the {reading} of {up} differ from that of {down}, by up to {span} ({size}).",

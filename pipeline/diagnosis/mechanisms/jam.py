@@ -1,4 +1,4 @@
-"""Displacement falls behind past a critical twist: the coils touch [E4]."""
+"""Displacement falls behind past a critical twist: the coils touch."""
 
 import numpy as np
 
@@ -32,7 +32,7 @@ MECHANISM = Mechanism(
     id="jam",
     driver="high twist",
     equation="theta_s = theta - s max(theta - theta_c, 0)",
-    source="physics.md E4",
+    source="no law in print: a slope that changes at a critical twist",
     confused_with="end_stop (which is flat), radius_compaction (which has no corner)",
     told_apart_by="strokes that end above and below the corner; the torque, which rises in a jam",
     sentence="Past a critical {motion} the coils touch and the {reading} falls behind, by up to {span} ({size}).",

@@ -1,4 +1,4 @@
-"""Ringing: load and string oscillate after every start and stop [F14]."""
+"""Ringing: load and string oscillate after every start and stop."""
 
 import numpy as np
 from scipy.ndimage import median_filter
@@ -95,7 +95,7 @@ MECHANISM = Mechanism(
     id="load_swing",
     driver="acceleration",
     equation="q'' + 2 z w q' + w^2 q = -a",
-    source="physics.md F14",
+    source="a damped oscillator under the acceleration of its support: textbook",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",
     sentence="Load and {string} ring after starts and stops, {size}.",

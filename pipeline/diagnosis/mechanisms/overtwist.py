@@ -1,4 +1,4 @@
-"""Displacement runs ahead past a critical twist, with a loop of its own: the string coils [E5]."""
+"""Displacement runs ahead past a critical twist, with a loop of its own: the string coils."""
 
 import numpy as np
 from numba import njit
@@ -75,7 +75,10 @@ MECHANISM = Mechanism(
     id="overtwist",
     driver="high twist",
     equation="dx = +k max(theta' - theta_c, 0), theta' the twist or its play",
-    source="physics.md E5",
+    source=(
+        "Haines et al., Artificial muscles from fishing line and sewing thread, Science 343, 2014 (coils beyond a "
+        "critical twist)"
+    ),
     confused_with="a wrong radius, jam (opposite sign)",
     told_apart_by="strokes that end above and below the critical twist",
     sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",

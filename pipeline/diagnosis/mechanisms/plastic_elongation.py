@@ -1,4 +1,4 @@
-"""Permanent lengthening that grows with worked strokes and with new highest tensions [A1, A2]."""
+"""Permanent lengthening that grows with worked strokes and with new highest tensions."""
 
 import numpy as np
 
@@ -39,7 +39,7 @@ MECHANISM = Mechanism(
     id="plastic_elongation",
     driver="worked strokes",
     equation="dx = -P, P = P_L (F/F_ref)^m ln(1 + c), or k max T: any sum of saturating growths with work",
-    source="physics.md A1, A1b, A1c, A2",
+    source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (bedding-in)",
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
     sentence="Every worked stroke leaves the {string} longer, {span} in all ({size}), and no rest takes it back.",

@@ -1,4 +1,4 @@
-"""The radius falls with twist or tension as the bundle is pressed together [B2, B3]."""
+"""The radius falls with twist or tension as the bundle is pressed together."""
 
 import numpy as np
 
@@ -51,7 +51,7 @@ MECHANISM = Mechanism(
     id="radius_compaction",
     driver="twist and tension",
     equation="r_e = r (1 - k(tan a, F)), or r (F/F_ref)^-s",
-    source="physics.md B2, B3",
+    source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",
     told_apart_by="more than 20 turns at two loads; an image of the bundle",
     sentence="The twist presses the bundle thinner: its radius falls, which costs up to {span} of {reading} ({size}).",

@@ -1,4 +1,4 @@
-"""The zero of the displacement sensor drifts with time, whatever the rig does [F3]."""
+"""The zero of the displacement sensor drifts with time, whatever the rig does."""
 
 import numpy as np
 
@@ -32,7 +32,7 @@ MECHANISM = Mechanism(
     id="sensor_drift",
     driver="absolute time",
     equation="x_m = x + c(t)",
-    source="physics.md F3",
+    source="a slow function of time: no law of its own in print",
     confused_with="creep, thermal, plastic_elongation",
     told_apart_by="a long rest: a drifting zero goes on in it as before",
     sentence="The zero of the sensor drifts with time, {span} in all ({size}), at work and at rest alike.",

@@ -1,4 +1,4 @@
-"""The displacement arrives late: it follows the displacement rate [F7, F8]."""
+"""The displacement arrives late: it follows the displacement rate."""
 
 import numpy as np
 
@@ -47,7 +47,7 @@ MECHANISM = Mechanism(
     id="sensor_lag",
     driver="displacement rate",
     equation="tau dx_m/dt = x - x_m, or x_m(t) = x(t - delay)",
-    source="physics.md F7, F8",
+    source="a first-order lag or a dead time: textbook",
     confused_with="viscous_loss, backlash, friction_hysteresis",
     told_apart_by="two speeds; a rigid bar in place of the string",
     sentence="The {reading} is read late, which is worth {size} at these speeds.",

@@ -20,7 +20,7 @@ MECHANISM = Mechanism(
     id="sensor_offset",
     driver="nothing: a constant",
     equation="y_m = y + c",
-    source="contracts: cable_drive and moving_mass",
+    source="a constant: textbook",
     confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",
     sentence="The {reading} carries a constant offset, {size}.",

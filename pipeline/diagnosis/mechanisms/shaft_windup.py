@@ -1,4 +1,4 @@
-"""Shaft and coupling twist elastically under the string's torque [D2]."""
+"""Shaft and coupling twist elastically under the string's torque."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ MECHANISM = Mechanism(
     id="shaft_windup",
     driver="torque (load x twist)",
     equation="theta_s = theta - F r sin a / k_t",
-    source="physics.md D2",
+    source="torsion of an elastic shaft: textbook",
     confused_with="radius_compaction, a wrong radius (under one load)",
     told_apart_by="two loads; or lock the string's end and twist",
     sentence="The shaft winds up under the torque of the {string}, which costs up to {span} of {reading} ({size}).",

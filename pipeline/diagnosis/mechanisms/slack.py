@@ -1,4 +1,4 @@
-"""The first twist moves nothing: slack is taken up before the string pulls [E1-E3]."""
+"""The first twist moves nothing: slack is taken up before the string pulls."""
 
 import numpy as np
 
@@ -44,7 +44,7 @@ MECHANISM = Mechanism(
     id="slack",
     driver="low twist",
     equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s)",
-    source="physics.md E1-E3",
+    source="a dead zone: textbook; catenary: Irvine, Cable Structures, 1981",
     confused_with="a wrong separator, backlash",
     told_apart_by="small strokes at low twist",
     sentence="The first {motion} moves nothing: slack swallows up to {span} ({size}).",

@@ -1,4 +1,4 @@
-"""Slow motion goes in jerks: what sticks is drawn along until it slips [C7]."""
+"""Slow motion goes in jerks: what sticks is drawn along until it slips."""
 
 import numpy as np
 from scipy.ndimage import median_filter
@@ -85,7 +85,10 @@ MECHANISM = Mechanism(
     id="stick_slip",
     driver="slow motion",
     equation="dx = -(x - s), s sticks until |x - s| > reach, then slips",
-    source="physics.md C7",
+    source=(
+        "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, Automatica "
+        "30, 1994"
+    ),
     confused_with="eccentricity, backlash",
     told_apart_by="one slow stroke: the jerks come at equal steps of contraction and vanish at speed",
     sentence="Slow motion goes in jerks of {size}.",

@@ -1,4 +1,4 @@
-"""The string gets stiffer with work, so that it stretches less under the same load [A6]."""
+"""The string gets stiffer with work, so that it stretches less under the same load."""
 
 from ..drivers import Drivers
 from ..interface import Mechanism, Shape, Term
@@ -29,7 +29,7 @@ MECHANISM = Mechanism(
     id="stiffening",
     driver="load x worked strokes",
     equation="dx = +F (1/K_0 - 1/K(c)), K = K_0 (1 + k g(c))",
-    source="physics.md A6",
+    source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (stiffness after working)",
     confused_with="plastic_elongation (opposite sign), creep, wear",
     told_apart_by="small load steps at one twist every few strokes",
     sentence="With work the {string} grows stiffer and stretches up to {span} less under its load ({size}).",

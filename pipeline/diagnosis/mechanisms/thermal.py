@@ -1,4 +1,4 @@
-"""Length follows temperature, measured or from self-heating [A8, A9]."""
+"""Length follows temperature, measured or from self-heating."""
 
 import numpy as np
 
@@ -67,7 +67,7 @@ MECHANISM = Mechanism(
     id="thermal",
     driver="temperature",
     equation="dx = -a (T - T0), dT/dt = (power - T)/tau where T is not measured",
-    source="physics.md A8, A9",
+    source="linear expansion, and one heated node that cools by Newton's law: textbook",
     confused_with="creep, plastic_elongation, sensor_drift",
     told_apart_by="another speed and a pause at the same load: only heat follows the power; or a thermocouple",
     sentence="The length follows {temperature}, by up to {span} ({size}), {times}.",

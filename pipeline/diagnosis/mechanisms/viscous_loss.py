@@ -1,4 +1,4 @@
-"""Stretch that follows the twisting rate, also at low twist [C6]."""
+"""Stretch that follows the twisting rate, also at low twist."""
 
 import numpy as np
 
@@ -56,7 +56,7 @@ MECHANISM = Mechanism(
     id="viscous_loss",
     driver="twisting rate",
     equation="dx = -c dtheta/dt",
-    source="physics.md C6",
+    source="a loss that grows with the rate: textbook",
     confused_with="sensor_lag (which shows nothing at low twist), friction_hysteresis (which ignores the speed)",
     told_apart_by="three speeds and small strokes at low twist",
     sentence="A loss follows the {rate}, up to {span} ({size}), and is gone as soon as the motor stands.",

@@ -1,4 +1,4 @@
-"""The radius changes with travel: filaments wear off, settle or fray [B4-B6]."""
+"""The radius changes with travel: filaments wear off, settle or fray."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ MECHANISM = Mechanism(
     id="wear",
     driver="travel",
     equation="r_e = r (1 -+ k g(travel))",
-    source="physics.md B4-B6",
+    source="Archard, Contact and rubbing of flat surfaces, Journal of Applied Physics 24, 1953",
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",
     sentence="The radius changes with the distance travelled, which moves the {reading} by up to {span} ({size}).",

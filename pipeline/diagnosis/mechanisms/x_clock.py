@@ -36,7 +36,7 @@ MECHANISM = Mechanism(
     id="x_clock",
     driver="displacement rate and time",
     equation="x_m(t) = x(t - d(t))",
-    source="physics.md F8; no physics of the rig",
+    source="none: two clocks are no physics of the rig",
     confused_with="sensor_lag, whose delay stays what it is",
     told_apart_by="fast strokes at the beginning and at the end: a lag is the same in both",
     sentence="The clocks of motor and displacement part, which is worth {size} at these speeds.",

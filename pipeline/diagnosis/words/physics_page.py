@@ -1,0 +1,71 @@
+"""The library's own data → docs/physics.md: each mechanism's equation, what it follows and what tells it apart.
+
+`python -m pipeline.diagnosis.words.physics_page > docs/physics.md` makes the page anew after a change of the library.
+"""
+
+import argparse
+
+from ...ground.errors import program
+from ...ground.glossary import MEANING
+from ..interface import Mechanism
+from ..library import mechanisms
+
+HEAD = """# The physics that a simulator may leave out
+
+Made from the library itself by `python -m pipeline.diagnosis.words.physics_page > docs/physics.md`: edit the
+mechanism's file, not this page. A mechanism is a class of laws. Its equation is the kind; the engine fits sums of such
+terms, so that nearby laws in print go by the same name. How names are chosen: [diagnosis.md](diagnosis.md). How a
+mechanism is added:
+[CONTRIBUTING.md](../CONTRIBUTING.md).
+
+The twisted string without any of these, as the paper has it:
+`x = L - d`, `L = sqrt(d^2 + y^2)`, `y = b + r theta`, `sin a = y/L`, `tan a = y/d`.
+
+| symbol | what | unit |
+|---|---|---|
+| `theta` | twist of the motor; `theta_s` is what the string sees of it, `theta'` the twist after play | rad |
+| `x` | displacement (contraction); `x_m` is what the sensor reads, `dx` what an effect adds | mm |
+| `d`, `b`, `L` | torsion zone, separator, length of the twisted string | mm |
+| `r` | radius of the string; `r_e` is the one that acts | mm |
+| `a` | helix angle | rad |
+| `F`, `K` | load; stiffness of the string | N, N/mm |
+| `c`, `t`, `T` | worked strokes; time; temperature (in `max T`: tension) | -, s, °C |
+"""
+OWN = (
+    "A mechanism that begins with `x_` is a stand-in, or belongs to a rig that is no string: alone it names no physics "
+    "of a string."
+)
+
+
+def page() -> str:
+    """The whole page, in Markdown."""
+    named = [one for id_, one in mechanisms().items() if not id_.startswith("x_")]
+    others = [one for id_, one in mechanisms().items() if id_.startswith("x_")]
+    parts = [HEAD, *map(entry, named), f"## Beside the strings\n\n{OWN}\n", *map(entry, others)]
+    return "\n".join(parts)
+
+
+def entry(one: Mechanism) -> str:
+    """A mechanism's section."""
+    rows = {
+        "equation": f"`{one.equation}`",
+        "follows": one.driver,
+        "may be taken for": one.confused_with,
+        "told apart by": one.told_apart_by,
+        "source": one.source,
+    }
+    lines = [f"- {name}: {said}" for name, said in rows.items() if said]
+    lines += [f"- `{word}` in a coefficient's name: it multiplies {what}" for word, what in one.names.items()]
+    meaning = MEANING.get(one.id, "")
+    return "\n".join([f"## {one.id}", "", f"{meaning[:1].upper()}{meaning[1:]}", "", *lines, ""])
+
+
+@program
+def main() -> None:
+    """Command line: print the page."""
+    argparse.ArgumentParser(prog="python -m pipeline.diagnosis.words.physics_page", description=__doc__).parse_args()
+    print(page(), end="")
+
+
+if __name__ == "__main__":
+    main()
