@@ -16,6 +16,7 @@ from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
 from .words.dimensions import name_of
+from .words.headline import unfit
 from .words.quantity import listing
 from .words.sight import heading, included
 from .words.unseen import noises
@@ -48,12 +49,15 @@ def title(content: dict[str, Any]) -> str:
     return f"{head}\n{best}, {more}"
 
 
-def warning(content: dict[str, Any]) -> str:
-    """Which dimensions stand at the limit of what calibration may do, in a line; nothing where none does."""
+def warning(content: dict[str, Any], words: Vocabulary) -> str:
+    """A run.yaml not to predict with, and which dimensions stand at the limit of calibration, a line each, if any."""
+    lines = [said] if (said := unfit(content, words)) else []
     found = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
     one = len(found) == 1
-    said = f"{listing(found)} {'stands at its limit' if one else 'stand at their limits'} of three tolerances"
-    return f"{said}: measure {'it' if one else 'them'} again first" if found else ""
+    if found:
+        said = f"{listing(found)} {'stands at its limit' if one else 'stand at their limits'} of three tolerances"
+        lines += [f"{said}: measure {'it' if one else 'them'} again first"]
+    return "\n".join(lines)
 
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
@@ -77,7 +81,8 @@ def drawn(found: Study, content: dict[str, Any]) -> Figure:
     residuals = {name: problem.measured - values for name, values in list(simulated.items())[-2:]}
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
-    warned = warning(content)
+    vocabulary = Vocabulary.of(problem.system)
+    warned = warning(content, vocabulary)
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
@@ -95,7 +100,7 @@ def drawn(found: Study, content: dict[str, Any]) -> Figure:
         image = mismatch_map(axes, drivers, residual, f"recording − simulation, {name} (own scale)", limit)
         maps.colorbar(image, ax=axes, label=unit, pad=0.01)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
-    compared, single = noises(content, Vocabulary.of(problem.system))
+    compared, single = noises(content, vocabulary)
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
     panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content))

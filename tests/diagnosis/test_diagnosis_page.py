@@ -209,3 +209,16 @@ def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_wher
     assert axes.get_title() == "one more effect: none takes enough away"
     panels.ranking(axes, content | {"simulation": []}, "mm")
     assert axes.get_title() == "explanations: what each leaves"
+
+
+def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_above_the_figure(drawn) -> None:
+    content = copy.deepcopy(drawn[1])
+    words = Vocabulary.of(systems()["string"])
+    content["simulation"] = [{"id": "creep", "parameters": {}}]
+    content["evidence"] |= {"nominal_mm": 1.0, "calibrated_mm": 0.02, "moved_sigma": {"radius": BOUND}}
+    content["parameters"] = {"radius": {}}
+    first, second = figures.warning(content, words).split("\n")
+    assert first.startswith("do not predict with run.yaml as it stands: it errs by 1.0 mm rms")
+    assert second == "radius stands at its limit of three tolerances: measure it again first"
+    content["evidence"]["nominal_mm"] = 0.03
+    assert figures.warning(content, words) == second

@@ -1249,7 +1249,7 @@ def test_effects_that_work_against_each_other_more_are_said_to():
 
 def test_the_first_line_says_by_how_much_a_run_with_adopted_effects_errs_and_when_not_to_predict_with_it():
     bad = adopted(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034).partition("\n\n")[0]
-    said = "run.yaml as it stands errs by 1.0 mm rms, calibrated by 0.034 mm: do not predict with it."
+    said = "parameters: do not predict with run.yaml as it stands: it errs by 1.0 mm rms, and by 0.034 mm once"
     assert said in " ".join(bad.split())
     fair = " ".join(adopted(evidence__nominal_mm=0.05, evidence__calibrated_mm=0.034).partition("\n\n")[0].split())
     assert (

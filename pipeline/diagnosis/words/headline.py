@@ -64,19 +64,36 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
-    return f"{run}: {verdict}: {said.format(**fields)}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+    said = said.format(**fields)
+    if warning := unfit(content, words):
+        return f"{run}: {verdict}: {warning}. {said[0].upper()}{said[1:]}{unseen.worse(content, words)}"
+    return f"{run}: {verdict}: {said}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+
+
+def unfit(content: dict[str, Any], words: Vocabulary) -> str:
+    """The warning not to predict with a run.yaml whose adopted effects do not fit its dimensions; else nothing."""
+    errors = errors_of_adopted(content, words)
+    if errors is None or errors[0] <= WORSE * errors[1]:
+        return ""
+    now, calibrated = (size(error, words.unit) for error in errors)
+    return (
+        f"do not predict with run.yaml as it stands: it errs by {now} rms, and by {calibrated} once its dimensions move"
+    )
 
 
 def as_it_stands(content: dict[str, Any], words: Vocabulary) -> str:
-    """By how much run.yaml errs with the effects that it has adopted, and whether to predict with it; else nothing."""
-    found = [content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated")]
-    if not sight.included(content) or not all(found):
+    """By how much run.yaml errs with the effects that it has adopted; nothing where none is adopted."""
+    errors = errors_of_adopted(content, words)
+    if errors is None:
         return ""
-    now, calibrated = found
-    said = f" run.yaml as it stands errs by {size(now, words.unit)} rms"
-    if now <= WORSE * calibrated:
-        return f"{said}, calibrated by {size(calibrated, words.unit)}."
-    return f"{said}, calibrated by {size(calibrated, words.unit)}: do not predict with it."
+    now, calibrated = (size(error, words.unit) for error in errors)
+    return f" run.yaml as it stands errs by {now} rms, calibrated by {calibrated}."
+
+
+def errors_of_adopted(content: dict[str, Any], words: Vocabulary) -> tuple[float, float] | None:
+    """The errors of run.yaml with its adopted effects, nominal and calibrated; None where none is adopted or known."""
+    nominal, calibrated = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return (nominal, calibrated) if sight.included(content) and nominal and calibrated else None
 
 
 def how_sure(content: dict[str, Any]) -> str:
