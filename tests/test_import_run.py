@@ -61,6 +61,38 @@ def test_the_rows_of_a_file_without_a_clock_are_as_far_apart_as_the_mapping_says
         assert not (raw / "a-02").exists()
 
 
+def dated(foreign, change=lambda stamps: stamps, **time_s):
+    """The logger's file with dates for its time, and its mapping."""
+    file, mapping, raw = foreign
+    stamps = pd.Timestamp("2026-11-23 23:59:59") + pd.to_timedelta(GOOD["time_s"].round(6), unit="s")
+    table = pd.read_csv(file, sep=";", header=None, comment="%")
+    table[0] = change(stamps.dt.strftime("%d.%m.%Y %H:%M:%S.%f"))
+    file.write_text("% a logger's remark\n" + table.to_csv(index=False, header=False, sep=";"))
+    told = yaml.safe_load(mapping.read_text())
+    told["channels"]["time_s"] = {"column": 0, **time_s}
+    mapping.write_text(yaml.safe_dump(told))
+    return file, mapping, raw
+
+
+def test_dates_are_read_as_seconds_from_the_first_and_pass_midnight(foreign):
+    file, mapping, raw = dated(foreign)
+    import_run(file, mapping, "a-01", raw)
+    assert read_samples(raw / "a-01")[1]["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy(), abs=1e-5)
+
+
+def test_dates_with_a_unit_are_refused(foreign):
+    with pytest.raises(BadInput, match=r"time_s.unit: ms is not the unit of dates and times of day.* take it out"):
+        import_run(*dated(foreign, unit="ms")[:2], "a-01", foreign[2])
+
+
+@pytest.mark.parametrize("wrong", ["30.02.2026 10:00:00", "12:5", "soon", "17.5"])
+def test_a_row_without_a_date_among_dates_is_named(foreign, wrong):
+    file, mapping, raw = dated(foreign, lambda stamps: stamps.where(stamps.index != 700, wrong))
+    with pytest.raises(BadInput, match=rf"time_s: row 701 holds '?{wrong}'?, not a time of day like '23.11.2026 23:59"):
+        import_run(file, mapping, "a-01", raw)
+    assert not raw.exists()
+
+
 def test_some_rows_of_a_file_can_be_asked_for_and_no_more_than_it_has(foreign):
     file, mapping, raw = foreign
     told = yaml.safe_load(mapping.read_text())

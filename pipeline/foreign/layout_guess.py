@@ -8,6 +8,7 @@ from typing import Any
 
 from ..formats import format_of, workbook
 from ..formats.text_layout import DECIMAL_COMMA, NUMBER, cells
+from ..formats.time_stamps import is_stamp
 from ..formats.unpacked import GZIP
 from ..ground.regular_file import open_regular
 from ..ground.text_file import TextFile
@@ -44,7 +45,7 @@ def _decoded(path: Path) -> tuple[list[str], str]:
 
 
 def _is_number(cell: Any) -> bool:
-    return bool(NUMBER.fullmatch(cell)) if isinstance(cell, str) else cell is not None
+    return bool(NUMBER.fullmatch(cell)) or is_stamp(cell) if isinstance(cell, str) else cell is not None
 
 
 def _of_numbers(row: list[Any]) -> bool:

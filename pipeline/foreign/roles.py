@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from ..formats.text_layout import with_point
+from ..formats.time_stamps import holds_stamps, stamps_s
 from ..ground.complaint import key_name
 from ..ground.kinematics import Array
 from ..ground.units import conversion
@@ -50,7 +51,8 @@ def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
     for place, name in enumerate(table.columns):
         column = table.iloc[:, place]
         if column.dtype.kind not in "fiu":
-            column = pd.to_numeric(column.map(with_point) if comma else column, errors="coerce")
+            read = stamps_s(column) if holds_stamps(column) else column.map(with_point) if comma else column
+            column = pd.to_numeric(read, errors="coerce")
         values = column.to_numpy(np.float64)
         if np.isfinite(values).mean() > 0.5:
             own = isinstance(name, str) and name and list(table.columns).count(name) == 1

@@ -10,6 +10,7 @@ from typing import Any
 from ..ground.complaint import short
 from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
+from .time_stamps import is_stamp
 
 DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan", re.IGNORECASE)
@@ -35,9 +36,9 @@ def with_point(cell: Any) -> Any:
 
 
 def _of_numbers(line: str, delimiter: str) -> bool:
-    """Whether a line is a row of a recording: two cells or more, most of them numbers."""
+    """Whether a line is a row of a recording: two cells or more, most of them numbers or times of day."""
     found = cells(line, delimiter)
-    return len(found) > 1 and 2 * sum(bool(NUMBER.fullmatch(cell)) for cell in found) > len(found)
+    return len(found) > 1 and 2 * sum(bool(NUMBER.fullmatch(cell)) or is_stamp(cell) for cell in found) > len(found)
 
 
 def other_delimiter(lines: list[str], delimiter: str) -> str | None:

@@ -9,6 +9,7 @@ import pandas as pd
 
 from ..formats.stored import read_table
 from ..formats.text_layout import DECIMAL_COMMA, with_point
+from ..formats.time_stamps import holds_stamps, stamps_s
 from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
@@ -49,8 +50,23 @@ def _plain(value: object) -> object:
     )
 
 
+def _clock(column: pd.Series, path: Path) -> pd.Series:
+    """A raw column of dates or times of day in seconds, NaN where it is empty; raises BadInput for what is none."""
+    stamps = stamps_s(column)
+    wrong = (stamps.isna() & column.notna()).to_numpy()
+    if wrong.any():
+        row = int(np.argmax(wrong))
+        problem = (
+            f"row {row + 1} holds {short(column.iloc[row])}, not a time of day like {short(column.dropna().iloc[0])}"
+        )
+        raise BadInput(path, "time_s", problem, "write it as the others, or remove that row")
+    return stamps
+
+
 def _numbers(column: pd.Series, name: str, path: Path, layout: TextFile) -> pd.Series:
     """A raw column as floats, NaN where it is empty; raises BadInput for what is no number."""
+    if name == "time_s" and holds_stamps(column):
+        return _clock(column, path)
     if column.dtype.kind not in "fiu" and not (column.dtype == object or pd.api.types.is_string_dtype(column.dtype)):
         mend = "write them as numbers, time_s in seconds from the start"
         raise BadInput(path, name, f"holds values of type {column.dtype}, not numbers", mend)
@@ -134,6 +150,8 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
         taken[place] = name
         try:
             factor, shift = conversion(name, channel.unit, channel.counts_per_turn)
+            if name == "time_s" and factor != 1.0 and holds_stamps(table.iloc[:, place]):
+                raise ValueError("is not the unit of dates and times of day, which are read in s; take it out")
         except ValueError as error:
             problem, _, mend = str(error).partition("; ")
             said = key_name(channel.unit)

@@ -214,7 +214,7 @@ def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_wher
 def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_above_the_figure(drawn) -> None:
     content = copy.deepcopy(drawn[1])
     words = Vocabulary.of(systems()["separator"])
-    content["simulation"] = [{"id": "creep", "parameters": {}}]
+    content["simulation"] = [{"id": "slack", "parameters": {}}]
     content["evidence"] |= {"nominal_mm": 1.0, "calibrated_mm": 0.02, "moved_sigma": {"radius": BOUND}}
     content["parameters"] = {"radius": {}}
     first, second = figures.warning(content, words).split("\n")

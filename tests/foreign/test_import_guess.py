@@ -39,6 +39,10 @@ T, M, X = GOOD["time_s"], GOOD["motor_turns"], GOOD["displacement_mm"]
 GERMAN = table(**{"Zeit [ms]": T * 1e3, "Drehwinkel (°)": M * 360, "Weg [mm]": -X, "Status": T * 0})
 PLAIN = table(time=T, motor_angle=M * 2 * np.pi, motor_speed=M * 0 + 3, position=X / 10)
 FORCED = table(t_us=T * 1e6, turns=-M, laser_cm=X / 10, force_gf=20 / 9.80665e-3 + T * 0)
+STAMPS = pd.Timestamp("2026-11-23 23:59:58.5") + pd.to_timedelta(np.round(T, 6), unit="s")
+DATES = table(timestamp=STAMPS, motor_deg=M * 360, position_mm=X)
+DATED = DATES.assign(timestamp=STAMPS.dt.strftime("%Y-%m-%d %H:%M:%S.%f"))
+CLOCK = table(**{"Uhrzeit": STAMPS.dt.strftime("%H:%M:%S,%f"), "Winkel [deg]": M * 360, "Weg [mm]": X})
 
 
 def units_below(file):
@@ -73,6 +77,10 @@ MAKERS = {
     "log.mat": lambda f: scipy.io.savemat(f, {"data": {"time": T, "theta_deg": M * 360, "x_mm": X, "gain": 3.0}}),
     "log.jsonl": lines_of_json,
     "log.parquet": lambda f: FORCED.to_parquet(f),
+    "dates.csv": lambda f: DATED.to_csv(f, index=False),
+    "clock.csv": lambda f: CLOCK.to_csv(f, sep=";", decimal=",", index=False),
+    "dates.parquet": lambda f: DATES.to_parquet(f),
+    "dates.jsonl": lambda f: f.write_text(DATED.to_json(orient="records", lines=True)),
 }  # fmt: skip
 
 
