@@ -16,7 +16,7 @@ Made from the library itself by `python -m pipeline.diagnosis.words.physics_page
 mechanism's file, not this page. A mechanism is a class of laws. Its equation is the kind; the engine fits sums of such
 terms, so that nearby laws in print go by the same name. How names are chosen: [diagnosis.md](diagnosis.md). How a
 mechanism is added:
-[CONTRIBUTING.md](../CONTRIBUTING.md).
+`CONTRIBUTING.md`.
 
 The twisted string without any of these, as the paper has it:
 `x = L - d`, `L = sqrt(d^2 + y^2)`, `y = b + r theta`, `sin a = y/L`, `tan a = y/d`.
