@@ -11,6 +11,7 @@ from .check import CRC, MAX_PAYLOAD, PROTOCOL
 MAX_CHANNELS = 16
 RATES_HZ = (1.0, 100_000.0)
 MOST_STROKES = 1_000_000
+LARGEST = 1e30  # of a scale or an offset: a sample times it is still a number
 INTEGERS = {"i8": "<i1", "u8": "<u1", "i16": "<i2", "u16": "<u2", "i32": "<i4", "u32": "<u4"}  # to numpy's names
 CHANNEL_NAME = re.compile(r"[a-z][a-z0-9_]{0,31}")
 
@@ -102,8 +103,8 @@ def _number(content: dict[str, Any], key: str, default: float | None = None) -> 
         number = math.nan if isinstance(value, (bool, str)) or value is None else float(value)
     except (TypeError, OverflowError):
         number = math.nan
-    if not math.isfinite(number):
-        raise ValueError(f"{key}: is missing or is not a number")
+    if not abs(number) <= LARGEST:  # nor NaN
+        raise ValueError(f"{key}: is missing or is not a number of at most {LARGEST:g}")
     return number
 
 

@@ -216,6 +216,8 @@ def test_without_a_hello_there_is_nothing(data):
         ({"device": "\ud800"}, "device"),
         ({"channels": []}, "channels"),
         ({"channels": [{"name": "a", "unit": "mm", "type": "f32", "scale": 1}]}, "type"),
+        ({"channels": [{"name": "a", "unit": "mm", "type": "i16", "scale": 1e308}]}, "scale"),
+        ({"channels": [{"name": "a", "unit": "mm", "type": "i16", "scale": 1, "offset": -1e31}]}, "offset"),
         ({"channels": [{"name": "a", "unit": "mm", "type": "i16", "scale": 1}] * 2}, "same name"),
         ({"nonce": 7}, "nonce"),
     ],
