@@ -51,8 +51,7 @@ def turning_points(motion: Array, reversal: float) -> Indices:
     last = len(motion) - 1
     if not points:
         return np.array([0, last])
-    if abs(motion[points[0]] - motion[0]) < reversal:  # a beginning too small to be a leg belongs to the first one
-        points[0] = 0
+    points[0] = 0  # what comes before the first point is less than a reversal: it belongs to the first leg
     return np.unique([0, *points, last])
 
 

@@ -172,10 +172,11 @@ def test_a_noisy_motor_channel_leaves_no_sample_without_a_phase(noise_turns, see
     assert phase[0] == "rest" and (phase[:180] == "rest").all()  # what the tare stands on
 
 
-def test_a_winding_in_small_steps_is_a_winding():
+@pytest.mark.parametrize("step", [0.25, 0.16])
+def test_a_winding_in_small_steps_is_a_winding(step):
     corners = [(0.0, 0.0), (2.0, 0.0)]
-    for step in range(1, 81):
-        corners += [(corners[-1][0] + 0.1, 0.25 * step), (corners[-1][0] + 1.1, 0.25 * step)]
+    for number in range(1, round(20 / step) + 1):
+        corners += [(corners[-1][0] + 0.1, step * number), (corners[-1][0] + 1.1, step * number)]
     corners += [(corners[-1][0] + 10, 0.0), (corners[-1][0] + 13, 0.0)]
     found, table = phases_of(corners)
     assert (1, "winding") in found and (1, "unwinding") in found and table["stroke"].max() == 1
@@ -185,3 +186,45 @@ def test_a_twist_of_less_than_a_tenth_of_a_turn_is_no_stroke():
     time_s, turns = sampled(motion(3))
     with pytest.raises(BadInput, match="no stroke"):
         segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns * 0.003}), "motor_turns", "here")
+
+
+@pytest.mark.parametrize(("driver", "least"), [("motor_turns", 0.1), ("motor_deg", 1.0), ("position_m", 1e-3)])
+def test_each_unit_has_a_least_range_of_its_own(driver, least):
+    time_s, turns = sampled(motion(3))
+    unit = (turns - turns.min()) / np.ptp(turns)
+    assert segment(pd.DataFrame({"time_s": time_s, driver: 1.1 * least * unit}), driver, "here")["stroke"].max() == 3
+    with pytest.raises(BadInput, match="no stroke"):
+        segment(pd.DataFrame({"time_s": time_s, driver: 0.9 * least * unit}), driver, "here")
+
+
+@settings(max_examples=200)
+@given(st.lists(st.integers(-9, 9), min_size=2, max_size=30))
+def test_no_leg_but_the_last_is_smaller_than_a_reversal(steps):
+    walk = np.cumsum(np.array(steps) / 4.0)
+    points = turning_points(walk, 1.0)
+    legs = np.abs(np.diff(walk[points]))
+    assert points[0] == 0 and points[-1] == len(walk) - 1 and (np.diff(points) > 0).all()
+    assert (legs[1:-1] >= 1.0).all()
+
+
+def test_a_beginning_as_large_as_a_reversal_is_a_leg_of_its_own():
+    assert turning_points(np.array([0.0, 1.0, -2.0]), 1.0).tolist() == [0, 1, 2]
+    assert turning_points(np.array([0.0, 0.9, -2.0]), 1.0).tolist() == [0, 2]
+
+
+@pytest.mark.parametrize(("stand_s", "held"), [(0.40, False), (0.60, True)])
+@pytest.mark.parametrize("rate_hz", [50.0, 1000.0])
+def test_the_speed_is_taken_over_a_tenth_of_a_second_on_either_side_at_any_rate(rate_hz, stand_s, held):
+    corners = [(0, 0), (5, 10), (5 + stand_s, 10), (10 + stand_s, 20), (20 + stand_s, 0)]
+    found, _ = phases_of(corners, rate_hz=rate_hz)
+    assert ((1, "hold") in found) is held
+
+
+def test_an_unwinding_half_way_down_in_small_steps_is_no_hold():
+    corners = [(0.0, 0.0), (10.0, 20.0)]
+    for number in range(1, 64):
+        corners += [(corners[-1][0] + 0.1, 20 - 0.16 * number), (corners[-1][0] + 1.1, 20 - 0.16 * number)]
+    corners += [(corners[-1][0] + 10, 20.0), (corners[-1][0] + 20, 0.0)]
+    found, table = phases_of(corners)
+    down = table[(table["phase"] == "unwinding") & (table["stroke"] == 1)]
+    assert (1, "unwinding") in found and down["end_turns"].min() < 11 and (down["start_turns"].max()) > 19
