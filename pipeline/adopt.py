@@ -116,7 +116,7 @@ def adopt(source: Path, folder: Path, anyway: bool = False) -> None:
         return
     wait = before_after.waits(content)
     if wait and not anyway:
-        raise BadInput(source, "evidence.moved_sigma", wait, WAIT)
+        raise BadInput(source, "dimensions", wait, WAIT)
     errors = check(content, source, folder)
     if not before_after.is_of(content, run.run):
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"

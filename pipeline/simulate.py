@@ -1,12 +1,14 @@
 """The improved simulator alone: inputs and a diagnosis → predicted displacement; no measurement but for the tare."""
 
 import argparse
+import shlex
 import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
+from .adoption.before_after import waits
 from .diagnosis.engine import at_own_rate
 from .diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
 from .diagnosis.words.quantity import listing, size
@@ -15,7 +17,20 @@ from .ground.command import command
 from .ground.complaint import key_name
 from .ground.errors import program
 from .ground.outputs import file_to_write
+from .run.description import Run
 from .run.samples import read_samples
+
+
+def warn_of_dimensions(run: Run) -> None:
+    """Say where the effects that a run has adopted were fitted with dimensions far from those of its run.yaml."""
+    source = next((Path(one.diagnosis) for one in reversed(run.adopted) if one.diagnosis), None)
+    if source is None or not source.is_file() or not waits(read_diagnosis(source)):
+        return
+    print(
+        "warning: run.yaml has the adopted effects, and not the dimensions that they were fitted with; to simulate "
+        f"with those too, add --simulation {shlex.quote(str(source))}",
+        file=sys.stderr,
+    )
 
 
 @program
@@ -53,6 +68,8 @@ def main() -> None:
     if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
         zero = ", its zero set in the first second" if problem.system.free_zero else ""
         print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
+    if not arguments.simulation:
+        warn_of_dimensions(run)
 
 
 if __name__ == "__main__":

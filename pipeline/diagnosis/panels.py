@@ -15,6 +15,7 @@ from ..ground.kinematics import Array
 from .drivers import Drivers
 from .words import rivals
 from .words.quantity import percent, size, times
+from .words.sight import included
 
 BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
@@ -63,7 +64,9 @@ def briefly(one: dict[str, Any]) -> str:
 
 def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "noise") -> None:
     """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
-    shown = sorted(content["evidence"]["explanations"], key=lambda one: one.get("probability") or 0.0)
+    adopted = set(included(content))
+    others = [one for one in content["evidence"]["explanations"] if not adopted & set(one["ids"])]
+    shown = sorted(others, key=lambda one: one.get("probability") or 0.0)
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
     colours = [STANDINGS[one["standing"]][0] for one in shown]
@@ -106,7 +109,7 @@ def plain(axis: Axis) -> None:
 
 def held_out(
     axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str, noise: str = "noise",
-    title: str = "Error on strokes that no fit has seen",
+    title: str = "Error on unseen strokes",
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys."""
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)

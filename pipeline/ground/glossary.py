@@ -33,7 +33,7 @@ TERMS: dict[str, dict[str, str]] = {
         "mismatch": "what is left after calibration, with the noise taken off.",
         "rms": "root of the mean square: the usual size of something that varies.",
         "consistent": "no (further) missing physics can be named, and moving the dimensions helps nothing either.",
-        "parameters": "no (further) missing physics can be named; dimensions moved; the verdict says how it helps.",
+        "parameters": "no (further) missing physics can be named; the simulation fits only once its dimensions move.",
         "explained": "physics is missing and named; as an error, that of the simulator with it.",
         "ambiguous": "physics is missing, and several explanations are likely.",
         "unknown": "the mismatch is real, and nothing in the library explains it.",

@@ -148,6 +148,22 @@ def test_what_was_adopted_simulates_without_being_given_and_counts_once(folder: 
     pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), own)
 
 
+@pytest.mark.parametrize("sigma", [2.9, 0.4])
+def test_a_simulation_says_where_the_dimensions_of_adopted_effects_are_not_in_it(folder, diagnosis, sigma) -> None:
+    judged(diagnosis, "ambiguous", TIED)
+    content = json.loads(diagnosis.read_text())
+    diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": {"radius_mm": sigma}}}))
+    assert programs.run("pipeline.adopt", "--anyway", diagnosis, folder).returncode == 0
+    out = folder.parent / "simulated.parquet"
+    said = programs.run("pipeline.simulate", folder, "--out", out).stderr
+    assert ("not the dimensions that they were fitted with" in said and f"--simulation {diagnosis}" in said) is (
+        sigma > 1
+    )
+    assert "warning" not in programs.run("pipeline.simulate", folder, "--simulation", diagnosis, "--out", out).stderr
+    diagnosis.unlink()
+    assert programs.run("pipeline.simulate", folder, "--out", out).stderr == ""
+
+
 def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosis: Path) -> None:
     before = (folder / "run.yaml").read_bytes()
     done = programs.run("pipeline.adopt", named(diagnosis), folder)

@@ -120,7 +120,7 @@ def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_wo
 
 def test_the_title_of_the_error_on_held_out_strokes_says_whether_a_fit_has_seen_them(drawn) -> None:
     figure, content = drawn
-    assert " ".join(figure.subfigs[-2].axes[1].get_title().split()) == "Error on strokes that no fit has seen"
+    assert " ".join(figure.subfigs[-2].axes[1].get_title().split()) == "Error on unseen strokes"
     one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": [content["run"]]}
     _, axes = plt.subplots()
     held = {"split": "last 2 strokes", "nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
@@ -188,7 +188,7 @@ def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best
     shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
     shown += [{**one, "ids": ["creep"], "standing": "named"}] if named else []
     _, axes = plt.subplots()
-    panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}}, "mm")
+    panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": []}, "mm")
     said = [text.get_text() for text in axes.get_legend().get_texts()]
     assert ("less likely, with more effects" in said) is named
     assert ("takes away too little to be named" in said) is not named
@@ -201,12 +201,15 @@ def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_wher
     one = {"left_mm": 0.1, "bent_mm": bent, "probability": None}
     shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
     shown += [{**one, "ids": ["creep"], "standing": "not needed"}]
-    content = {"evidence": {"explanations": shown, "floor_mm": 0.05}, "simulation": [{"id": "creep"}]}
+    shown += [{**one, "ids": ["slack"], "standing": "not needed"}]
+    content = {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": [], "simulation": [{"id": "slack"}]}
     _, axes = plt.subplots()
     panels.ranking(axes, content, "mm")
     said = " ".join(text.get_text() for text in axes.get_legend().get_texts())
     assert ("left if its formulas may be a little wrong" in said) is not below
     assert axes.get_title() == "one more effect: none takes enough away"
+    drawn_ = [label.get_text() for label in axes.get_yticklabels()]
+    assert drawn_ == ["calibration alone", "wear", "creep"], "what is adopted already is no further effect"
     panels.ranking(axes, content | {"simulation": []}, "mm")
     assert axes.get_title() == "explanations: what each leaves"
 

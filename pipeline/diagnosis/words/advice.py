@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from ...ground.command import command
-from . import report, sight, still, unseen, worth
+from ..library import mechanisms
+from . import certainty, report, sight, still, unseen, worth
 from .adoption import predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
@@ -19,7 +20,8 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
     """One piece of advice, on the runs in `folders`."""
     verdict, run = content["verdict"], content["next_run"]
     if verdict == "ambiguous":
-        return [*_first(content), _ambiguous(content, words), *report.lines(content, words)]
+        tests = [*_tests(content), *certainty.asks(content, words)]
+        return [*_first(content), _ambiguous(content, words), *tests, *report.lines(content, words)]
     if verdict == "unknown":
         shows = "Make the run below: it shows more of what is missing. " if run else ""
         return [f"{shows}Adopt nothing: no effect of the library is named."]
@@ -29,7 +31,8 @@ def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
                 f"Adopt nothing: on the {sight.strokes(content)} the explanation makes the simulator worse. Record "
                 "the rig once more, with more strokes, and diagnose both runs together."
             ]
-        return [*_first(content), "Use the explanation: the commands are below.", *report.lines(content, words)]
+        use = "Use the explanation: the commands are below."
+        return [*_first(content), use, *certainty.asks(content, words), *report.lines(content, words)]
     tied = [one for one in content.get("adopted", []) if one["tied"]]
     if tied and not still.worth_making(tied):
         count = 1 + max(len(one["tied"]) for one in tied)
@@ -52,7 +55,26 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
     if worth.decides(run):
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
     use = "" if unseen.harmful(content, words) else ", and predict with the first command under To use it"
+    if _far(content):
+        return f"No run that was tried decides. If measuring changed nothing, {without}{use}."
     return f"No run that was tried decides: {without}{use}."
+
+
+def _tests(content: dict[str, Any]) -> list[str]:
+    """What at the rig tells the effects that are open, where no run does: each one's own sign."""
+    run = content["next_run"]
+    if run and (worth.decides(run) if "parts" in run else True):
+        return []
+    sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
+    open_ = [
+        id_ for id_ in dict.fromkeys(id_ for ids in sets for id_ in sorted(ids)) if not all(id_ in one for one in sets)
+    ]
+    tests = [f"{id_}: {mechanisms()[id_].told_apart_by}" for id_ in open_]
+    return (
+        [f"What tells the open effects in general, some of it beyond a recorded stroke: {'. '.join(tests)}."]
+        if tests
+        else []
+    )
 
 
 def _first(content: dict[str, Any]) -> list[str]:

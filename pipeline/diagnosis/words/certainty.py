@@ -6,7 +6,7 @@ from ..bounds import at_bound
 from ..library import mechanisms
 from . import probability, rivals
 from .dimensions import name_of
-from .quantity import listing, number, percent, size
+from .quantity import duration, listing, number, percent, size
 from .vocabulary import Vocabulary
 
 SURE, PROBABLE = 0.8, 0.5
@@ -19,17 +19,34 @@ SLOW = ("time under load", "absolute time", "worked strokes", "load x worked str
 def alike(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """That slow effects are hard to tell apart in a recording under one load, where one of them is named."""
     slow = [id_ for id_, mechanism in mechanisms().items() if mechanism.driver in SLOW]
-    there = [entry["id"] for entry in content["mechanisms"] if entry["id"] in slow]
-    if content["evidence"]["loaded"] or not there or words.load is None:
+    there = slow_alike(content, words)
+    if not there:
         return []
     others = listing([id_ for id_ in slow if id_ not in there], "or")
-    asks = "; ".join(dict.fromkeys(mechanisms()[id_].told_apart_by for id_ in there))
-    parts = (content.get("next_run") or {}).get("parts")
-    chosen = " The run to make next is chosen between the likely explanations, and need not ask that." if parts else ""
     return [
-        f"Under one load slow effects look much alike: {listing(there)} may hide {others}, or stand in for it, where "
-        f"a law of this rig differs from the library's formula. What tells them apart: {asks}.{chosen}"
+        f"Under one load slow effects look much alike. A percentage compares the library's formulas: where a law of "
+        f"this rig differs from them, {listing(there)} may hide {others}, or stand in for it."
     ]
+
+
+def slow_alike(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The named effects that are slow, where a recording under one load cannot tell them from others that are."""
+    if content["evidence"]["loaded"] or words.load is None:
+        return []
+    return [entry["id"] for entry in content["mechanisms"] if mechanisms()[entry["id"]].driver in SLOW]
+
+
+def asks(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The test at the rig that tells slow effects apart, with its least time; nothing where none is named."""
+    there = slow_alike(content, words)
+    if not there:
+        return []
+    tests = "; ".join(dict.fromkeys(mechanisms()[id_].told_apart_by for id_ in there))
+    found = [entry["parameters"].values() for entry in content["mechanisms"] if entry["id"] in there]
+    times = [float(each["value"]) for one in found for each in one if each.get("unit") == "s"]
+    least = f" Hold and rest for {duration(2.0 * max(times))} or longer each: twice its time constant." if times else ""
+    run = " The run below is not this test." if content.get("next_run") else ""
+    return [f"What tells {listing(there)} from what looks like it: {tests}.{least}{run}"]
 
 
 def limits(content: dict[str, Any]) -> str:
@@ -71,7 +88,7 @@ def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
     missing = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
     found = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
     poorly = [f"{id_} ({span(low, high, words)})" for id_, (low, high) in poorly_known(content, words).items()]
-    own = f"Poorly known is the own size of {listing(poorly)}" if poorly else ""
+    own = f"Poorly known is how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone" if poorly else ""
     if not poorly and all(known["high"] > known["low"] for known in found.values()):
         own = "Each effect's own size is known" if len(found) > 1 else "The effect's own size is known"
         own += f" within a factor of {number(WIDE)}"

@@ -54,6 +54,8 @@ def remeasured(
         lines.append("A measurement as exact as that tells the two values apart.")
         if any(beyond(content, name) for name in moved):
             lines.append("Intervals are those of the fit: they may reach beyond what calibration may do.")
+        if adopted:
+            lines.append("They are narrow only because the adopted effects are held fixed: nothing new was measured.")
     if moved and in_vain:
         names = listing([f"the {name_of(name)}" for name in moved])
         lines.append(f"Measure {names} again before you believe any of these values.")

@@ -13,8 +13,9 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     if not content["mismatch"]:
         return []
     missing = f"{size(content['mismatch'][f'rms_{words.ending}'], words.unit)} rms is missing after calibration"
-    said = [missing, *_unseen(content, words), *_sure(content)]
-    return [f"To report: {'; '.join(said)}.", *_not_yet(content, words)]
+    said = [missing, *_unseen(content, words), *_sure(content, words)]
+    when = ", if measuring again changed nothing" if far_moved(content) else ""
+    return [f"To report{when}: {'; '.join(said)}.", *_not_yet(content, words)]
 
 
 def _unseen(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -30,15 +31,18 @@ def _unseen(content: dict[str, Any], words: Vocabulary) -> list[str]:
     ]
 
 
-def _sure(content: dict[str, Any]) -> list[str]:
+def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """Which effects are at work, where that is sure."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
-    return [f"of the library's effects {listing(sure)} {'are' if len(sure) > 1 else 'is'} sure"] if sure else []
+    alike = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
+    but = f" ({listing(alike)} as the library's name for a slow effect: one load cannot tell it from others)"
+    said = f"of the library's effects {listing(sure)} {'are' if len(sure) > 1 else 'is'} sure"
+    return [f"{said}{but if alike else ''}"] if sure else []
 
 
 def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
     poorly = list(certainty.poorly_known(content, words))
-    parts = [f"the own size of {listing(poorly)}"] if poorly else []
+    parts = [f"how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone"] if poorly else []
     parts += ["the calibrated dimensions"] if far_moved(content) else []
     return [f"Not to report: {', and '.join(parts)}."] if parts else []

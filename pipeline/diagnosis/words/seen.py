@@ -26,9 +26,8 @@ def pattern(content: dict[str, Any], words: Vocabulary) -> list[str]:
         beyond = f"{size(rms, words.unit)} rms is more than noise ({ratio} times the noise)"
         said = f"Of the calibrated error in the table below, {beyond}, and no effect is named for it."
         if rms > least > 0.0:
-            said += (
-                " Some effects would have been seen at a smaller size (below): what is left looks like none of them."
-            )
+            more = " Some effects would have been seen even if they were smaller (listed below)"
+            said += f"{more}: what is left looks like none of them."
     found = evidence.get("pattern")
     closest = nearest(content, words)
     if not found:

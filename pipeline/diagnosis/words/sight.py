@@ -36,7 +36,7 @@ def heading(content: dict[str, Any]) -> str:
     held = content["fit"]["heldout"]
     split = held["split"] if held else SPLIT
     return {
-        UNSEEN: "Error on strokes that no fit has seen",
+        UNSEEN: "Error on unseen strokes",
         SEEN: f"Error on the {split}, which the adopted effects have seen",
         PERHAPS: f"Error on the {split}, which the adopted effects may have seen",
     }[sight(content)]

@@ -17,7 +17,6 @@ CARE = {
     "another load": "Only if the rig bears so much.",
 }  # by what a title says
 WRONG = "That is no noise, but a formula that is wrong by a few per cent can make it too"
-CHANCE = "Noise alone can make that"
 
 
 def first(run: dict[str, Any]) -> list[str]:
@@ -43,8 +42,10 @@ def gaps(run: dict[str, Any]) -> str:
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
     so_far = f"So far the closest two predictions differ by {number(now)} standard deviations"
     if not decides(run):
-        best = f"with the run it should be {number(then)}, and no other run that was tried in simulation does better"
-        return f"{so_far}; {best}. {WRONG if then > PLAIN else CHANCE}, so it does not decide."
+        who = "A formula that is wrong by a few per cent" if then > PLAIN else "Noise alone"
+        sizes = f"{number(now)} standard deviations so far, {number(then)} with the run"
+        best = "No other run that was tried in simulation does better"
+        return f"{who} can make as much as the closest two predictions differ: {sizes}. {best}, so none decides."
     if now <= PLAIN:
         return f"{so_far}; with the run it should be {number(then)}."
     more = f"{times(then / now)} times as much"
