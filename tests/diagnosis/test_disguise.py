@@ -1,6 +1,7 @@
 """No name for a corner outside the recording, for what dimensions do as well, or for a strength of nothing."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -82,3 +83,42 @@ def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch)
     monkeypatch.setattr(calibrate, "refine", to_nothing)
     found = engine.study(engine.make_problem([run], [samples]))
     assert found.verdict == "unknown" and not found.best_ids and not found.sets
+
+
+@pytest.mark.parametrize(
+    ("port", "degree", "is_outside"),
+    [
+        ("twist", 0, True),
+        ("twist", 1, True),
+        ("twist", 2, False),
+        ("radius", 0, True),
+        ("radius", 1, False),
+        ("length", 0, True),
+        ("length", 1, False),
+        ("sensor", 0, False),
+    ],
+)
+def test_a_constant_or_on_the_twist_a_line_is_what_a_dimension_could_be(problem, port, degree, is_outside):
+    term = Term("made", port, 1.0 + problem.drivers.motion**degree)
+    assert disguise.outside(problem, [term]) is is_outside
+    assert not disguise.outside(problem, [term, replace(term, signal=problem.drivers.motion**3)])
+    assert not disguise.outside(problem, [])
+
+
+@pytest.mark.parametrize(("outside", "back"), [(True, False), (False, True), (False, False)])
+def test_an_explanation_is_calibration_in_disguise_by_its_corner_or_by_its_whole_effect(monkeypatch, outside, back):
+    """The effect of a mechanism that acts twice is the sum of both."""
+    shape = ("creep", 0), ("creep", 1)
+    linear = SimpleNamespace(
+        calibration=np.array([0]),
+        catalogue={"creep": [{}, {}]},
+        index={shape[0]: np.array([1]), shape[1]: np.array([2])},
+        table=np.array([[9.0, 9.0], [1.0, 2.0], [10.0, 20.0]]),
+        problem=SimpleNamespace(terms=lambda mechanism, shape: []),
+    )
+    one = SimpleNamespace(keys=shape, fit=SimpleNamespace(coefficients=np.array([7.0, 2.0, 3.0])))
+    asked = []
+    monkeypatch.setattr(disguise, "outside", lambda problem, terms: outside)
+    monkeypatch.setattr(disguise, "only_calibration", lambda effect, dimensions: asked.append(effect) or back)
+    assert disguise.disguised(linear, one, None) is (outside or back)
+    assert outside or [effect.tolist() for effect in asked] == [[32.0, 64.0]]

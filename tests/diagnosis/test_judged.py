@@ -66,3 +66,18 @@ def test_a_number_that_the_other_stretches_hardly_show_stays_nothing():
     )  # fmt: skip
     (error,) = cross_validation.left_out_errors(linear, [explanation("late")])
     assert error == pytest.approx(1.0, abs=0.2)
+
+
+@pytest.mark.parametrize(("shares", "places"), [([0.8, 0.2], [0]), ([0.2, 0.79], [1, 0]), ([0.3, 0.3, 0.4], [2, 0, 1])])
+def test_sets_are_held_until_they_have_four_fifths_of_the_probability(shares, places):
+    assert judged.held(np.array(shares)) == places
+
+
+def test_where_nothing_is_wound_the_sets_that_foretell_alike_are_equally_likely(monkeypatch):
+    sets = [explanation("backlash"), explanation("stick_slip"), explanation("creep")]
+    monkeypatch.setattr(judged.compare, "unbeaten", lambda *_: sets)
+    monkeypatch.setattr(judged.cross_validation, "by_prediction", lambda linear, some: some[:2])
+    search = SimpleNamespace(linear=SimpleNamespace(problem=SimpleNamespace(drivers=SimpleNamespace(levered=False))))
+    found = judged.judged(search, None, sets[0], 0.01)
+    assert found.sets == sets[:2] and found.none == 0.0
+    assert found.likely == {("backlash",): 0.5, ("stick_slip",): 0.5}

@@ -147,3 +147,15 @@ def test_a_coarse_clock_is_a_clock():
     recording = read_recording(stamped([number // 5 * 5 * STEP_US for number in range(100)]))
     assert not recording.account.no_clock
     np.testing.assert_allclose(recording.time_s[:-5], np.arange(95) * 0.02, atol=1e-9)
+
+
+def test_the_numbers_of_the_protocol_are_those_of_its_page():
+    assert {kind.name: int(kind) for kind in Kind} == {
+        "HELLO": 1, "SAMPLE": 2, "EVENT": 3, "END": 4, "GREET": 0x81, "START": 0x82, "STOP": 0x83, "ACK": 0x84
+    }  # fmt: skip
+    assert [reason.name for reason in Reason] == ["COMPLETE", "STOPPED", "FAULT"] and list(map(int, Reason)) == [
+        0,
+        1,
+        2,
+    ]
+    assert [event.name for event in Event] == ["STROKE_START", "STROKE_END", "FAULT"] and list(Event) == [1, 2, 3]
