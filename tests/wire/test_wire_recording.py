@@ -265,6 +265,16 @@ def test_the_account_of_a_long_recording_takes_no_more_memory_than_of_a_short_on
     assert peak(16) < 1.1 * peak(4)
 
 
+def test_numbers_that_follow_each_other_are_held_as_one_span():
+    ledger = Ledger()
+    frames = log(60)
+    for frame in (*frames[:20], *frames[30:-1], *frames[20:29]):
+        ledger.feed(frame)
+    assert len(ledger._low) == len(ledger._high) == 2, "a gap of one frame"
+    ledger.feed(frames[29])
+    assert len(ledger._low) == len(ledger._high) == 1 and ledger.account().lost == 0
+
+
 def test_a_stretch_without_an_end_takes_no_memory():
     hello, account = read_account([b"".join(log(5)[:-1]), *(b"x" * 10_000 for _ in range(50)), b"x\0", log(5)[-1]])
     assert hello == HELLO and (account.bad, account.lost, account.tail_bytes) == (1, 0, 0)
