@@ -36,7 +36,7 @@ def why(content: dict[str, Any]) -> str:
 def waits(content: dict[str, Any]) -> str:
     """Why a diagnosis is not to be adopted yet: the dimensions that calibration moved far; nothing where it may."""
     moved = moved_by(content, LEAVES)
-    return f"says not to adopt yet: calibration moved {moved}" if moved else ""
+    return f"the verdict says not to adopt yet: calibration moved {moved}" if moved else ""
 
 
 def moved_by(content: dict[str, Any], least: float) -> str:

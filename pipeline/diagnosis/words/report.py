@@ -13,6 +13,9 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     if not content["mismatch"]:
         return []
     missing = f"{size(content['mismatch'][f'rms_{words.ending}'], words.unit)} rms is missing after calibration"
+    nominal = content["evidence"].get(f"nominal_{words.ending}")
+    if far_moved(content) and nominal is not None:
+        missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
     said = [missing, *_unseen(content, words), *_sure(content, words)]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
     return [f"To report{when}: {'; '.join(said)}.", *_not_yet(content, words)]
