@@ -2,6 +2,7 @@
 
 import html.parser
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,8 @@ import pytest
 import pipeline
 
 DOCS = Path(__file__).parents[2] / "docs"
+ELSEWHERE = r"(?:https?:)?//([\w.-]+)"  # an address on another host
+NAMESPACE = "www.w3.org"  # names a vocabulary, and is not asked
 LOADED = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src"), ("source", "src"), ("object", "data")}
 
 
@@ -79,22 +82,29 @@ def test_no_page_loads_anything_from_another_host(site, pages):
             continue
         assert not told.scheme and not told.netloc, f"{path.relative_to(site)}: {address}"
         assert (path.parent / unquote(told.path)).is_file(), f"{path.relative_to(site)}: {address}"
-    for style in site.rglob("*.css"):
-        asked = [part.lstrip("\"'") for part in style.read_text(encoding="utf-8").split("url(")[1:]]
-        assert not [address[:60] for address in asked if address.startswith(("http", "//"))], style
+    for style in (*site.rglob("*.css"), *pages):
+        asked = re.findall(rf"(?:url\(|@import)\s*[\"']?\s*{ELSEWHERE}", style.read_text(encoding="utf-8"))
+        assert not asked, style
+    for script in site.rglob("*.js"):
+        named = re.findall(rf"[\"'`]{ELSEWHERE}", script.read_text(encoding="utf-8"))
+        assert script.name == "searchindex.js" or set(named) <= {NAMESPACE}, script
 
 
 def test_every_page_of_docs_is_on_the_site_and_in_its_navigation(site, pages):
-    led = {(site / "index.html").parent / urlsplit(link).path for link in pages[site / "index.html"].links}
+    aside = site / "search.html"  # which links to nothing but what stands beside every page
+    led = {site / urlsplit(link).path for link in pages[aside].links}
     for source in [*DOCS.glob("*.md"), *DOCS.glob("tutorial/*.ipynb")]:
         page = site / source.relative_to(DOCS).with_suffix(".html")
-        assert page.is_file() and (page in led or source.name == "index.md"), source.name
+        assert page in led, source.name
+    captions = re.findall(r'class="caption".*?>([^<>]+)</span>', aside.read_text(encoding="utf-8"))
+    assert captions == ["Begin", "How to", "Look up", "Understand"]
 
 
 def test_the_reference_has_every_public_name(site, pages):
     places = pages[site / "api.html"].places
     assert {f"twistbench.{name}" for name in pipeline.__all__} <= places
     assert {"twistbench.Diagnosis.verdict", "twistbench.Recording.strokes"} <= places
+    assert "pipeline.models.interface.Model.forward" in places
 
 
 def test_the_search_finds_a_mechanism(site):
