@@ -91,7 +91,7 @@ def decide(
         not physics(sets[0].ids)
         or cancels(problem, best)
         or helped(problem, best, mismatch)
-        or judged.none >= UNKNOWN
+        or (judged.sets and judged.none >= UNKNOWN)  # of jerks alone the judge weighed nothing
         or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor)
     ):
         verdict = "unknown"

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.diagnosis import outcome
+from pipeline.diagnosis import judged, outcome
 from pipeline.diagnosis.judged import Judged
 from pipeline.diagnosis.noise import Noise
 from pipeline.diagnosis.outcome import decide
@@ -198,9 +198,9 @@ def jerky(monkeypatch, jerks, sets=(), none=0.0, acts=(), included=()):
     reading = np.hypot(1.0, jerks) * QUIET * SIGN
     base = State(reading, np.zeros(1), included)
     best = State(reading - sum(one.coefficients[0] * WAVES[one.id] for one in acts), np.zeros(1), acts)
-    judged = Judged([explanation(ids) for ids in sets], {}, none)
+    weighed = Judged([explanation(ids) for ids in sets], {}, none)
     search = SimpleNamespace(nothing=NOTHING)
-    return decide(problem, base, base, Noise(FLOOR, np.zeros(0), FLOOR), best, judged, search, {"stick_slip": SLIP})
+    return decide(problem, base, base, Noise(FLOOR, np.zeros(0), FLOOR), best, weighed, search, {"stick_slip": SLIP})
 
 
 def test_random_jerks_are_named_where_they_stand_out_of_the_noise_at_rest(monkeypatch):
@@ -209,6 +209,11 @@ def test_random_jerks_are_named_where_they_stand_out_of_the_noise_at_rest(monkey
     assert found.floor == QUIET and found.random == {"stick_slip": SLIP}
     assert found.random_rms == pytest.approx(0.21 * QUIET) and found.mismatch == pytest.approx(0.21 * QUIET)
     assert found.best.acts == (Act("stick_slip", (SLIP,), (0.0,)),)  # there, and silent
+
+
+def test_jerks_alone_are_named_where_the_judge_had_nothing_to_weigh(monkeypatch):
+    found = jerky(monkeypatch, 0.21, none=judged.NOTHING.none)
+    assert found.verdict == "explained" and [one.ids for one in found.sets] == [("stick_slip",)]
 
 
 def test_smaller_jerks_are_noise(monkeypatch):
