@@ -13,7 +13,7 @@ from .diagnosis.adopt import acts_from, adoptions, checked
 from .diagnosis.engine import at_own_rate
 from .diagnosis.simulation import read_diagnosis
 from .diagnosis.words import coefficients
-from .diagnosis.words.adoption import ANYWAY
+from .diagnosis.words.adoption import ANYWAY, predictions
 from .diagnosis.words.quantity import listing
 from .diagnosis.words.sections import wrapped
 from .diagnosis.words.vocabulary import Vocabulary
@@ -28,8 +28,8 @@ from .run.samples import read_samples
 
 MOST = 5  # explanations that are named
 WAIT = (
-    "measure them again, write that into run.yaml and diagnose again; or predict with the diagnosis itself "
-    f"({command('simulate')} RUN_DIR --simulation DIAGNOSIS.json --out FILE); to adopt all the same, add {ANYWAY}"
+    "measure them again, write that into run.yaml and diagnose again; or predict with the diagnosis itself ({}); to "
+    f"adopt all the same, add {ANYWAY}"
 )
 
 
@@ -116,7 +116,7 @@ def adopt(source: Path, folder: Path, anyway: bool = False) -> None:
         return
     wait = before_after.waits(content)
     if wait and not anyway:
-        raise BadInput(source, "dimensions", wait, WAIT)
+        raise BadInput(source, "dimensions", wait, WAIT.format(*predictions(source, [folder])))
     errors = check(content, source, folder)
     if not before_after.is_of(content, run.run):
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"

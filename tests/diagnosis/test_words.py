@@ -159,8 +159,8 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
     assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
     assert "Hardly worth making: you can skip it." in text
-    assert "Noise alone can make as much as the closest two predictions differ: " in text
-    assert ", 4 with the run. No other run that was tried in simulation does better, so none decides." in text
+    none = "No other run that was tried in simulation does better, so none decides."
+    assert f"; with the run by 4. Noise alone can make as much. {none}" in text
     made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
     made["next_run"]["parts"][0].append("wear")
     assert "at work: creep and wear, or thermal; otherwise report the best explanation as one of 5." in told(made)
@@ -613,8 +613,8 @@ def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means(
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    wrong = "A formula that is wrong by a few per cent can make as much as the closest two predictions differ"
-    assert f"{wrong}: 53 standard deviations so far, 69 with the run." in " ".join(text.split())
+    gaps = "So far the closest two predictions differ by 53 standard deviations; with the run by 69."
+    assert f"{gaps} A formula that is wrong by a few per cent can make as much." in " ".join(text.split())
     assert "so none decides." in text and "Hardly worth making" in text
     text = told(content(next_run__gap_now=900.0))
     more = "2.4 times as much"
@@ -758,7 +758,7 @@ def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig()
     values = dict.fromkeys(many, CONTENT["parameters"]["radius_mm"])
     text = told(content(parameters=values, evidence__moved_sigma=many))
     said = (
-        "where measuring again changes none, physics that is in no explanation here moved them, or run.yaml describes"
+        "where measuring again changes none, physics that the library lacks may have moved them, or run.yaml describes"
     )
     assert said in text
 
@@ -828,7 +828,8 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
     assert "Here the best one alone has 99 %; all others" in text
-    assert "creep: probability 0 (with one more effect it is an explanation that leaves less); leaves" in text
+    none = "probability less than 1 % (with one more effect it is an explanation that leaves less)"
+    assert f"creep: {none}; leaves" in text
 
 
 def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_none():
@@ -981,13 +982,18 @@ AT_LIMIT = {"radius_mm": 3.0}
 
 def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
     first = told(confident(0.93, 0.46)).partition("\n\n")[0]
-    held = "  The percentages compare explanations in which each dimension may move by up to three times its tolerance."
-    assert f"\n  Sure (80 % or more): friction_hysteresis (93 %). Open: creep (46 %) and thermal.\n{held}\n" in first
+    held = (
+        "The percentages compare explanations made of the library's effects, in which each dimension may move by up to "
+        "three times its tolerance."
+    )
+    open_ = "Open: creep (46 %) and thermal (31 %)."
+    assert f" Sure (80 % or more): friction_hysteresis (93 %). {open_} {held} " in " ".join(first.split()) + " "
     limit = told(confident(0.93, 0.46) | {"evidence": {**confident(0.93, 0.46)["evidence"], "moved_sigma": AT_LIMIT}})
-    assert f"{held} The radius stands at that limit: measured better, it can change the percentages.\n" in limit
+    stands = "The radius stands at that limit: measured better, it can change the percentages."
+    assert f"{held} {stands}" in " ".join(limit.split())
     first = told(confident(0.8, 0.62, alternatives=[["friction_hysteresis"]])).partition("\n\n")[0]
     assert "\n  Sure (80 % or more): friction_hysteresis (80 %). Probable (50 % or more): creep (62 %).\n" in first
-    assert "Sure" not in told(content()) and held not in told(content())
+    assert "Sure" not in told(content()) and "The percentages compare" not in told(content())
 
 
 def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
@@ -1045,15 +1051,15 @@ def test_one_clear_advice_says_what_to_do_next():
     first = (
         "First measure the radius again; how exactly, and how run.yaml says it, stands under Dimensions. If a value "
         "changes, or its tolerance does, write that into run.yaml and diagnose again: it can turn this verdict over. "
-        "If neither does, keep run.yaml as it is: then physics that is in no explanation here moved them. The "
-        "explanation still foretells this rig under such loads, speeds and ranges, but its dimensions are not the "
-        "rig's."
+        "If neither does, keep run.yaml as it is: then physics that the library lacks may have moved them, which no "
+        "percentage here covers. The explanation still foretells this rig under such loads, speeds and ranges, but its "
+        "dimensions are not the rig's."
     )
     paper = (
         "To report{}: 0.44 mm rms is missing after calibration; on the unseen strokes the best explanation errs by "
         "0.033 mm (1.1 times the noise of single samples), calibration alone by 0.81 mm."
     )
-    not_yet = "Not to report: the calibrated dimensions."
+    not_yet = "Not to report: how much an effect does alone, its constants (times, corners), the calibrated dimensions."
     make = f"Make the run below: it can decide {which}. If you do not make it, r{report}"
     measured = paper.format(", if measuring again changed nothing")
     assert next_thing(content()) == f"{first} {make} {measured} {not_yet}"
@@ -1201,10 +1207,12 @@ def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_plac
     )
     assert yaml.safe_load(block.strip("`")) == {"tolerance": {"radius": 0.03, "separator_mm": 0.5, "scale": 0.005}}
     assert "less than a caliper shows" not in text
+    assert "All are defaults, taken where run.yaml says nothing." in " ".join(text.split())
     made["evidence"]["tolerance"]["radius_mm"] = 0.012 * 0.4
     first = told(made).partition("What to do next")[0]
     assert "That is a share: 1.2 % of 0.4 mm, or 0.0048 mm, which is less than a caliper shows." in first
     assert "If 0.012 mm was meant, write radius: 0.03 and diagnose again." in first
+    assert "separator_mm and scale are defaults, taken" in " ".join(told(made).split())
     thin = {"radius_mm": {"nominal": 0.1, "value": 0.1}}
     assert "caliper" not in told(content(parameters=thin, evidence__tolerance={"radius_mm": 0.003})), "the default"
 
@@ -1296,7 +1304,10 @@ def test_what_is_adopted_already_is_not_listed_among_what_would_have_been_seen()
     assert "backlash 0.0040 mm." in listed and "creep 0.020" not in listed
     assert "Not listed, for run.yaml has adopted it: creep." in listed
     bare = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
-    assert "creep 0.020 mm" in bare and "Not listed" not in bare
+    assert "creep 0.020 mm" in bare and "run.yaml has adopted" not in bare
+    cannot = "Not listed, for this recording cannot show them, or calibration takes them up: axial_elasticity, "
+    assert cannot in " ".join(bare.split())
+    assert "creep" not in " ".join(bare.split()).partition(cannot)[2].partition(".")[0]
 
 
 @pytest.mark.parametrize(("low", "said"), [(0.02, True), (0.0305, False)])

@@ -82,9 +82,9 @@ def _first(content: dict[str, Any]) -> list[str]:
     return [
         f"First measure {names} again; how exactly, and how run.yaml says it, stands under Dimensions. If a value "
         "changes, or its tolerance does, write that into run.yaml and diagnose again: it can turn this verdict over. "
-        "If neither does, keep run.yaml as it is: then physics that is in no explanation here moved them. The "
-        "explanation still foretells this rig under such loads, speeds and ranges, but its dimensions are not the "
-        "rig's.",
+        "If neither does, keep run.yaml as it is: then physics that the library lacks may have moved them, which no "
+        "percentage here covers. The explanation still foretells this rig under such loads, speeds and ranges, but its "
+        "dimensions are not the rig's.",
     ]
 
 

@@ -10,7 +10,10 @@ from .quantity import duration, listing, number, percent, size
 from .vocabulary import Vocabulary
 
 SURE, PROBABLE = 0.8, 0.5
-COMPARES = "The percentages compare explanations in which each dimension may move by up to three times its tolerance"
+COMPARES = (
+    "The percentages compare explanations made of the library's effects, in which each dimension may move by up to "
+    "three times its tolerance"
+)
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 # drivers that go on over a whole recording
 SLOW = ("time under load", "absolute time", "worked strokes", "load x worked strokes", "travel")
@@ -71,11 +74,12 @@ def summary(content: dict[str, Any]) -> list[str]:
     sure = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share >= SURE]
     probable = [f"{id_} ({percent(share)})" for id_, share in shares.items() if PROBABLE <= share < SURE]
     doubtful = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share < PROBABLE]
-    others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in shares)
+    others = {id_: probability.at_work(content, id_) for ids in content["alternatives"] for id_ in ids}
+    beside = [f"{id_} ({percent(share)})" for id_, share in others.items() if id_ not in shares]
     groups = {
         f"Sure ({percent(SURE)} or more)": sure,
         f"Probable ({percent(PROBABLE)} or more)": probable,
-        "Open": [*doubtful, *others],
+        "Open": [*doubtful, *beside],
     }
     said = [f"{word}: {listing(found)}." for word, found in groups.items() if found]
     return [" ".join(said), limits(content)] if shares else []

@@ -65,8 +65,8 @@ def remeasured(
         lines.append(f"What the simulation still misses bends dimensions as well. {do_not_copy(moved)}")
     if len(moved) >= MANY:
         lines.append(
-            "So many at once are seldom all measured wrong: where measuring again changes none, physics that is in no "
-            "explanation here moved them, or run.yaml describes another rig."
+            "So many at once are seldom all measured wrong: where measuring again changes none, physics that the "
+            "library lacks may have moved them, or run.yaml describes another rig."
         )
     return lines
 

@@ -24,8 +24,14 @@ def said(one: dict[str, Any]) -> str:
     if share is None:
         return ""
     if share == 0.0:
-        return "probability 0 (with one more effect it is an explanation that leaves less)"
+        return "probability less than 1 % (with one more effect it is an explanation that leaves less)"
     return f"probability {percent(share)}"
+
+
+def at_work(content: dict[str, Any], id_: str) -> float:
+    """How probable it is that an effect acts, whatever is beside it: the sum over the explanations that have it."""
+    shown = content["evidence"]["explanations"]
+    return float(sum(one.get("probability") or 0.0 for one in shown if id_ in one["ids"]))
 
 
 def rule(content: dict[str, Any]) -> list[str]:

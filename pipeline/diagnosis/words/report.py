@@ -45,7 +45,9 @@ def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
+    if far_moved(content):
+        return [
+            "Not to report: how much an effect does alone, its constants (times, corners), the calibrated dimensions."
+        ]
     poorly = list(certainty.poorly_known(content, words))
-    parts = [f"how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone"] if poorly else []
-    parts += ["the calibrated dimensions"] if far_moved(content) else []
-    return [f"Not to report: {', and '.join(parts)}."] if parts else []
+    return [f"Not to report: how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone."] if poorly else []

@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from ..interface import physics
+from ..library import mechanisms
 from . import sight, unseen
 from .headline import UNNAMED
 from .places import EVERYWHERE, place
@@ -83,9 +85,16 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     if content["verdict"] not in UNNAMED or not there:
         return []
     said = sizes(content, words, held)
-    return said + (
-        [f"Not listed, for run.yaml has adopted {'it' if len(held) == 1 else 'them'}: {listing(held)}."] * bool(held)
-    )
+    if held:
+        said.append(f"Not listed, for run.yaml has adopted {'it' if len(held) == 1 else 'them'}: {listing(held)}.")
+    unseen_here = [id_ for id_, one in mechanisms().items() if physics((id_,)) and not one.helper and id_ not in there]
+    if words.twisted and unseen_here:
+        cannot = "this recording cannot show them, or calibration takes them up"
+        said.append(
+            f"Not listed, for {cannot if len(unseen_here) > 1 else cannot.replace('them', 'it')}: "
+            f"{listing(unseen_here)}."
+        )
+    return said
 
 
 def sizes(content: dict[str, Any], words: Vocabulary, held: list[str]) -> list[str]:

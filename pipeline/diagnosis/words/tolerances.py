@@ -1,5 +1,6 @@
 """The tolerances that a verdict stands on, in the keys and units of `run.yaml`: some are shares, some are lengths."""
 
+import math
 import re
 from typing import Any
 
@@ -62,7 +63,13 @@ def in_force(content: dict[str, Any], words: Vocabulary) -> list[str]:
         are = "are shares" if len(shares) > 1 else "is a share"
         first = number(block[shares[0]], 4)
         what = f" ({listing(shares)} {are} of the value: {first} is {percent(block[shares[0]])})"
-    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}."]
+    defaults = [
+        key for key, value in block.items() if math.isclose(value, words.usual.get(key, math.nan), rel_tol=1e-6)
+    ]
+    which = "All" if len(defaults) == len(block) else listing(defaults)
+    are = "are defaults" if len(defaults) > 1 else "is a default"
+    said = f" {which} {are}, taken where run.yaml says nothing." if defaults else ""
+    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}.{said}"]
 
 
 def doubts(content: dict[str, Any], words: Vocabulary) -> list[str]:

@@ -25,7 +25,8 @@ class Vocabulary:
     load: str | None  # column of the load
     ending: str
     twisted: bool
-    shares: Mapping[str, float] = field(default_factory=dict)  # keys of `tolerance:` that are shares, with defaults
+    usual: Mapping[str, float] = field(default_factory=dict)  # keys of `tolerance:` with their defaults
+    shares: Mapping[str, float] = field(default_factory=dict)  # those that are shares
 
     @classmethod
     def of(cls, system: System) -> "Vocabulary":
@@ -37,7 +38,7 @@ class Vocabulary:
             "string" if twisted else "drive", "twist" if twisted else motion,
             "twisting rate" if twisted else "speed", reading, motion_unit, unit,
             unit_of(system.load) if system.load else "", system.driver, system.load,
-            system.channel.rpartition("_")[2], twisted,
+            system.channel.rpartition("_")[2], twisted, system.tolerance,
             {key: usual for key, usual in system.tolerance.items() if key not in system.absolute},
         )  # fmt: skip
 

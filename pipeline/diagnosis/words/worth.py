@@ -43,9 +43,8 @@ def gaps(run: dict[str, Any]) -> str:
     so_far = f"So far the closest two predictions differ by {number(now)} standard deviations"
     if not decides(run):
         who = "A formula that is wrong by a few per cent" if then > PLAIN else "Noise alone"
-        sizes = f"{number(now)} standard deviations so far, {number(then)} with the run"
         best = "No other run that was tried in simulation does better"
-        return f"{who} can make as much as the closest two predictions differ: {sizes}. {best}, so none decides."
+        return f"{so_far}; with the run by {number(then)}. {who} can make as much. {best}, so none decides."
     if now <= PLAIN:
         return f"{so_far}; with the run it should be {number(then)}."
     more = f"{times(then / now)} times as much"
