@@ -41,16 +41,17 @@ def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
     return float(1.4826 * np.median(np.abs(bends)) / np.sqrt(6.0))
 
 
-def held_out(problem: Problem, fine: Problem) -> tuple[dict[str, Any] | None, Study | None]:
+def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[dict[str, Any] | None, Study | None]:
     """Errors (rms) on strokes that no fit has seen: nominal, calibrated, explained; and the study they came from.
 
-    `fine` is the same recording at its own rate, on which the errors are measured, lonely wild readings left out.
+    `fine` is the same recording at its own rate, on which the errors are measured, lonely wild readings left out;
+    `to_polish` is the one that the explanation is refitted to.
     """
     row = first_held_out(problem)
     if row is None:
         return None, None
-    unseen = fine.record.time_s >= problem.record.time_s[row]
-    found = polished(study(problem.until(row)), fine.until(int(np.argmax(unseen))))
+    unseen, held = (one.record.time_s >= problem.record.time_s[row] for one in (fine, to_polish))
+    found = polished(study(problem.until(row)), to_polish.until(int(np.argmax(held))))
 
     def error(state: State, added: Array | float = 0.0) -> float:
         residual = fine.measured - fine.simulate(state) - added

@@ -12,7 +12,8 @@ from .judge import Judge, judge
 from .library import mechanisms
 from .record import Record
 
-REMEMBERED = 64  # terms of shapes: those of whatever acts are asked for again and again
+REMEMBERED = 64  # shapes whose terms are kept: those of whatever acts are asked for again and again
+REMEMBERED_SAMPLES = 6_400_000  # of all of them together: fewer shapes of a long recording
 STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port
 
 
@@ -89,7 +90,7 @@ class Problem:
         """Terms of a mechanism's shape; the last few that were asked for are remembered."""
         key = (mechanism.id, tuple(shape.items()))
         if key not in self._terms:
-            if len(self._terms) >= REMEMBERED:
+            if len(self._terms) >= min(REMEMBERED, max(REMEMBERED_SAMPLES // len(self.record), 1)):
                 del self._terms[next(iter(self._terms))]
             self._terms[key] = mechanism.terms(self.drivers, shape)
         return self._terms[key]

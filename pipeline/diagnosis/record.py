@@ -16,6 +16,7 @@ WORKING_SAMPLES, DRIVES_SAMPLES = 8_000, 15_000  # of a string's recordings; of 
 BETWEEN_RUNS_S = 60.0
 FINER = 10.0  # times the working rate, at which a motion is differentiated
 OUTLIER, LOCAL = 6.0, 8.0  # spreads of a residual, of all and of its neighbours, that make a reading wild
+BLOCK = 200_000  # samples of a long recording that are looked at together
 PHASES = ("winding", "hold", "unwinding", "rest")
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 
@@ -42,11 +43,13 @@ class Record:
 
 def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
     """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion."""
-    padded = np.pad(signal, 2, mode="reflect")
-    around = np.vstack([padded[k : k + len(signal)] for k in (0, 1, 3, 4)])
-    middle = np.median(around, axis=0)
-    gap = np.abs(signal - middle)
-    return np.asarray((gap > least) & (np.ptp(around, axis=0) < 0.35 * gap))
+    padded, found = np.pad(signal, 2, mode="reflect"), np.zeros(len(signal), np.bool_)
+    for start in range(0, len(signal), BLOCK):
+        part = signal[start : start + BLOCK]
+        around = np.vstack([padded[start + k : start + k + len(part)] for k in (0, 1, 3, 4)])
+        gap = np.abs(part - np.median(around, axis=0))
+        found[start : start + BLOCK] = (gap > least) & (np.ptp(around, axis=0) < 0.35 * gap)
+    return found
 
 
 def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:

@@ -29,13 +29,15 @@ def read_parquet(path: Path, _: TextFile | None = None) -> pd.DataFrame:
             if not 0 <= rows * columns <= MOST_VALUES:
                 problem = f"says that it holds {rows} rows of {columns} columns"
                 raise BadInput(path, "file", problem, "cut it into runs of a day or less")
-            return parquet.read().to_pandas(ignore_metadata=True)
+            table = parquet.read().to_pandas(ignore_metadata=True)
     except seal.Damaged as error:
         mend = "copy it again from where it was made, or import the recording again"
         raise BadInput(path, "file", f"is damaged: {error}", mend) from None
     except (pa.ArrowException, OSError, ValueError, OverflowError, MemoryError):
         mend = "copy it again; a Parquet file whose writer was killed cannot be read"
         raise BadInput(path, "file", "is not a readable Parquet file", mend) from None
+    pa.default_memory_pool().release_unused()  # else the allocator keeps as much as the table holds
+    return table
 
 
 FORMAT = Format("a Parquet file", (".parquet",), (b"PAR1",), frozenset(), read_parquet)

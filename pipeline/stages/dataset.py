@@ -79,7 +79,9 @@ def points_of(
         part["direction"] = 1 if phase == "winding" else -1
         part["block"] = block if phase == "winding" else block[::-1]
         parts.append(part)
-    points = pd.concat(parts, ignore_index=True).sort_values("time_s", ignore_index=True)
+    points = pd.concat(parts, ignore_index=True)
+    parts.clear()  # of a long recording they are as large as all of it
+    points = points.sort_values("time_s", ignore_index=True)
     points["run"], points["string"], points["actuator"] = run.run, run.string_id, run.actuator
     points["radius_mm"] = run.string.radius_mm
     points["length_mm"] = run.string.length_mm
@@ -103,10 +105,12 @@ def _thinned(eligible: Mask, most: int) -> Mask:
     return chosen
 
 
-def _split(test: Mask, eligible: Mask) -> NDArray[np.str_]:
+def _split(test: Mask, eligible: Mask) -> NDArray[np.object_]:
     """Labels "train", "test" and "" of the points."""
-    train = _thinned(eligible & ~test, TRAINING_POINTS)
-    return np.where(_thinned(test, HELD_OUT_POINTS), "test", np.where(train, "train", ""))
+    labels = np.full(len(test), "", object)  # a pointer each: text side by side is as large as all channels
+    labels[_thinned(eligible & ~test, TRAINING_POINTS)] = "train"
+    labels[_thinned(test, HELD_OUT_POINTS)] = "test"
+    return labels
 
 
 def make_dataset(
@@ -128,14 +132,17 @@ def make_dataset(
             if one.run.run not in without:
                 parts.append(points_of(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset())))
             done += int(one.strokes["stroke"].max())
-    points = pd.concat(parts, ignore_index=True)
-
+    points = parts[0] if len(parts) == 1 else pd.concat(parts, ignore_index=True)
+    parts.clear()
     everything = np.ones(len(points), bool)
     points["within"] = _split(held_out(points["block"].to_numpy(), points["stroke"].to_numpy()), everything)
-    numbers = points.groupby("string")["stroke"]
-    enough = (numbers.transform("nunique") >= LATER_LEAST_STROKES).to_numpy()
-    rank = numbers.rank("dense").to_numpy()
-    test = enough & (rank > np.floor(0.75 * numbers.transform("nunique").to_numpy() + 0.5))
+    test, enough = ~everything, ~everything
+    for string, strokes in points.groupby("string")["stroke"].unique().items():
+        if len(strokes) >= LATER_LEAST_STROKES:
+            own = (points["string"] == string).to_numpy()
+            first = np.sort(strokes)[int(0.75 * len(strokes) + 0.5)]
+            enough |= own
+            test |= own & (points["stroke"].to_numpy() >= first)
     points["later"] = _split(test, enough)
     return points[schemas.DATASET.names]
 

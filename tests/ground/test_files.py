@@ -5,7 +5,9 @@ import re
 import stat
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
+import pyarrow.parquet as pq
 import pytest
 from models.made_dataset import made_dataset
 
@@ -148,3 +150,13 @@ def test_every_program_says_whether_its_out_is_a_file_or_a_folder_and_the_defaul
                 assert re.search("file|folder", said) and re.search("; (required|default: .+)$", said), (path, said)
                 seen += 1
     assert seen > 30
+
+
+@pytest.mark.parametrize(("rows", "groups"), [(0, 1), (9, 1), (10, 1), (25, 3)])
+def test_a_long_table_is_written_in_parts_and_read_as_one(tmp_path, monkeypatch, rows, groups):
+    monkeypatch.setattr(schemas, "ROW_GROUP", 10)
+    table = pd.DataFrame({"time_s": np.arange(float(rows)), "motor_turns": np.sqrt(np.arange(float(rows)))})
+    path, schema = tmp_path / "samples.parquet", schemas.samples(["time_s", "motor_turns"])
+    schemas.write(table, schema, path)
+    pd.testing.assert_frame_equal(schemas.read(path, schema), table)
+    assert pq.ParquetFile(path).num_row_groups == groups

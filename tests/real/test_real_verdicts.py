@@ -34,7 +34,7 @@ def diagnosed(*folders):
     problem = engine.make_problem(runs, tables)
     fine = engine.at_own_rate(runs, tables)
     found = engine.polished(engine.study(problem), fine)
-    return diagnosis(found, fine, heldout.held_out(problem, fine)[0], runs, None, frozenset())
+    return diagnosis(found, fine, heldout.held_out(problem, fine, fine)[0], runs, None, frozenset())
 
 
 def sets(content):

@@ -1,0 +1,86 @@
+"""A long recording is refitted to averages, and scored on every second, third, … of its own samples."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from pipeline.diagnosis import engine, record
+from pipeline.diagnosis.problem import Problem
+from pipeline.diagnosis.record import despiked, lonely
+from pipeline.run.description import parse_run
+from pipeline.systems import systems
+
+ROWS, STEP_S = 3_000, 0.02
+
+
+def described(**changes):
+    """A twisted pair."""
+    string = {"material": "Z", "radius_mm": 0.4, "length_mm": 300.0, "stiffness_n_per_mm": 50.0}
+    content = {"run": "long", "actuator": "twisted_pair", "string": string, "rig": {"load_n": 20.0}}
+    return parse_run(content | changes, Path("long") / "run.yaml")
+
+
+def recorded(rows: int = ROWS) -> pd.DataFrame:
+    """Six strokes of a twisted pair, with noise."""
+    time_s = STEP_S * np.arange(rows)
+    turns = 20.0 * np.interp((time_s / 10.0) % 1.0, [0.0, 0.1, 0.5, 0.6, 1.0], [0.0, 0.0, 1.0, 1.0, 0.0])
+    noise_mm = np.random.default_rng(1).normal(0.0, 0.02, rows)
+    displacement_mm = 300.0 - np.sqrt(300.0**2 - (0.4 * 2.0 * np.pi * turns) ** 2) + noise_mm
+    return pd.DataFrame({"time_s": time_s, "motor_turns": turns, "displacement_mm": displacement_mm})
+
+
+@pytest.mark.parametrize(("most", "rows"), [(ROWS, ROWS), (ROWS - 1, ROWS // 2), (ROWS // 3, ROWS // 3)])
+def test_what_is_scored_are_own_samples_at_most_so_many(monkeypatch, most, rows):
+    monkeypatch.setattr(engine, "SCORED_SAMPLES", most)
+    made = recorded()
+    scored = engine.to_score([described()], [made])
+    assert len(scored.record) == rows
+    np.testing.assert_array_equal(scored.measured, made["displacement_mm"].to_numpy()[:: ROWS // rows])
+
+
+def test_a_system_that_follows_derivatives_is_scored_on_all_it_has(monkeypatch):
+    followers = [system for system in systems().values() if system.differentiates]
+    assert followers
+    asked = []
+    monkeypatch.setattr(engine, "SCORED_SAMPLES", 10)
+    monkeypatch.setattr(engine, "at_own_rate", lambda runs, tables: asked.append(len(tables[0])))
+    run = type("Told", (), {"system": followers[0]})()
+    engine.to_score([run], [recorded()])  # type: ignore[list-item]
+    assert asked == [ROWS]
+
+
+def test_a_long_recording_is_polished_on_averages_and_a_short_one_as_it_is(monkeypatch):
+    runs, tables = [described()], [recorded()]
+    fine: Problem = engine.to_score(runs, tables)
+    assert engine.to_polish(runs, tables, fine) is fine
+    monkeypatch.setattr(engine, "POLISHED_SAMPLES", 1_000)
+    averaged = engine.to_polish(runs, tables, fine)
+    assert len(averaged.record) == 1_000
+    plain = tables[0]["displacement_mm"].to_numpy()
+    assert averaged.measured == pytest.approx(despiked(plain).reshape(-1, 3).mean(axis=1))
+
+
+def test_spikes_are_the_same_whether_looked_at_in_one_block_or_in_many(monkeypatch):
+    signal = np.random.default_rng(3).normal(0.0, 1.0, 1_000)
+    signal[[0, 99, 200, 350, 500, 699, 998]] += 50.0
+    whole = lonely(signal, 10.0)
+    assert whole.sum() >= 3
+    monkeypatch.setattr(record, "BLOCK", 100)
+    np.testing.assert_array_equal(lonely(signal, 10.0), whole)
+
+
+def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
+    from pipeline.diagnosis import problem as module
+    from pipeline.diagnosis.library import mechanisms
+
+    problem = engine.to_score([described()], [recorded()])
+    shapes = [(one, shape) for one in mechanisms().values() for shape in one.shapes(problem.drivers)][:5]
+    monkeypatch.setattr(module, "REMEMBERED_SAMPLES", 2 * ROWS)
+    for mechanism, shape in shapes:
+        problem.terms(mechanism, shape)
+    assert len(problem._terms) == 2
+    monkeypatch.setattr(module, "REMEMBERED_SAMPLES", ROWS - 1)
+    problem.terms(*shapes[0])
+    assert problem.terms(*shapes[0]) is problem.terms(*shapes[0])  # the last one is always kept
