@@ -10,7 +10,7 @@ from typing import Any
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
 from .diagnosis.adopt import acts_from, adoptions, checked
-from .diagnosis.engine import at_own_rate
+from .diagnosis.own_rate import at_own_rate
 from .diagnosis.simulation import read_diagnosis
 from .diagnosis.words import coefficients
 from .diagnosis.words.adoption import ANYWAY, predictions

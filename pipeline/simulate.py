@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from .adoption.before_after import waits
-from .diagnosis.engine import at_own_rate
+from .diagnosis.own_rate import at_own_rate
 from .diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
 from .diagnosis.words.quantity import listing, size
 from .ground import schemas

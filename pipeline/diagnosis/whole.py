@@ -10,7 +10,7 @@ import pandas as pd
 
 from ..ground.errors import BadInput
 from ..run.description import Run
-from . import engine, faint, heldout, verdict
+from . import engine, faint, heldout, own_rate, verdict
 from .judge import Judge
 from .outcome import Study
 
@@ -35,8 +35,8 @@ def diagnosed(
     of_one_rig(runs, tables, folders)
     name = "+".join(folder.name for folder in folders)
     problem = engine.make_problem(runs, tables, folders, without=without, by=by)
-    fine = engine.to_score(runs, tables)
-    to_polish = engine.to_polish(runs, tables, fine)
+    fine = own_rate.to_score(runs, tables)
+    to_polish = own_rate.to_polish(runs, tables, fine)
     say("held out")  # first: a study is large, and this one is let go before the other begins
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
     found = engine.study(problem, say)

@@ -77,11 +77,11 @@ ROW_GROUP = 1 << 20  # rows that are turned into Parquet together
 def write(table: pd.DataFrame, schema: pa.Schema, path: Path | str) -> None:
     """Write a table as Parquet under its schema, with its units and a check sum of it all, whole or not at all."""
     with whole(path) as temporary:
-        with pq.ParquetWriter(temporary, schema) as writer:
+        with pq.ParquetWriter(temporary, schema) as to_temporary:
             for start in range(0, max(len(table), 1), ROW_GROUP):  # a table as Parquet is as large as the table
                 part = table.iloc[start : start + ROW_GROUP]
                 columns = [pa.array(part[field.name].to_numpy(), field.type, from_pandas=False) for field in schema]
-                writer.write_table(pa.Table.from_arrays(columns, schema=schema))
+                to_temporary.write_table(pa.Table.from_arrays(columns, schema=schema))
         seal.seal_parquet(temporary)
 
 

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import pandas as pd
 
-from ..diagnosis.engine import at_own_rate
+from ..diagnosis.own_rate import at_own_rate
 from ..diagnosis.simulation import of_run, tared
 from ..ground import schemas
 from ..ground.folders import whole_folder

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ..diagnosis.engine import at_own_rate
+from ..diagnosis.own_rate import at_own_rate
 from ..diagnosis.simulation import read_diagnosis, state_of, tare
 from ..ground.errors import BadInput, program
 from ..ground.files import whole

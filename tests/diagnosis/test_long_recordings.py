@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.diagnosis import engine, record
+from pipeline.diagnosis import own_rate, record
 from pipeline.diagnosis.problem import Problem
 from pipeline.diagnosis.record import despiked, lonely
 from pipeline.run.description import parse_run
@@ -33,9 +33,9 @@ def recorded(rows: int = ROWS) -> pd.DataFrame:
 
 @pytest.mark.parametrize(("most", "rows"), [(ROWS, ROWS), (ROWS - 1, ROWS // 2), (ROWS // 3, ROWS // 3)])
 def test_what_is_scored_are_own_samples_at_most_so_many(monkeypatch, most, rows):
-    monkeypatch.setattr(engine, "SCORED_SAMPLES", most)
+    monkeypatch.setattr(own_rate, "SCORED_SAMPLES", most)
     made = recorded()
-    scored = engine.to_score([described()], [made])
+    scored = own_rate.to_score([described()], [made])
     assert len(scored.record) == rows
     np.testing.assert_array_equal(scored.measured, made["displacement_mm"].to_numpy()[:: ROWS // rows])
 
@@ -44,19 +44,19 @@ def test_a_system_that_follows_derivatives_is_scored_on_all_it_has(monkeypatch):
     followers = [system for system in systems().values() if system.differentiates]
     assert followers
     asked = []
-    monkeypatch.setattr(engine, "SCORED_SAMPLES", 10)
-    monkeypatch.setattr(engine, "at_own_rate", lambda runs, tables: asked.append(len(tables[0])))
+    monkeypatch.setattr(own_rate, "SCORED_SAMPLES", 10)
+    monkeypatch.setattr(own_rate, "at_own_rate", lambda runs, tables: asked.append(len(tables[0])))
     run = type("Told", (), {"system": followers[0]})()
-    engine.to_score([run], [recorded()])  # type: ignore[list-item]
+    own_rate.to_score([run], [recorded()])  # type: ignore[list-item]
     assert asked == [ROWS]
 
 
 def test_a_long_recording_is_polished_on_averages_and_a_short_one_as_it_is(monkeypatch):
     runs, tables = [described()], [recorded()]
-    fine: Problem = engine.to_score(runs, tables)
-    assert engine.to_polish(runs, tables, fine) is fine
-    monkeypatch.setattr(engine, "POLISHED_SAMPLES", 1_000)
-    averaged = engine.to_polish(runs, tables, fine)
+    fine: Problem = own_rate.to_score(runs, tables)
+    assert own_rate.to_polish(runs, tables, fine) is fine
+    monkeypatch.setattr(own_rate, "POLISHED_SAMPLES", 1_000)
+    averaged = own_rate.to_polish(runs, tables, fine)
     assert len(averaged.record) == 1_000
     plain = tables[0]["displacement_mm"].to_numpy()
     assert averaged.measured == pytest.approx(despiked(plain).reshape(-1, 3).mean(axis=1))
@@ -75,7 +75,7 @@ def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
     from pipeline.diagnosis import problem as module
     from pipeline.diagnosis.library import mechanisms
 
-    problem = engine.to_score([described()], [recorded()])
+    problem = own_rate.to_score([described()], [recorded()])
     shapes = [(one, shape) for one in mechanisms().values() for shape in one.shapes(problem.drivers)][:5]
     monkeypatch.setattr(module, "REMEMBERED_SAMPLES", 2 * ROWS)
     for mechanism, shape in shapes:

@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnosis.engine import at_own_rate, make_problem, rms
+from pipeline.diagnosis.engine import make_problem, rms
 from pipeline.diagnosis.heldout import first_held_out
 from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.own_rate import at_own_rate
 from pipeline.proof.baselines import __main__ as command
 from pipeline.proof.baselines.features import products
 from pipeline.proof.baselines.frozen import frozen

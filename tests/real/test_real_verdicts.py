@@ -6,7 +6,7 @@ from pathlib import Path
 import downloaded
 import pytest
 
-from pipeline.diagnosis import engine, heldout
+from pipeline.diagnosis import engine, heldout, own_rate
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
@@ -32,7 +32,7 @@ def diagnosed(*folders):
     pairs = [read_samples(folder) for folder in folders]
     runs, tables = [run for run, _ in pairs], [table for _, table in pairs]
     problem = engine.make_problem(runs, tables)
-    fine = engine.at_own_rate(runs, tables)
+    fine = own_rate.at_own_rate(runs, tables)
     found = engine.polished(engine.study(problem), fine)
     return diagnosis(found, fine, heldout.held_out(problem, fine, fine)[0], runs, None, frozenset())
 

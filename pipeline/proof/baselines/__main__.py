@@ -9,7 +9,7 @@ from typing import Any
 
 from threadpoolctl import threadpool_limits
 
-from ...diagnosis import engine
+from ...diagnosis import engine, own_rate
 from ...ground.errors import program
 from ...ground.files import write_text
 from ...run.samples import read_samples
@@ -27,7 +27,7 @@ def method(name: str) -> Method:
 def baselines(folder: Path) -> dict[str, Any]:
     """What every method says of one run folder; names come from the whole recording. Raises BadInput."""
     run, samples = read_samples(folder)
-    problem, fine = engine.make_problem([run], [samples], [folder]), engine.at_own_rate([run], [samples])
+    problem, fine = engine.make_problem([run], [samples], [folder]), own_rate.at_own_rate([run], [samples])
     whole = calibrated(problem)
     found: dict[str, Any] = {"run": run.run}
     for name in METHODS:
