@@ -5,7 +5,7 @@ import numpy as np
 from ..ground.kinematics import RAD_PER_TURN, loaded_radius
 from .c_text import Body, function, read, real
 from .inputs import Inputs
-from .source import Source
+from .interface import Source
 
 LOADED = ("radius_mm", "length_mm", "stiffness_n_per_mm", "load_n")
 

@@ -5,7 +5,7 @@ from typing import Any
 from ..ground.kinematics import RAD_PER_TURN, Array, loaded_radius
 from .graph import Graph
 from .inputs import Inputs
-from .source import Source
+from .interface import Source
 
 
 class Query:
