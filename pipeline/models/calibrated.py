@@ -11,6 +11,7 @@ import pandas as pd
 from scipy.optimize import least_squares
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .parts.saved import read_json, write_json
 
 LARGEST_MOVE = 3.0  # sigmas by which the contract lets a dimension move
@@ -101,3 +102,4 @@ class Calibrated:
 
 
 MODEL = Calibrated
+ABOUT = About(each_string_apart=True, least_strokes_alone=0)

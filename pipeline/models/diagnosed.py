@@ -20,6 +20,7 @@ from ..diagnosis.search import LARGEST, TRIED, apart
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from ..run.description import Run
+from .about import About
 from .parts.diagnosed_problem import SAMPLES, holed, plain
 from .parts.diagnosed_run import Simulator
 from .parts.saved import read_json, write_json
@@ -186,3 +187,4 @@ def foreseeing(found: outcome.Study) -> Iterator[State]:
 
 
 MODEL = Diagnosed
+ABOUT = About(needs_motion=True)

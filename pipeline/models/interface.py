@@ -9,6 +9,7 @@ from typing import Protocol
 import pandas as pd
 
 from ..ground.kinematics import Array
+from .about import About
 
 
 class Model(Protocol):
@@ -41,6 +42,12 @@ def settings_of(name: str) -> type | None:
     """The dataclass of a model's settings, None for a model without any."""
     found: type | None = getattr(importlib.import_module(f"{__package__}.{name}"), "Settings", None)
     return found
+
+
+def about(name: str) -> About:
+    """What a model's file says of it under `ABOUT`; the usual where it says nothing."""
+    said: About = getattr(importlib.import_module(f"{__package__}.{name}"), "ABOUT", About())
+    return said
 
 
 def make_model(name: str, **settings: object) -> Model:

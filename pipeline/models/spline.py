@@ -18,6 +18,7 @@ import pandas as pd
 from pydantic import Field
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .parts import rational
 from .parts.box import Box
 from .parts.conditions import Conditions
@@ -151,3 +152,4 @@ def _zone_mm(points: pd.DataFrame) -> Array:
 
 
 MODEL = Spline
+ABOUT = About(least_strokes_alone=1)

@@ -5,6 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .parts.saved import read_json, write_json
 
 
@@ -32,3 +33,4 @@ class Traditional:
 
 
 MODEL = Traditional
+ABOUT = About(least_strokes_alone=0)

@@ -22,10 +22,11 @@ from pathlib import Path
 import numpy as np, pandas as pd
 from pipeline.export import c_header, interface, onnx_model, source
 from pipeline.ground.errors import BadInput
-from pipeline.models.interface import make_model, names
+from pipeline.models.about import About
+from pipeline.models.interface import about, make_model, names
 
 points = pd.read_parquet("points.parquet")
-assert "shifted" in names()
+assert "shifted" in names() and about("shifted") == About()
 model, plain = make_model("shifted"), make_model("traditional")
 model.fit(points, 0)
 file = Path("shifted/within-0.model")
@@ -62,6 +63,7 @@ from pipeline.run.samples import read_samples
 folder = Path(sys.argv[1])
 run, samples = read_samples(folder)
 seen = calibrated(engine.make_problem([run], [samples], [folder]))
+assert "cubic_fit" in command.names()
 learnt = command.method("cubic_fit")(seen)
 left = seen.residual_mm - learnt.adds_mm(seen.problem)
 assert learnt.named is None and engine.rms(left) < engine.rms(seen.residual_mm)
