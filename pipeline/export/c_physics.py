@@ -98,7 +98,10 @@ def standardised(source: Source) -> list[str]:
 
 
 def paper_conditions(source: Source, mean: np.ndarray, std: np.ndarray, log_stroke: bool = True) -> list[str]:
-    """The scaled conditions b, l, r and n (`features.conditions`) as expressions; mean and std of shape (4,)."""
+    """The scaled conditions b, l, r and n (`features.conditions`) as expressions; mean and std of shape (4,).
+
+    Mean and std in the columns' units.
+    """
     exprs = [read(source.inputs, name) for name in ("separator_mm", "length_mm", "radius_mm")]
     exprs.append("tsa_log((tsa_real)(at->stroke + 1))" if log_stroke else "(tsa_real)at->stroke")
     return [

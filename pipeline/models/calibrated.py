@@ -2,6 +2,9 @@
 
 First-order physics only: eqs 4 and 5 with better numbers, no direction and no stroke times. It is the honest
 baseline of a learned model, where the nominal one is the paper's.
+
+Source: eqs 4 and 5 of Liu et al., "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural
+Networks"; least squares with priors: Tarantola, Inverse Problem Theory, 2005.
 """
 
 from pathlib import Path

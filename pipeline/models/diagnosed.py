@@ -3,6 +3,9 @@
 Every run of a string is diagnosed alone, as a recording that has holes where points are held out. What is predicted
 depends on what was done before: the simulator goes through the motion of the training points and of the points asked.
 A run of which no training points were seen is simulated by the nominal equations.
+
+Source: Kennedy and O'Hagan, "Bayesian calibration of computer models", Journal of the Royal Statistical Society B 63,
+2001 (a simulator and what it lacks); of each mechanism: docs/physics.md.
 """
 
 from collections.abc import Callable, Iterator

@@ -19,10 +19,13 @@ class Model(Protocol):
         """Learn from points; the same points and seed give the same model."""
 
     def forward(self, points: pd.DataFrame) -> Array:
-        """Contraction in mm for the points' `motor_turns` and conditions; reads no `displacement_mm`."""
+        """Contraction in mm for the points' `motor_turns` and conditions; reads no `displacement_mm`.
+
+        Shape (points,).
+        """
 
     def inverse(self, points: pd.DataFrame) -> Array:
-        """Twist in turns for the points' `displacement_mm` and conditions; reads no `motor_turns`."""
+        """Twist in turns for the points' `displacement_mm` and conditions; reads no `motor_turns`. Shape (points,)."""
 
     def save(self, path: Path) -> None:
         """Write the fitted model to a file."""

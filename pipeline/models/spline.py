@@ -7,6 +7,9 @@ whatever was learnt, and θ follows from x exactly: S backwards, then eq. 5. A p
 
 Fitted by Levenberg and Marquardt on the forward error; the law of n is the one that best foresees the last strokes
 and follows all of them.
+
+Source: Gregory and Delbourgo, "Piecewise rational quadratic interpolation to monotonic data", IMA Journal of
+Numerical Analysis 2, 1982; Durkan et al., "Neural Spline Flows", NeurIPS 2019 (as a model with an inverse).
 """
 
 from dataclasses import asdict

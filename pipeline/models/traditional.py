@@ -1,4 +1,7 @@
-"""The paper's traditional model: eqs 4 and 5 with the dimensions as measured, nothing fitted."""
+"""The paper's traditional model: eqs 4 and 5 with the dimensions as measured, nothing fitted.
+
+Source: Liu, Wei, Gao and Gong, "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks".
+"""
 
 from pathlib import Path
 
