@@ -25,8 +25,9 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from pipeline.export.c_header import header
+from pipeline.export.interface import Source
 from pipeline.export.onnx_model import GIVEN, graphs
-from pipeline.export.source import Beside, Source, opened
+from pipeline.export.source import Beside, opened
 from pipeline.ground.errors import BadInput
 
 MODELS = ("spline", "cinn", "inn")

@@ -18,6 +18,7 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.outputs import file_to_write
 from .ground.tables import opened
+from .models.interface import about
 from .models.parts.box import COLUMNS
 from .models.parts.conditions import Conditions
 from .models.parts.intervals import GIVEN, Intervals, TooFew
@@ -31,7 +32,6 @@ ASKED = ("stroke", "direction")  # every question must tell
 WAYS = (1, -1)
 MOST_STROKE = 10**9  # that a question may be about: any number that a person means
 MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
-WITH_MEMORY = ("diagnosed",)  # models whose answer depends on the whole motion before, which a question does not tell
 
 
 def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str]:
@@ -100,10 +100,10 @@ def main() -> None:
     asked = parser.parse_args()
     if not 0.0 < asked.level < 1.0:
         raise BadInput("--level", str(asked.level), "is no probability", "give a number between 0 and 1")
-    if asked.model in WITH_MEMORY:
+    configured(asked.model, asked.settings)  # complains before anything is fitted
+    if about(asked.model).needs_motion:
         problem = "answers along a whole motion, which single questions do not tell"
         raise BadInput("--model", asked.model, problem, "choose another, such as spline")
-    configured(asked.model, asked.settings)  # complains before anything is fitted
     file_to_write(asked.out, reads=[asked.dataset, asked.questions])
     dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     for said in read_jumps([asked.dataset.with_name(NAME)]):

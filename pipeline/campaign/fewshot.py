@@ -10,7 +10,7 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import BadInput, program
 from ..ground.progress import steps
-from ..models.interface import Model, make_model
+from ..models.interface import Model, about, make_model
 from ..stages.train import fitting
 from .adapt import Adaptation
 from .asked import parser, points_of
@@ -20,7 +20,6 @@ SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown
 TRAINING_POINTS = 12000
 LEAST_STRINGS = {"train": 1, "tune": 2, "test": 1}
-ALONE = ("traditional", "calibrated", "spline")  # models that may also learn from the new string's strokes alone
 PROBED = (
     "direction", "stroke", "separator_mm", "length_mm", "radius_mm", "torsion_zone_mm", "stiffness_n_per_mm", "load_n",
     "material",
@@ -75,21 +74,22 @@ def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[i
 def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int) -> pd.DataFrame:
     """Errors of a model by string, strokes shown, and how it learnt: "transfer" or "alone"; columns of `FEW_SHOT`."""
     rows = []
-    learns = name != "calibrated"  # which has numbers of its own for every string, none for all
+    said = about(name)
+    learns, alone_from = not said.each_string_apart, said.least_strokes_alone
     model = fitted(name, settings, points, seed) if learns else make_model(name, **settings)
     told = reads(model, points[points["strings"] == "test"])
     if learns:
         adaptation = Adaptation(model, points[points["strings"] == "tune"])
     for asked, shown in steps(asked_and_shown(points), "string"):
-        about = (str(asked["string"].iloc[0]), str(asked["material"].iloc[0]))
+        which = (str(asked["string"].iloc[0]), str(asked["material"].iloc[0]))
         for shots, few in shown.items():
             if learns:
-                rows.append((name, *about, "transfer", told, shots, *errors(adaptation.to(few), asked)))
-            if name in ALONE and (shots or name != "spline"):
+                rows.append((name, *which, "transfer", told, shots, *errors(adaptation.to(few), asked)))
+            if alone_from is not None and shots >= alone_from:
                 alone = make_model(name, **settings)
                 if shots:
                     alone.fit(few, seed)
-                rows.append((name, *about, "alone", told, shots, *errors(alone, asked)))
+                rows.append((name, *which, "alone", told, shots, *errors(alone, asked)))
     return pd.DataFrame(rows, columns=FEW_SHOT.names)
 
 

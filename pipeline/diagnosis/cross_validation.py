@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from .bounded import boxed
 from .linear import Linear
-from .recursions import boxed, whiten
+from .recursions import whiten
 from .search import Explanation
 
 STRETCHES = 5  # of the recording, each left out once

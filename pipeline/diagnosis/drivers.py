@@ -48,20 +48,20 @@ class Drivers:
         return float(np.median(np.diff(self.time_s)))
 
     def smooth(self, signal: Array) -> Array:
-        """A signal smoothed over about an eighth of a second."""
+        """A signal smoothed over about an eighth of a second. In the signal's unit, both of shape (samples,)."""
         return gaussian_filter1d(signal, max(SMOOTH_S / self.step_s, 0.6), mode="nearest")
 
     def slope(self, signal: Array) -> Array:
-        """Time derivative of a smoothed signal, per second."""
+        """Time derivative of a smoothed signal, per second. Both of shape (samples,)."""
         return np.gradient(self.smooth(signal), self.time_s)
 
     @cached_property
     def rate(self) -> Array:
-        """Rate of the motion, per second."""
+        """Rate of the motion, per second. Shape (samples,)."""
         return self.slope(self.motion) if self.velocity is None else self.velocity
 
     def inputs(self, rows: NDArray[np.bool_]) -> "Moved":
-        """What a system simulates from, of some rows."""
+        """What a system simulates from, of some rows. `rows` is a mask of shape (samples,)."""
         return Moved(self.time_s[rows], self.motion[rows], self.rate[rows], self.acceleration[rows], self.load[rows])
 
     @cached_property
@@ -71,16 +71,16 @@ class Drivers:
 
     @cached_property
     def moved(self) -> Array:
-        """The motion without encoder noise."""
+        """The motion without encoder noise. In the motion's unit, shape (samples,)."""
         return play(self.motion, np.full(len(self.motion), DEAD_BAND * self.span))
 
     @cached_property
     def path(self) -> Array:
-        """Travel of the motion since the start."""
+        """Travel of the motion since the start. In the motion's unit, shape (samples,)."""
         return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(self.moved)))])
 
     def worked(self, load_power: float) -> Array:
-        """Work of winding, ∫ load^power · dx⁺, in units of 10 mm (at 10 N)."""
+        """Work of winding, ∫ load^power · dx⁺, in units of 10 mm (at 10 N). Shape (samples,)."""
         lifted = np.maximum(np.diff(np.interp(self.moved, *self._curve)), 0.0)
         lift = 0.5 * (np.abs(self.load[1:]) + np.abs(self.load[:-1])) ** load_power
         return np.concatenate([[0.0], np.cumsum(lift * lifted)]) / 10.0
@@ -93,7 +93,7 @@ class Drivers:
 
     @cached_property
     def elapsed_s(self) -> Array:
-        """Time since the first sample."""
+        """Time since the first sample. In s, shape (samples,)."""
         return self.time_s - self.time_s[0]
 
     @cached_property
@@ -102,7 +102,10 @@ class Drivers:
         return float(np.median(self.load[self.elapsed_s <= max(1.0, 5 * self.step_s)]))
 
     def directed(self, width: float) -> Array:
-        """Memory of the direction, −1…1: where the motion stands in a play of half-width `width`."""
+        """Memory of the direction, −1…1: where the motion stands in a play of half-width `width`.
+
+        `width` in the motion's unit; shape (samples,).
+        """
         return (self.motion - play(self.motion, np.full(len(self.motion), width))) / width
 
 

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..ground.kinematics import Array
+from .bounded import boxed, fitted, scan
 from .columns import Columns
 from .interface import Shape
 from .library import mechanisms
 from .noise import Noise
 from .problem import Act, Problem, State
 from .products import Products
-from .recursions import boxed, fitted, scan
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
 ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true

@@ -102,7 +102,7 @@ class Problem:
         return list(zip(terms, act.coefficients, strict=True))
 
     def ports(self, acts: tuple[Act, ...]) -> tuple[dict[str, Array], list[tuple[Term, float]]]:
-        """What the acts add at each port, and the operators on the reading with their coefficients."""
+        """What acts add at each port, shape (samples,) in its unit, and operators on the reading with coefficients."""
         added: dict[str, Array] = {}
         operators = []
         for act in acts:
@@ -119,7 +119,10 @@ class Problem:
         return added, operators
 
     def simulated(self, values: Array, added: dict[str, Array]) -> Array:
-        """The system's channel; values beyond the system's own say where later runs home their motors."""
+        """The system's channel; values beyond the system's own say where later runs home their motors.
+
+        `values` in the parameters' units, `added` in the ports' units; shape (samples,) in the channel's unit.
+        """
         own = len(values) - self.homed
         if self.homed:
             port = self.system.ports["twist"]
@@ -137,7 +140,10 @@ class Problem:
         )
 
     def reading(self, values: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
-        """Reading without zero: the simulated channel, then what operators and the sensor port add to it."""
+        """Reading without zero: the simulated channel, then what operators and the sensor port add to it.
+
+        Shape (samples,), in the channel's unit.
+        """
         reading = self.simulated(values, added)
         changes = [coefficient * term.signal(reading) for term, coefficient in operators if callable(term.signal)]
         for change in changes:
@@ -145,12 +151,15 @@ class Problem:
         return reading + added["sensor"] if "sensor" in added else reading
 
     def simulate(self, state: State) -> Array:
-        """Predicted channel of every sample."""
+        """Predicted channel of every sample. Shape (samples,), in the channel's unit."""
         added, operators = self.ports(state.acts)
         return self.reading(state.values, added, operators) + state.zeros[self.record.run_index]
 
     def column(self, term: Term, slopes: dict[str, Array], state: State, clean: Array) -> Array:
-        """How the reading moves with the coefficient of a term; `clean` is the reading before operators."""
+        """How the reading moves with the coefficient of a term; `clean` is the reading before operators.
+
+        Shape (samples,), in the channel's unit per unit of the coefficient.
+        """
         if callable(term.signal):
             return term.signal(clean)
         if self.system.remembers and term.port != "sensor":
@@ -158,14 +167,17 @@ class Problem:
         return slopes[term.port] * term.signal
 
     def pushed(self, port: str, signal: Array, state: State, clean: Array) -> Array:
-        """How the simulated channel moves, at once and later, with a small share of a signal at a port."""
+        """How the simulated channel moves, at once and later, with a small share of a signal at a port.
+
+        Shape (samples,), in the channel's unit per unit at the port.
+        """
         step = STEPS[port] / max(float(np.sqrt(np.mean(np.square(signal)))), 1e-300)
         added, place = self.ports(state.acts)[0], self.system.ports[port]
         moved = added[place] + step * signal if place in added else step * signal
         return (self.simulated(state.values, {**added, place: moved}) - clean) / step
 
     def sensitivity(self, state: State) -> dict[str, Array]:
-        """How the reading moves per unit at each port, and for each movable parameter by its name."""
+        """How the reading, shape (samples,), moves per unit at each port and of each movable parameter by name."""
         added, operators = self.ports(state.acts)
         before = self.reading(state.values, added, operators)
         nothing = np.zeros_like(before)
@@ -183,6 +195,6 @@ class Problem:
         return found
 
     def clean_reading(self, state: State) -> Array:
-        """Reading before any operator: what operators act on."""
+        """Reading before any operator: what operators act on. Shape (samples,), in the channel's unit."""
         added, _ = self.ports(state.acts)
         return self.simulated(state.values, added)

@@ -42,7 +42,10 @@ class Record:
 
 
 def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
-    """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion."""
+    """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion.
+
+    The mask and the signal have the shape (samples,); `least` is in the signal's unit.
+    """
     padded, found = np.pad(signal, 2, mode="reflect"), np.zeros(len(signal), np.bool_)
     for start in range(0, len(signal), BLOCK):
         part = signal[start : start + BLOCK]
@@ -53,7 +56,10 @@ def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
 
 
 def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
-    """Samples of a residual that lie far from neighbours which agree among themselves, and how far each lies."""
+    """Samples of a residual that lie far from neighbours which agree among themselves, and how far each lies.
+
+    Both of shape (samples,), the distance in the residual's unit.
+    """
     gap = residual - median_filter(residual, 7, mode="nearest")
     spread = 1.4826 * float(np.median(np.abs(gap)))
     usual = median_filter(np.abs(gap), 9, mode="nearest")
@@ -62,7 +68,10 @@ def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
 
 
 def despiked(signal: Array) -> Array:
-    """A channel with single-sample spikes replaced by the median of their neighbours."""
+    """A channel with single-sample spikes replaced by the median of their neighbours.
+
+    Shape (samples,), in the channel's unit.
+    """
     middle = median_filter(signal, 5, mode="nearest")
     spread = 1.4826 * float(np.median(np.abs(signal - middle)))
     spread += 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
@@ -78,7 +87,10 @@ def _bins(time_s: Array, width: int) -> NDArray[np.intp]:
 
 
 def means(time_s: Array, signal: Array, width: int) -> Array:
-    """Means of a signal over `width` samples, as a record takes them."""
+    """Means of a signal over `width` samples, as a record takes them.
+
+    Time in s; shape (means,), in the signal's unit.
+    """
     bins = _bins(time_s, width) if width > 1 else np.arange(len(time_s))
     return np.asarray(np.bincount(bins, weights=signal) / np.bincount(bins))
 
@@ -117,7 +129,10 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
 
 
 def derivatives(time_s: Array, motion: Array, working_hz: float | None) -> tuple[Array, Array]:
-    """Rate and acceleration of a motion, of means over a tenth of a working period: finer only differentiates steps."""
+    """Rate and acceleration of a motion, of means over a tenth of a working period: finer only differentiates steps.
+
+    Each of shape (samples,), per s and per s²; time in s.
+    """
     step_s = float(np.median(np.diff(time_s)))
     width = max(1, round(1.0 / (FINER * working_hz * step_s))) if working_hz else 1
     if width == 1:

@@ -9,7 +9,10 @@ from ..ground.kinematics import Array
 
 @njit(cache=True)
 def play(motion: Array, half_width: Array) -> Array:
-    """Play operator: what follows a motion with a dead band of ± half_width (one value a sample); starts centred."""
+    """Play operator: what follows a motion with a dead band of ± half_width (one value a sample); starts centred.
+
+    Motion, half-width and answer in one unit, each of shape (samples,).
+    """
     out = np.empty_like(motion)
     state = motion[0]
     for i in range(motion.size):
@@ -20,7 +23,10 @@ def play(motion: Array, half_width: Array) -> Array:
 
 @njit(cache=True)
 def lowpass(signal: Array, time_s: Array, tau_s: float, start: float) -> Array:
-    """First-order low-pass dz/dt = (signal − z)/τ, exact for a signal that is constant within a step."""
+    """First-order low-pass dz/dt = (signal − z)/τ, exact for a signal that is constant within a step.
+
+    Time and τ in s; answer and `start` in the signal's unit, shape (samples,).
+    """
     out = np.empty_like(signal)
     state = start
     out[0] = state
@@ -34,7 +40,10 @@ def lowpass(signal: Array, time_s: Array, tau_s: float, start: float) -> Array:
 
 @njit(cache=True)
 def resonator(drive: Array, time_s: Array, frequency_hz: Array, damping: float) -> tuple[Array, Array]:
-    """Position and velocity/ω of q″ + 2ζω q′ + ω² q = ω² drive, by exact steps of constant drive; starts at rest."""
+    """Position and velocity/ω of q″ + 2ζω q′ + ω² q = ω² drive, by exact steps of constant drive; starts at rest.
+
+    Time in s, frequency in Hz; all of shape (samples,), both answers in the drive's unit.
+    """
     position, velocity = np.zeros_like(drive), np.zeros_like(drive)
     q, v = 0.0, 0.0
     for i in range(1, drive.size):
@@ -54,7 +63,10 @@ def resonator(drive: Array, time_s: Array, frequency_hz: Array, damping: float) 
 
 @njit(cache=True)
 def sticking(motion: Array, reach: float, back: float) -> Array:
-    """What sticks until a motion is `reach` ahead, then jumps to `back` behind it; moves in steps, both ways."""
+    """What sticks until a motion is `reach` ahead, then jumps to `back` behind it; moves in steps, both ways.
+
+    All in the motion's unit; shape (samples,).
+    """
     out = np.empty_like(motion)
     state = motion[0]
     for i in range(motion.size):
@@ -70,6 +82,7 @@ def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
     """Innovations of each column (shape (columns, samples)) under an AR model; rows before its order are scaled.
 
     `first[i]` is the number of samples since the last break (start of a run), so that no filter reaches across it.
+    Innovations are in the columns' unit; `ar` of shape (order,).
     """
     out = columns.copy()
     taps = np.zeros(6 * ((ar.size + 5) // 6))  # six at a time: a pass over the samples costs more than a product
@@ -90,111 +103,3 @@ def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
             out[j, start:end] -= predicted
         start = end
     return out
-
-
-@njit(cache=True)
-def boxed(gram: Array, moment: Array, low: Array, high: Array, start: Array) -> Array:
-    """Least ½βᵀGβ − hᵀβ with low ≤ β ≤ high: active set (bounded-variable least squares), for small problems."""
-    k = moment.size
-    x = np.minimum(np.maximum(start, low), high)
-    scale = np.sqrt(np.maximum(np.diag(gram), 1e-300))
-    free = (x > low) & (x < high)
-    barred = np.zeros(k, np.bool_)
-    for _ in range(6 * k + 20):
-        # inner: solve on the free set, walking back to the first bound that is met
-        for _inner in range(3 * k + 5):
-            index = np.flatnonzero(free)
-            if index.size == 0:
-                break
-            m = index.size
-            a = np.empty((m, m))
-            r = np.empty(m)
-            for p in range(m):
-                r[p] = moment[index[p]] / scale[index[p]]
-                for q in range(k):
-                    if not free[q]:
-                        r[p] -= gram[index[p], q] * x[q] / scale[index[p]]
-                for q in range(m):
-                    a[p, q] = gram[index[p], index[q]] / (scale[index[p]] * scale[index[q]])
-                a[p, p] += 1e-9
-            solution = np.linalg.solve(a, r)
-            step, hit = 1.0, -1
-            for p in range(m):
-                j = index[p]
-                target = solution[p] / scale[j]
-                if target < low[j] or target > high[j]:
-                    bound = low[j] if target < low[j] else high[j]
-                    move = target - x[j]
-                    share = (bound - x[j]) / move if move != 0.0 else 0.0
-                    if share < step:
-                        step, hit = max(share, 0.0), j
-            for p in range(m):
-                j = index[p]
-                x[j] += step * (solution[p] / scale[j] - x[j])
-            if hit < 0:
-                break
-            x[hit] = low[hit] if abs(x[hit] - low[hit]) <= abs(x[hit] - high[hit]) else high[hit]
-            free[hit] = False
-            if step == 0.0:
-                barred[hit] = True
-        # outer: free the bound variable whose gradient points inside most
-        best, chosen = 1e-7 * (1.0 + np.max(np.abs(moment / scale))), -1
-        for j in range(k):
-            if free[j] or barred[j] or low[j] == high[j]:
-                continue
-            slope = moment[j]
-            for q in range(k):
-                slope -= gram[j, q] * x[q]
-            slope /= scale[j]
-            if x[j] >= high[j]:
-                slope = -slope
-            if slope > best:
-                best, chosen = slope, j
-        if chosen < 0:
-            break
-        free[chosen] = True
-    return x
-
-
-@njit(cache=True)
-def fitted(
-    gram: Array, moment: Array, columns: NDArray[np.intp], low: Array, high: Array, start: Array
-) -> tuple[Array, float]:
-    """Bounded solution on some columns of a large problem, and its misfit less the target's square."""
-    k = columns.size
-    part, side = np.empty((k, k)), np.empty(k)
-    for p in range(k):
-        side[p] = moment[columns[p]]
-        for q in range(k):
-            part[p, q] = gram[columns[p], columns[q]]
-    solution = boxed(part, side, low, high, start)
-    misfit = 0.0
-    for p in range(k):
-        misfit -= 2.0 * side[p] * solution[p]
-        for q in range(k):
-            misfit += solution[p] * part[p, q] * solution[q]
-    return solution, misfit
-
-
-@njit(cache=True)
-def scan(
-    gram: Array,
-    moment: Array,
-    given: NDArray[np.intp],
-    starts: NDArray[np.intp],
-    counts: NDArray[np.intp],
-    low: Array,
-    high: Array,
-    start: Array,
-    known: int,
-) -> tuple[Array, NDArray[np.intp]]:
-    """Misfit (less the target's square) and active columns of fits on given columns and each of several blocks."""
-    misfit, active = np.empty(starts.size), np.empty(starts.size, np.intp)
-    for block in range(starts.size):
-        columns = np.concatenate((given, starts[block] + np.arange(counts[block])))
-        solution, misfit[block] = fitted(gram, moment, columns, low[columns], high[columns], start[columns])
-        active[block] = 0
-        for p in range(known, columns.size):
-            if np.abs(solution[p]) * np.sqrt(gram[columns[p], columns[p]]) > 1.0:
-                active[block] += 1
-    return misfit, active

@@ -12,27 +12,30 @@ GROWTHS = (0.03, 0.1, 0.3, 1.0)  # of the whole: after how much of it a saturati
 
 
 def saturations(amount: Array, whole: float) -> dict[str, Array]:
-    """Growth laws 1 − exp(−amount / (share · whole)) by name, and the straight one."""
+    """Growth laws 1 − exp(−amount / (share · whole)) by name, and the straight one.
+
+    `amount` and `whole` have one unit, the laws have none; each of shape (samples,).
+    """
     grown = {f"within_{share:g}": 1.0 - np.exp(-amount / (share * whole)) for share in GROWTHS}
     return {**grown, "steady": amount / whole}
 
 
 def growths(amount: Array, whole: float) -> dict[str, Array]:
-    """The growth laws of `saturations` by name, and one that gets faster."""
+    """The growth laws of `saturations` by name, and one that gets faster. Each of shape (samples,), without a unit."""
     return {**saturations(amount, whole), "faster": (amount / whole) ** 2}
 
 
 def half_waves(share: Array, shape: Shape, first: int) -> dict[int, Array]:
     """Cosines of `first` to `half_waves` half waves over a recording, of whose length `share` has passed, by number.
 
-    None where the shape has no `half_waves`.
+    None where the shape has no `half_waves`. Each of shape (samples,).
     """
     last = int(shape.get("half_waves", 0.0))
     return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
 
 
 def hinge(signal: Array, onset: float, softness: float) -> Array:
-    """Rises with slope 1 beyond an onset; softplus of the given width."""
+    """Rises with slope 1 beyond an onset; softplus of the given width. All in one unit; shape (samples,)."""
     return np.asarray(softness * np.logaddexp(0.0, (signal - onset) / softness))
 
 
@@ -60,21 +63,30 @@ def slips(drivers: Drivers) -> list[Shape]:
 
 
 def jumps(residual: Array) -> Array:
-    """How far a residual jumps at each sample: the mean after it less the mean before it."""
+    """How far a residual jumps at each sample: the mean after it less the mean before it.
+
+    In the residual's unit, both of shape (samples,).
+    """
     size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
     size[:BESIDE] = size[len(size) - BESIDE :] = 0.0
     return np.abs(size)
 
 
 def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
-    """How far the largest jump of a residual stands out from the usual ones."""
+    """How far the largest jump of a residual stands out from the usual ones.
+
+    A number from 0 to 6 without a unit; residual and prediction of shape (samples,), in the channel's unit.
+    """
     height = jumps(residual)
     usual = 1.4826 * float(np.median(height)) / 0.6745
     return float(np.clip(np.log(max(height.max() / max(usual, 1e-300) / 4.0, 1.0)) * 2.0, 0.0, 6.0))
 
 
 def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
-    """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before."""
+    """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before.
+
+    The residual has the shape (samples,), in the channel's unit; times in s.
+    """
     height = jumps(residual)
     apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
     found: list[Shape] = []
@@ -89,7 +101,10 @@ def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
 
 
 def slipped(drivers: Drivers, shape: Shape) -> Array:
-    """0 before a slip, 1 after it; a sample that holds a sudden one is a mean, and so between."""
+    """0 before a slip, 1 after it; a sample that holds a sudden one is a mean, and so between.
+
+    Shape (samples,), without a unit; times of the shape in s.
+    """
     since_s = drivers.elapsed_s - shape["at_s"]
     if shape["within_s"] > 0.0:
         return np.asarray(1.0 - np.exp(-np.maximum(since_s, 0.0) / shape["within_s"]))

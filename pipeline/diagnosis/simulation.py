@@ -65,7 +65,10 @@ def of_run(run: Run) -> dict[str, Any]:
 
 
 def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample."""
+    """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample.
+
+    Shape (samples,), in the channel's unit.
+    """
     state = state_of(content, problem, path, run)
     try:
         with np.errstate(all="ignore"):
@@ -81,13 +84,19 @@ def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -
 
 
 def tare(predicted: Array, measured: Array, time_s: Array) -> float:
-    """What to add so that prediction and measurement agree on the first second."""
+    """What to add so that prediction and measurement agree on the first second.
+
+    Both of shape (samples,) in the channel's unit, as the answer; time in s.
+    """
     start = time_s - time_s[0] <= TARE_S
     return float(np.median((measured - predicted)[start]))
 
 
 def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does."""
+    """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does.
+
+    Shape (samples,), in the channel's unit.
+    """
     predicted = simulated(problem, content, path, run)
     unit = problem.system.channel.rpartition("_")[2]
     if content.get("run") == run and f"zero_{unit}" in content["parameters"]:
@@ -100,7 +109,8 @@ def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Ar
 def off(measured: Array, predicted: Array) -> tuple[float, float]:
     """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and about its median.
 
-    The median is the zero that a verdict gives the nominal simulator.
+    The median is the zero that a verdict gives the nominal simulator. Both given have the
+    shape (samples,); they and both numbers that it gives are in the channel's unit.
     """
     residual = measured - predicted
     residual = residual[~wild(residual)[0]]
@@ -110,7 +120,8 @@ def off(measured: Array, predicted: Array) -> tuple[float, float]:
 def compared(run: Run, problem: Problem, predicted: Array) -> tuple[Array, Array]:
     """Measured and predicted as a diagnosis compares them: where derivatives are followed, in means at a working rate.
 
-    What is predicted is predicted at the recording's own rate: between means, a jump of a force would be a ramp.
+    What is predicted is predicted at the recording's own rate: between means, a jump of a force would be a ramp. Both
+    of shape (working samples,), in the channel's unit.
     """
     time_s = problem.record.time_s
     width = averaged(run.system, pd.DataFrame({"time_s": time_s})) if run.system.differentiates else 1

@@ -4,7 +4,7 @@ from ..models.parts import secant
 from .c_coupling import chain_of, four_others, restored, scaled
 from .c_physics import physics, standardised
 from .c_text import Body, function, real
-from .source import Source
+from .interface import Source
 from .weights import blocks
 
 SECANT = """\

@@ -6,7 +6,7 @@ from ..models.parts.scaling import Scaling
 from .c_dense import Net
 from .c_physics import paper_conditions
 from .c_text import Body, function, real
-from .source import Source
+from .interface import Source
 from .weights import Blocks, blocks
 
 CHAIN = """\

@@ -4,7 +4,7 @@ import numpy as np
 
 from .c_physics import paper_conditions, standardised
 from .c_text import Body, function, real
-from .source import Source
+from .interface import Source
 from .weights import Layer, Weights, layers
 
 LANES = 16  # a vector's numbers at most; hidden layers are padded to a multiple of it, with weights of 0

@@ -1,20 +1,10 @@
 """A fitted model as one C99 header: its ranges and refusals around the functions of the model."""
 
 from ..models.parts.box import COLUMNS
-from . import c_cinn, c_coupling, c_dense, c_physics, c_polynomial, c_spline
 from .c_text import Body, function, real, renamed
 from .inputs import MEANING, Field, Inputs
-from .source import Source
+from .interface import Source, exporter
 
-BODIES = {
-    "spline": c_spline.body,
-    "cinn": c_cinn.body,
-    "inn": c_coupling.body,
-    "mlp": c_dense.body,
-    "polynomial": c_polynomial.body,
-    "traditional": c_physics.body,
-    "calibrated": c_physics.body,
-}
 CODES = (*COLUMNS, "material")  # the same numbers in every header, whichever fields it has
 
 MATHS = """\
@@ -63,7 +53,7 @@ static inline int tsa_inverse(const tsa_state *at, tsa_real displacement_mm, tsa
 
 def header(source: Source, name: str) -> str:
     """The whole header's text, its names beginning with `name`_."""
-    inputs, made = source.inputs, BODIES[source.name](source)
+    inputs, made = source.inputs, exporter(source.name).body(source)
     guard = "TSA_H"
     parts = [
         _comment(source, made),

@@ -5,7 +5,7 @@ import numpy as np
 from ..ground.kinematics import RAD_PER_TURN, loaded_radius
 from .c_text import Body, function, read, real
 from .inputs import Inputs
-from .source import Source
+from .interface import Source
 
 LOADED = ("radius_mm", "length_mm", "stiffness_n_per_mm", "load_n")
 
@@ -98,7 +98,10 @@ def standardised(source: Source) -> list[str]:
 
 
 def paper_conditions(source: Source, mean: np.ndarray, std: np.ndarray, log_stroke: bool = True) -> list[str]:
-    """The scaled conditions b, l, r and n (`features.conditions`) as expressions; mean and std of shape (4,)."""
+    """The scaled conditions b, l, r and n (`features.conditions`) as expressions; mean and std of shape (4,).
+
+    Mean and std in the columns' units.
+    """
     exprs = [read(source.inputs, name) for name in ("separator_mm", "length_mm", "radius_mm")]
     exprs.append("tsa_log((tsa_real)(at->stroke + 1))" if log_stroke else "(tsa_real)at->stroke")
     return [

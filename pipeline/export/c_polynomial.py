@@ -5,7 +5,7 @@ import numpy as np
 from ..models.polynomial import GIVEN
 from .c_physics import standardised
 from .c_text import Body, function, real
-from .source import Source
+from .interface import Source
 
 TERMS = """\
 /* Legendre polynomials of degree 0 to the given one. */

@@ -7,7 +7,7 @@ from ..models.spline import MOST
 from .c_curve import CURVE, PREPARED, QUERIES
 from .c_physics import physics, standardised, zone
 from .c_text import Body, function, real
-from .source import Source
+from .interface import Source
 
 LAWS = {
     "logarithm": "tsa_log({parameter} + n)",

@@ -6,8 +6,8 @@ from onnx import TensorProto
 from ..models.parts.growth import Law
 from ..models.spline import MOST
 from .graph import Graph
+from .interface import Source
 from .onnx_query import Query
-from .source import Source
 
 
 def analytic(query: Query, source: Source) -> str:

@@ -1,41 +1,49 @@
 """A fitted model as two ONNX graphs, forward and inverse, with names, units and ranges in their metadata."""
 
 import json
+from typing import Any, Protocol
 
-import numpy as np
 import onnx
+from numpy.typing import DTypeLike
 
+from ..ground.errors import BadInput
 from ..ground.schemas import unit_of
 from .graph import Graph
 from .inputs import ANSWER
-from .onnx_curves import analytic, polynomial, spline
-from .onnx_networks import coupling, pair_of_mlps
+from .interface import Exporter, Source, exporter
 from .onnx_query import Query
-from .source import Source
 
-ANSWERS = {
-    "spline": (spline, np.float64),
-    "polynomial": (polynomial, np.float64),
-    "traditional": (analytic, np.float64),
-    "calibrated": (analytic, np.float64),
-    "cinn": (coupling, np.float32),
-    "inn": (coupling, np.float32),
-    "mlp": (pair_of_mlps, np.float32),
-}
 GIVEN = {"forward": "motor_turns", "inverse": "displacement_mm"}
 
 
+class OnnxExporter(Exporter, Protocol):
+    """An exporter that gives ONNX graphs as well."""
+
+    PRECISION: DTypeLike
+
+    def answer(self, query: Query, source: Source) -> str:
+        """The name of the node that holds the answers, of shape (points, 1), in turns or mm."""
+
+
 def graphs(source: Source, name: str) -> dict[str, onnx.ModelProto]:
-    """The checked graphs by their ways, "forward" and "inverse"."""
-    return {way: _graph(source, f"{name}_{way}", given) for way, given in GIVEN.items()}
+    """The checked graphs by their ways, "forward" and "inverse". Raises BadInput for a model without any."""
+    return {way: _graph(source, _exporter(source.name), f"{name}_{way}", given) for way, given in GIVEN.items()}
 
 
-def _graph(source: Source, name: str, given: str) -> onnx.ModelProto:
+def _exporter(name: str) -> OnnxExporter:
+    """A model's exporter; raises BadInput for one that gives no ONNX."""
+    held: Any = exporter(name)
+    if not hasattr(held, "answer"):
+        raise BadInput("--format", "onnx", f"is not there for {name}", "say --format c")
+    made: OnnxExporter = held
+    return made
+
+
+def _graph(source: Source, held: OnnxExporter, name: str, given: str) -> onnx.ModelProto:
     """One graph: queries of shape (points, columns) to `value` and `inside`, each of shape (points,)."""
-    answer, kind = ANSWERS[source.name]
-    graph = Graph(kind)
+    graph = Graph(held.PRECISION)
     query = Query(graph, source.inputs, given)
-    inside, value = query.inside(), answer(query, source)
+    inside, value = query.inside(), held.answer(query, source)
     if given == "displacement_mm":
         value, inside = query.held(value, inside)
     fields = source.inputs.columns(given)

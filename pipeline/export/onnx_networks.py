@@ -2,8 +2,8 @@
 
 from ..models.parts.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
 from .graph import Graph
+from .interface import Source
 from .onnx_query import Query
-from .source import Source
 from .weights import Blocks, Layer, blocks, layers
 
 

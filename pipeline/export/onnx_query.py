@@ -5,7 +5,7 @@ from typing import Any
 from ..ground.kinematics import RAD_PER_TURN, Array, loaded_radius
 from .graph import Graph
 from .inputs import Inputs
-from .source import Source
+from .interface import Source
 
 
 class Query:
@@ -80,7 +80,10 @@ class Query:
         return self.graph.add("Log", self.graph.add("Add", self.read("stroke"), 1.0))
 
     def paper_conditions(self, mean: Array, std: Array, log_stroke: bool = True) -> str:
-        """The scaled conditions b, l, r and n, shape (points, 4)."""
+        """The scaled conditions b, l, r and n, shape (points, 4).
+
+        Mean and std of shape (4,), in the columns' units; scaled they have none.
+        """
         stroke = self.log_stroke() if log_stroke else self.read("stroke")
         names = ("separator_mm", "length_mm", "radius_mm")
         values = [*map(self.read, names), stroke]

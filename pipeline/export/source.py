@@ -12,32 +12,12 @@ from ..ground.errors import BadInput
 from ..ground.tables import opened as opened_table
 from ..models.interface import make_model
 from ..models.parts.box import Box
-from ..models.parts.conditions import MEASURED
 from ..models.parts.saved import read_bytes
 from ..stages.train import SPLITS, divided
 from .inputs import Inputs
+from .interface import Source, exporter, names
 
-PAPER = ("separator_mm", "length_mm", "radius_mm")
-READS = {  # the measured columns that a model reads whether or not they vary; conditions come on top
-    "spline": MEASURED,
-    "cinn": MEASURED,
-    "polynomial": (),
-    "inn": PAPER,
-    "mlp": PAPER,
-    "traditional": MEASURED,
-    "calibrated": ("load_n",),
-}
 TRIED = 20  # queries that a model must answer before it is exported
-
-
-@dataclass(frozen=True)
-class Source:
-    """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero."""
-
-    name: str
-    model: Any
-    inputs: Inputs
-    zero_mm: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -55,8 +35,8 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     Raises BadInput where the file holds no such model, or a model that cannot be exported.
     """
     name = name or Path(os.path.realpath(file)).parent.name
-    if name not in READS:
-        known = ", ".join(sorted(READS))
+    if name not in names():
+        known = ", ".join(names())
         raise BadInput(file, "model", f'"{name}" cannot be exported', f"choose one of {known}, or say --model NAME")
     if not file.is_file():
         raise BadInput(file, "model", "is not a file", "train it first, or mend the path")
@@ -82,9 +62,8 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         box, zero_mm = _box_of_dataset(file, name, model, beside)
     conditions = getattr(model, "conditions", None)
     try:
-        inputs = Inputs.of(
-            box, READS[name], conditions.names if conditions else (), conditions.materials if conditions else ()
-        )
+        varying = (conditions.names, conditions.materials) if conditions else ((), ())
+        inputs = Inputs.of(box, exporter(name).READS, *varying)
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
     return Source(name, model, inputs, zero_mm)
@@ -109,7 +88,7 @@ def _box_of_dataset(file: Path, name: str, model: Any, beside: Beside) -> tuple[
     points = divided(opened_table(path, schemas.DATASET, "say --dataset FILE"), split, path)[0]
     if points.empty:
         raise BadInput(path, split, "has no points: the strings have too few strokes", "say --split with another")
-    if name != "calibrated":
+    if not hasattr(model, "moves"):  # dimensions of each string of its own
         if points["actuator"].nunique() > 1:  # of which the models that keep no ranges know nothing
             problem = "was trained on strings with and without separator in one model"
             raise BadInput(file, "model", problem, "train one model for each kind")

@@ -18,7 +18,7 @@ def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
     sample before; a single stamp that falls back, or leaps ahead, is put between its neighbours.
     `repeated_time_stamps`: samples that share a stamp are spread evenly up to the next. `leaping_time_stamps`: the
     first or the last stamp, where it stands apart by ten usual steps and by more than any other gap, is moved to one
-    usual step from its neighbour. No sample is dropped.
+    usual step from its neighbour. No sample is dropped. In s, both of shape (samples,).
     """
     time_s = np.array(time_s)
     steps = np.diff(time_s)
@@ -55,7 +55,10 @@ def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
 
 
 def check_mended(before_s: Array, after_s: Array, file: Path) -> None:
-    """Raise BadInput where mending moved over 1 % of the stamps by ten usual steps: the clock itself was wrong."""
+    """Raise BadInput where mending moved over 1 % of the stamps by ten usual steps: the clock itself was wrong.
+
+    Both in s, of shape (samples,).
+    """
     usual_s = float(np.median(np.abs(np.diff(before_s))))
     moved = np.abs(after_s - before_s) > LEAP * usual_s
     if moved.sum() > max(1, MOST_MOVED * len(moved)):

@@ -46,7 +46,10 @@ class Role:
 
 
 def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
-    """Columns of a table that hold numbers, by name, or by index where the name is none or stands twice."""
+    """Columns of a table that hold numbers, by name, or by index where the name is none or stands twice.
+
+    Each of shape (rows,), in the file's own unit.
+    """
     found: dict[str | int, Array] = {}
     for place, name in enumerate(table.columns):
         column = table.iloc[:, place]
@@ -131,7 +134,10 @@ def _role(channel: str, column: str | int, values: Array, told: str | None) -> R
 
 
 def find_roles(system: System, columns: dict[str | int, Array], units: dict[str | int, str]) -> dict[str, Role]:
-    """The channels that were found, in the system's order; what no name or unit tells is not among them."""
+    """The channels that were found, in the system's order; what no name or unit tells is not among them.
+
+    `columns` have the shape (rows,) in the file's units; `units` says those that a header tells.
+    """
     told = {column: _unit(column, units) for column in columns}
     scores = [
         (_score(channel, column, values, told[column]), -order, -place, channel, column)

@@ -67,7 +67,10 @@ def _of_list(values: list[Any], name: str, depth: int) -> Iterator[tuple[str, np
 
 
 def columns_of(value: Any, name: str = "", depth: int = 0) -> Iterator[tuple[str, np.ndarray]]:
-    """Every series in a value of dicts, lists and arrays, with its name; what is one number or one word is none."""
+    """Every series in a value of dicts, lists and arrays, with its name; what is one number or one word is none.
+
+    Each of shape (rows,) or (rows, columns), in the file's own unit.
+    """
     if depth > DEEPEST:
         return
     if isinstance(value, dict):

@@ -15,7 +15,11 @@ EXTRAS = {"torch": "models", "onnx": "export", "h5py": "formats", "openpyxl": "f
 
 
 class BadInput(Exception):
-    """Input that cannot be used: which file, which field, what is wrong and how to mend it."""
+    """Input that cannot be used: its text says all four of what follows in one line.
+
+    `file`: the file, or the option, that holds it. `field`: the key, column or row in it. `problem`: what is wrong.
+    `mend`: what to do.
+    """
 
     def __init__(self, file: Path | str, field: str, problem: str, mend: str) -> None:
         super().__init__(f"{file}: {field}: {problem}. Mend: {mend}{'' if mend[-1:] in '.?' else '.'}")

@@ -25,25 +25,31 @@ DIMENSIONS = ("radius_mm", "length_mm", "stiffness_n_per_mm", "torsion_zone_mm",
 
 
 def usual_stiffness(radius_mm: Values, length_mm: Values) -> Any:
-    """Stiffness that a string of this radius and length usually has, in N/mm; for one that nobody measured."""
+    """Stiffness that a string of this radius and length usually has, in N/mm; for one that nobody measured.
+
+    Shapes broadcast.
+    """
     return USUAL_MODULUS_MPA * np.pi * radius_mm**2 / length_mm
 
 
 def loaded_radius(radius_mm: Values, length_mm: Values, stiffness_n_per_mm: Values, load_n: Values) -> Array:
-    """Radius of a string that a load stretches at constant volume (eqs 2, 3), in mm."""
+    """Radius of a string that a load stretches at constant volume (eqs 2, 3), in mm. Shapes broadcast."""
     stretched_mm = length_mm + load_n / stiffness_n_per_mm
     return np.asarray(radius_mm * np.sqrt(length_mm / stretched_mm))
 
 
 def separator_contraction(twist_rad: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values) -> Array:
-    """Contraction of a string with separator (eqs 1, 4), in mm; at zero twist it is √(d² + b²) − d, not 0."""
+    """Contraction of a string with separator (eqs 1, 4), in mm; at zero twist it is √(d² + b²) − d, not 0.
+
+    Shapes broadcast.
+    """
     return np.asarray(np.hypot(torsion_zone_mm, separator_mm + np.asarray(twist_rad) * radius_mm) - torsion_zone_mm)
 
 
 def separator_twist(contraction_mm: Values, torsion_zone_mm: Values, separator_mm: Values, radius_mm: Values) -> Array:
     """Twist of a string with separator (eq. 5), in rad.
 
-    Where the contraction is negative eq. 5 has no real root: its radicand is clipped at 0.
+    Where the contraction is negative eq. 5 has no real root: its radicand is clipped at 0. Shapes broadcast.
     """
     x = np.asarray(contraction_mm)
     radicand = np.maximum(x * (x + 2.0 * np.asarray(torsion_zone_mm)), 0.0)
@@ -51,14 +57,20 @@ def separator_twist(contraction_mm: Values, torsion_zone_mm: Values, separator_m
 
 
 def pair_contraction(twist_rad: Values, length_mm: Values, radius_mm: Values) -> Array:
-    """Contraction x = L − √(L² − (θr)²) of a twisted pair without separator, in mm; NaN beyond θr = L."""
+    """Contraction x = L − √(L² − (θr)²) of a twisted pair without separator, in mm; NaN beyond θr = L.
+
+    Shapes broadcast.
+    """
     wound_mm = np.asarray(twist_rad) * radius_mm
     with np.errstate(invalid="ignore"):
         return np.asarray(length_mm - np.sqrt(np.square(length_mm) - np.square(wound_mm)))
 
 
 def pair_twist(contraction_mm: Values, length_mm: Values, radius_mm: Values) -> Array:
-    """Twist of a twisted pair without separator, in rad; a contraction outside 0…L is clipped to it."""
+    """Twist of a twisted pair without separator, in rad; a contraction outside 0…L is clipped to it.
+
+    Shapes broadcast.
+    """
     x = np.clip(contraction_mm, 0.0, length_mm)
     return np.asarray(np.sqrt(x * (2.0 * np.asarray(length_mm) - x)) / radius_mm)
 
@@ -75,7 +87,7 @@ class Geometry:
     separator_mm: Values = np.nan  # separator only
 
     def contraction_mm(self, motor_turns: Values, load_n: Values) -> Array:
-        """Contraction that the analytic model predicts for a twist and a load (eq. 4, or the pair), in mm."""
+        """Contraction of the analytic model for a twist and a load (eq. 4, or the pair), in mm; shapes broadcast."""
         twist_rad = np.asarray(motor_turns) * RAD_PER_TURN
         if self.actuator == "twisted_pair":
             return pair_contraction(twist_rad, self.length_mm, self.radius_mm)
@@ -83,7 +95,7 @@ class Geometry:
         return separator_contraction(twist_rad, self.torsion_zone_mm, self.separator_mm, radius_mm)
 
     def motor_turns(self, contraction_mm: Values, load_n: Values) -> Array:
-        """Twist that the analytic model needs for a contraction under a load (eq. 5, or the pair), in turns."""
+        """Twist that a contraction under a load needs (eq. 5, or the pair), in turns; shapes broadcast."""
         if self.actuator == "twisted_pair":
             return pair_twist(contraction_mm, self.length_mm, self.radius_mm) / RAD_PER_TURN
         radius_mm = loaded_radius(self.radius_mm, self.length_mm, self.stiffness_n_per_mm, load_n)
@@ -91,7 +103,10 @@ class Geometry:
         return twist_rad / RAD_PER_TURN
 
     def slope_mm_per_turn(self, motor_turns: Values, load_n: Values) -> Array:
-        """Derivative of the contraction by the twist at a twist and a load, in mm/turn."""
+        """Derivative of the contraction by the twist at a twist and a load, in mm/turn.
+
+        Twist in turns, load in N; shapes broadcast.
+        """
         twist_rad = np.asarray(motor_turns) * RAD_PER_TURN
         if self.actuator == "twisted_pair":
             contraction_mm = pair_contraction(twist_rad, self.length_mm, self.radius_mm)
@@ -106,14 +121,14 @@ class Geometry:
 def point_contraction_mm(points: Any) -> Array:
     """Contraction for each point's `motor_turns`, in mm (eq. 4, or the pair); `points` as `schemas.DATASET`.
 
-    A pair wound beyond θr = L, where its equation has no real value, is taken as wound up: contraction L.
+    Shape (points,). A pair wound beyond θr = L, where its equation has no real value, is taken as wound up: L.
     """
     contraction = _of_points(points, "motor_turns", Geometry.contraction_mm)
     return np.where(np.isnan(contraction), np.asarray(points["length_mm"]), contraction)
 
 
 def point_motor_turns(points: Any) -> Array:
-    """Twist for each point's `displacement_mm`, in turns (eq. 5, radicand clipped at 0, or the pair)."""
+    """Twist for each point's `displacement_mm`, in turns, shape (points,): eq. 5, radicand clipped at 0, or pair."""
     return _of_points(points, "displacement_mm", Geometry.motor_turns)
 
 

@@ -16,14 +16,15 @@ STEPS, RESTARTS = 25, 1
 
 
 def evenly(rows: int, most: int) -> NDArray[np.intp]:
-    """At most so many of the first rows, evenly spread, both ends among them."""
+    """At most so many of the first rows, evenly spread, both ends among them. Row indices, shape (at most `most`,)."""
     return np.unique(np.linspace(0, rows - 1, most).astype(int))
 
 
 def gaussian_process(table: Array, values: Array, points: int, tuned_on: int) -> Callable[[Array], Array]:
     """The process's mean as a function of a table of standard columns, shape (rows, columns).
 
-    It knows `points` of the rows, and its lengths are the likeliest on `tuned_on` of these.
+    It knows `points` of the rows, and its lengths are the likeliest on `tuned_on` of these. Values have one unit, which
+    is the mean's.
     """
     known = evenly(len(values), points)
     table, values = table[known], values[known]
@@ -51,7 +52,10 @@ def _least(objective: Callable[..., tuple[float, Array]], start: Array, bounds: 
 
 
 def boosted_trees(table: Array, values: Array, seed: int) -> Callable[[Array], Array]:
-    """Trees that each mend what those before it left, as a function of a table, shape (rows, columns)."""
+    """Trees that each mend what those before it left, as a function of a table, shape (rows, columns).
+
+    Values of shape (rows,) have one unit, which is the answer's.
+    """
     model = HistGradientBoostingRegressor(max_iter=300, learning_rate=0.05, early_stopping=False, random_state=seed)
     predict: Callable[[Array], Array] = model.fit(table, values).predict
     return predict

@@ -2,6 +2,9 @@
 
 First-order physics only: eqs 4 and 5 with better numbers, no direction and no stroke times. It is the honest
 baseline of a learned model, where the nominal one is the paper's.
+
+Source: eqs 4 and 5 of Liu et al., "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural
+Networks"; least squares with priors: Tarantola, Inverse Problem Theory, 2005.
 """
 
 from pathlib import Path
@@ -11,6 +14,7 @@ import pandas as pd
 from scipy.optimize import least_squares
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .parts.saved import read_json, write_json
 
 LARGEST_MOVE = 3.0  # sigmas by which the contract lets a dimension move
@@ -101,3 +105,4 @@ class Calibrated:
 
 
 MODEL = Calibrated
+ABOUT = About(each_string_apart=True, least_strokes_alone=0)

@@ -1,4 +1,8 @@
-"""The paper's coupling blocks (eqs 6, 7) and the mixing layers between them, as torch modules."""
+"""The paper's coupling blocks (eqs 6, 7) and the mixing layers between them, as torch modules.
+
+Source: Dinh, Sohl-Dickstein and Bengio, "Density estimation using Real NVP", ICLR 2017; Kingma and Dhariwal, "Glow",
+NeurIPS 2018; He et al., "Delving Deep into Rectifiers", ICCV 2015 (the first weights).
+"""
 
 from itertools import pairwise
 from typing import cast
@@ -61,7 +65,7 @@ class Coupling(nn.Module):
 
 
 def mixing_layers(count: int, size: int, composite: str, seed: int) -> list[Tensor]:
-    """`count` permutations of `size` columns, drawn by the seed; layer p maps x to x[:, p].
+    """`count` permutations of `size` columns, each of shape (size,), drawn by the seed; layer p maps x to x[:, p].
 
     Each takes at least one column across the split of the blocks, or it would mix nothing. `composite`
     "random" leaves their product to chance: then output x may be fed from input b, and a network trained on
@@ -85,7 +89,7 @@ def mixing_layers(count: int, size: int, composite: str, seed: int) -> list[Tens
 
 
 def product(layers: list[Tensor], size: int) -> Tensor:
-    """The one permutation that does what the layers do one after the other."""
+    """The one permutation that does what the layers do one after the other. Column indices, shape (size,)."""
     columns = torch.arange(size)
     for permutation in layers:
         columns = columns[permutation]

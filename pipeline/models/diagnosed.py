@@ -3,6 +3,9 @@
 Every run of a string is diagnosed alone, as a recording that has holes where points are held out. What is predicted
 depends on what was done before: the simulator goes through the motion of the training points and of the points asked.
 A run of which no training points were seen is simulated by the nominal equations.
+
+Source: Kennedy and O'Hagan, "Bayesian calibration of computer models", Journal of the Royal Statistical Society B 63,
+2001 (a simulator and what it lacks); of each mechanism: docs/physics.md.
 """
 
 from collections.abc import Callable, Iterator
@@ -20,6 +23,7 @@ from ..diagnosis.search import LARGEST, TRIED, apart
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from ..run.description import Run
+from .about import About
 from .parts.diagnosed_problem import SAMPLES, holed, plain
 from .parts.diagnosed_run import Simulator
 from .parts.saved import read_json, write_json
@@ -186,3 +190,4 @@ def foreseeing(found: outcome.Study) -> Iterator[State]:
 
 
 MODEL = Diagnosed
+ABOUT = About(needs_motion=True)

@@ -15,6 +15,8 @@ neurons, learning rates 8e-4, 4e-4, 1e-4, 5e-5. What it leaves open is chosen he
 
 The direction of motion is not among the five inputs, faithful to the paper: this model cannot tell winding from
 unwinding, and half the hysteresis loop is its floor.
+
+Source: Liu, Wei, Gao and Gong, "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks".
 """
 
 from pathlib import Path

@@ -9,6 +9,7 @@ from typing import Protocol
 import pandas as pd
 
 from ..ground.kinematics import Array
+from .about import About
 
 
 class Model(Protocol):
@@ -18,10 +19,13 @@ class Model(Protocol):
         """Learn from points; the same points and seed give the same model."""
 
     def forward(self, points: pd.DataFrame) -> Array:
-        """Contraction in mm for the points' `motor_turns` and conditions; reads no `displacement_mm`."""
+        """Contraction in mm for the points' `motor_turns` and conditions; reads no `displacement_mm`.
+
+        Shape (points,).
+        """
 
     def inverse(self, points: pd.DataFrame) -> Array:
-        """Twist in turns for the points' `displacement_mm` and conditions; reads no `motor_turns`."""
+        """Twist in turns for the points' `displacement_mm` and conditions; reads no `motor_turns`. Shape (points,)."""
 
     def save(self, path: Path) -> None:
         """Write the fitted model to a file."""
@@ -41,6 +45,12 @@ def settings_of(name: str) -> type | None:
     """The dataclass of a model's settings, None for a model without any."""
     found: type | None = getattr(importlib.import_module(f"{__package__}.{name}"), "Settings", None)
     return found
+
+
+def about(name: str) -> About:
+    """What a model's file says of it under `ABOUT`; the usual where it says nothing."""
+    said: About = getattr(importlib.import_module(f"{__package__}.{name}"), "ABOUT", About())
+    return said
 
 
 def make_model(name: str, **settings: object) -> Model:

@@ -2,6 +2,8 @@
 
 Each is the plain regression of its own output, so the two are not exact inverses of each other. Load, torsion zone,
 stiffness and material are inputs where they vary.
+
+Source: Rumelhart, Hinton and Williams, Nature 323, 1986; SiLU: Elfwing, Uchibe and Doya, Neural Networks 107, 2018.
 """
 
 import math

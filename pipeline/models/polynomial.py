@@ -3,6 +3,8 @@
 Terms are powers of θ (or x) to the seventh, times 1, L and L² with L = log(1 + n), times 1 and the direction; what else
 varies (dimensions, load, material) multiplies the powers to the third. Inputs beyond the training range are taken as
 its edge, where a polynomial would run away.
+
+Source: Hoerl and Kennard, "Ridge Regression", Technometrics 12, 1970.
 """
 
 from pathlib import Path

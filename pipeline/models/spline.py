@@ -7,6 +7,9 @@ whatever was learnt, and θ follows from x exactly: S backwards, then eq. 5. A p
 
 Fitted by Levenberg and Marquardt on the forward error; the law of n is the one that best foresees the last strokes
 and follows all of them.
+
+Source: Gregory and Delbourgo, "Piecewise rational quadratic interpolation to monotonic data", IMA Journal of
+Numerical Analysis 2, 1982; Durkan et al., "Neural Spline Flows", NeurIPS 2019 (as a model with an inverse).
 """
 
 from dataclasses import asdict
@@ -18,6 +21,7 @@ import pandas as pd
 from pydantic import Field
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .parts import rational
 from .parts.box import Box
 from .parts.conditions import Conditions
@@ -151,3 +155,4 @@ def _zone_mm(points: pd.DataFrame) -> Array:
 
 
 MODEL = Spline
+ABOUT = About(least_strokes_alone=1)

@@ -1,10 +1,14 @@
-"""The paper's traditional model: eqs 4 and 5 with the dimensions as measured, nothing fitted."""
+"""The paper's traditional model: eqs 4 and 5 with the dimensions as measured, nothing fitted.
+
+Source: Liu, Wei, Gao and Gong, "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks".
+"""
 
 from pathlib import Path
 
 import pandas as pd
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .parts.saved import read_json, write_json
 
 
@@ -32,3 +36,4 @@ class Traditional:
 
 
 MODEL = Traditional
+ABOUT = About(least_strokes_alone=0)

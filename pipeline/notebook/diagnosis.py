@@ -30,7 +30,11 @@ SHOWN_DOTS = 80  # an inch, of the page in a notebook
 
 @dataclass(frozen=True)
 class Interval:
-    """A number with its 90 % interval, in `unit`; `low` and `high` are None where none is told."""
+    """A number with its 90 % interval.
+
+    `value`: the number. `low`, `high`: the ends of the interval; None where none is told. `unit`: the unit of all
+    three, "" for a share or a count.
+    """
 
     value: float
     low: float | None = None
@@ -40,7 +44,12 @@ class Interval:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """One effect that the diagnosis names: how sure it is, how large (rms), its coefficients, and it in a sentence."""
+    """One effect that the diagnosis names.
+
+    `id`: its name in the library. `confidence`: the probability that it is there, from 0 to 1. `size`: the rms of what
+    it adds to the prediction, in the unit of the predicted channel. `parameters`: its coefficients by name, each in its
+    own `unit`. `sentence`: what it does, in words.
+    """
 
     id: str
     confidence: float

@@ -21,10 +21,16 @@ def model_names() -> tuple[str, ...]:
 
 
 def points(recordings: Sequence[Recording]) -> pd.DataFrame:
-    """The moving points of recordings of strings, tared and numbered by stroke; columns of `schemas.DATASET`.
+    """The moving points of recordings of strings, tared and numbered by stroke: one row a point.
 
-    The columns `within` and `later` say of each point whether it is to train on ("train"), held out ("test") or
-    neither (""), inside strokes and in the last quarter of the strokes. Raises BadInput for a rig that is no string.
+    Columns that tell where a point is from: `run`, `string`, `stroke` (from 1), `phase`, `direction` (1 winding, -1
+    unwinding), `block` (which of the stretches that `within` holds out), `time_s` (s). What was measured:
+    `motor_turns` (turns), `displacement_mm` (mm), `load_n` (N). What `run.yaml` says: `actuator`, `radius_mm`,
+    `length_mm`, `torsion_zone_mm`, `separator_mm` (mm), `stiffness_n_per_mm` (N/mm), and one sigma of how well they
+    were measured: `radius_tolerance` (a share of the radius), `length_tolerance_mm`, `torsion_zone_tolerance_mm`,
+    `separator_tolerance_mm` (mm). `within` and `later` say whether a point is to train on ("train"), held out
+    ("test") or neither (""), inside strokes and in the last quarter of the strokes. Raises BadInput for a rig that is
+    no string.
     """
     for one in recordings:
         if one.run.actuator not in STRING_ACTUATORS:

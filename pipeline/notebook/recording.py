@@ -69,7 +69,12 @@ class Recording:
 
     @cached_property
     def strokes(self) -> pd.DataFrame:
-        """Its strokes, a row for each stretch of one phase of one stroke; columns of `schemas.STROKES`, times in s."""
+        """Its strokes: one row for each stretch of one phase of one stroke.
+
+        Columns: `stroke` (from 1), `phase` (winding, hold, unwinding or rest), `first_sample`, `last_sample` (rows of
+        `samples`), `start_s` and `end_s` (s), `start_turns` and `end_turns` (the motion there, in turns for a
+        string), `missing_samples` (a count), `complete` (whether the stroke was wound and unwound).
+        """
         return segment(self.samples, self.run.system.driver, self.folder)
 
     def simulate(self, diagnosis: Explained | None = None) -> pd.DataFrame:

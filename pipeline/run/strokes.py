@@ -30,7 +30,10 @@ Phases = NDArray[np.object_]
 
 
 def turning_points(motion: Array, reversal: float) -> Indices:
-    """Samples at which a motion turns by at least `reversal`, and its first and last sample; shape (points,)."""
+    """Samples at which a motion turns by at least `reversal`, and its first and last sample; shape (points,).
+
+    Motion and `reversal` in one unit, motion of shape (samples,).
+    """
     step = np.diff(motion)
     moving = np.flatnonzero(step)
     turns = moving[1:][np.diff(np.sign(step[moving])) != 0]  # local extremes: nothing else can be a turning point
@@ -109,7 +112,8 @@ def _after_stands(points: Indices, holding: NDArray[np.bool_], reach: int) -> In
 def label(time_s: Array, motion: Array) -> tuple[Indices, Phases]:
     """Stroke and phase of every sample; both of shape (samples,).
 
-    `motion` is the driver (motor_turns, motor_deg or position_m). The phase is winding, hold, unwinding or rest.
+    `motion` is the driver (motor_turns, motor_deg or position_m). The phase is winding, hold, unwinding or rest. Time
+    in s, motion in the driver's unit; strokes count from 1.
     """
     smooth = median_filter(motion, OUTLIER_SAMPLES, mode="nearest")
     low, high = np.percentile(smooth, [0.1, 99.9])

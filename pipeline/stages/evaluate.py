@@ -23,7 +23,10 @@ METRICS = {
 
 
 def angle_bands(motor_turns: Array) -> Array:
-    """Band of the twist range that each point lies in, as text such as 0-25%."""
+    """Band of the twist range that each point lies in, as text such as 0-25%.
+
+    Twist in turns; both of shape (points,).
+    """
     low, high = motor_turns.min(), motor_turns.max()
     index = np.clip(((motor_turns - low) / (high - low) * BANDS).astype(int), 0, BANDS - 1)
     names = np.array([f"{100 * band // BANDS}-{100 * (band + 1) // BANDS}%" for band in range(BANDS)])

@@ -30,7 +30,8 @@ LEAST_LEFT = 1e-6  # share of a point's noise that its residual keeps, at least:
 def knots(at: Array, pieces: int, degree: int) -> Array:
     """Knots of a spline through points, so that its pieces hold fewer points towards both ends.
 
-    There the motor turns back: the loop opens within a small part of a turn, and noise is cut off by the range.
+    There the motor turns back: the loop opens within a small part of a turn, and noise is cut off by the range. In the
+    unit of `at`, which has the shape (points,); the knots have the shape (pieces + 2·degree + 1,) or fewer.
     """
     inner = (1.0 - np.cos(np.pi * np.arange(1, pieces) / pieces)) / 2.0
     low, high = float(at.min()), float(at.max())
@@ -42,7 +43,7 @@ def knots(at: Array, pieces: int, degree: int) -> Array:
 def smooth(at: Array, values: Array, pieces: int) -> tuple[Array, Array]:
     """Least-squares spline of values over `at`: what it leaves, and the leverage of each point, both shape (points,).
 
-    The leverages sum to the coefficients that the data has determined.
+    The leverages sum to the coefficients that the data has determined. What is left is in the unit of the values.
     """
     degree = min(DEGREE, max(len(at) // POINTS_A_COEFFICIENT - 1, 0))
     if np.ptp(at) == 0.0:  # one place: the mean of what was measured there
@@ -58,8 +59,9 @@ def smooth(at: Array, values: Array, pieces: int) -> tuple[Array, Array]:
 def noise(at: Array, values: Array) -> Array:
     """What a smooth curve leaves of each value, as large as if the curve had not been fitted to it, shape (points,).
 
-    The number of pieces has the least generalised cross-validation error. A fitted point's residual has lost the
-    share of its variance that its leverage says, over all points as many as there are coefficients: it gets it back.
+    The number of pieces has the least generalised cross-validation error. A fitted point's residual has lost the share
+    of its variance that its leverage says, over all points as many as there are coefficients: it gets it back. In the
+    unit of the values.
     """
     best, least = np.zeros(len(at)), np.inf
     for pieces in PIECES:
@@ -91,7 +93,10 @@ def _rows(dataset: pd.DataFrame, together: list[str]) -> Iterable[NDArray[np.int
 
 
 def predictions(dataset: pd.DataFrame, split: str, missed_mm: Array, missed_turns: Array) -> pd.DataFrame:
-    """The oracle's answers at the points that a split holds out, as a model's (`schemas.PREDICTIONS`)."""
+    """The oracle's answers at the points that a split holds out, as a model's (`schemas.PREDICTIONS`).
+
+    What is missed in mm and in turns, of shape (points,).
+    """
     held = np.flatnonzero(dataset[split] == "test")
     points = dataset.iloc[held]
     return pd.DataFrame(

@@ -27,12 +27,15 @@ SLOPE_POINTS = 2000  # at which the inverse is differentiated
 
 
 def rms(errors: Array) -> float:
-    """Root of the mean square."""
+    """Root of the mean square. Errors of any shape; in their unit."""
     return float(np.sqrt(np.mean(np.square(errors))))
 
 
 def slopes(model: Inn, outputs: torch.Tensor) -> Array:
-    """Size of the derivative of θ by each output of the network, in standard deviations, shape (points, 5)."""
+    """Size of the derivative of θ by each output of the network, in standard deviations, shape (points, 5).
+
+    It is a number without a unit.
+    """
     asked = outputs[:: max(len(outputs) // SLOPE_POINTS, 1)].clone().requires_grad_(True)
     (gradient,) = torch.autograd.grad(model.network.inverse(asked)[:, 0].sum(), asked)
     return np.asarray(gradient.abs().double().numpy())

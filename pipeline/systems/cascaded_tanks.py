@@ -14,6 +14,7 @@ def levels(time_s: Array, inflow: Array, upper: float, lower: float, first: floa
     """Level of the lower tank in V, by steps of Runge and Kutta, from the levels that both start from.
 
     `inflow` in V/s flows into the upper tank; water leaves a tank with `first` or `second` times the level's root.
+    `inflow` and the level have the shape (samples,); time in s.
     """
     out = np.empty_like(time_s)
     out[0] = lower

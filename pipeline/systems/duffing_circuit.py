@@ -12,7 +12,7 @@ DEGREE = 5  # of the spline that is differentiated: a few samples make a period,
 
 
 def derivatives(time_s: Array, response: Array) -> tuple[Array, Array]:
-    """Rate and acceleration of a response, in V/s and V/s², by an interpolating spline."""
+    """Rate and acceleration of a response, in V/s and V/s², by an interpolating spline. Each of shape (samples,)."""
     spline = make_interp_spline(time_s, response, k=DEGREE)
     return np.asarray(spline(time_s, 1)), np.asarray(spline(time_s, 2))
 

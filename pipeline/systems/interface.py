@@ -44,23 +44,23 @@ class Inputs(Protocol):
 
     @property
     def time_s(self) -> Array:
-        """Time, for what has a memory of its own."""
+        """Time, for what has a memory of its own. In s, shape (samples,)."""
 
     @property
     def motion(self) -> Array:
-        """What the motor does."""
+        """What the motor does. In the driver's unit, shape (samples,)."""
 
     @property
     def rate(self) -> Array:
-        """Its rate, per second."""
+        """Its rate, per second. Shape (samples,)."""
 
     @property
     def acceleration(self) -> Array:
-        """Its acceleration, per second squared."""
+        """Its acceleration, per second squared. Shape (samples,)."""
 
     @property
     def load(self) -> Array:
-        """Load in units of `load_unit`; zeros where there is none."""
+        """Load in units of `load_unit`; zeros where there is none. Shape (samples,)."""
 
 
 class System:
@@ -109,16 +109,26 @@ class System:
         raise NotImplementedError
 
     def simulate(self, values: Array, inputs: Inputs, acts: dict[str, Array]) -> Array:
-        """The reading without its zero, for values of the parameters and what acts at the ports."""
+        """The reading without its zero, for values of the parameters and what acts at the ports.
+
+        `values` of shape (parameters,), in the order and the units of `parameters`; each of `acts` and the reading of
+        shape (samples,).
+        """
         raise NotImplementedError
 
     def lever(self, values: Array, inputs: Inputs) -> tuple[Array, Array]:
-        """How much of a resisting torque reaches the output: sine and tangent of the helix angle; else ones."""
+        """How much of a resisting torque reaches the output: sine and tangent of the helix angle; else ones.
+
+        Each of shape (samples,).
+        """
         one = np.ones_like(inputs.motion)
         return one, one
 
     def travel(self, values: Array, inputs: Inputs) -> Array:
-        """Nominal output travel, in the channel's unit; the motion itself where the output is no displacement."""
+        """Nominal output travel, in the channel's unit; the motion itself where the output is no displacement.
+
+        Shape (samples,).
+        """
         return self.simulate(values, inputs, {})
 
 

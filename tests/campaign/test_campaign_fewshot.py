@@ -7,13 +7,13 @@ import pytest
 from pipeline.campaign import coverage, fewshot, floor
 from pipeline.campaign.adapt import Adaptation
 from pipeline.campaign.coverage import LEFT_OUT, LEVELS, of_string
-from pipeline.campaign.fewshot import ALONE, ASKED_AFTER, SHOTS, asked_and_shown, curves, fitted, reads
+from pipeline.campaign.fewshot import ASKED_AFTER, SHOTS, asked_and_shown, curves, fitted, reads
 from pipeline.campaign.floor import floors
 from pipeline.campaign.points import SCHEMA
 from pipeline.campaign.tables import COVERAGE, FEW_SHOT
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
-from pipeline.models.interface import make_model
+from pipeline.models.interface import about, make_model
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +25,7 @@ def test_every_new_string_is_asked_about_after_each_number_of_strokes(tables, ca
     new = sorted(campaign.loc[campaign["strings"] == "test", "string"].unique())
     for name, table in tables.items():
         assert list(table.columns) == FEW_SHOT.names and np.isfinite(table[["forward_mm", "inverse_turns"]]).all().all()
-        expected = (["transfer"] if name != "calibrated" else []) + (["alone"] if name in ALONE else [])
+        expected = (["transfer"] if name != "calibrated" else []) + (["alone"] if name != "polynomial" else [])
         assert sorted(table["how"].unique()) == sorted(expected)
         for _, some in table.groupby(["how", "shots"]):
             assert sorted(some["string"]) == new
@@ -181,3 +181,12 @@ def test_settings_that_are_none_are_refused_in_words(settings, monkeypatch, caps
         with pytest.raises(SystemExit) as status:
             program.main()
         assert status.value.code == 2 and "--settings" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("name", "least"), [("traditional", 0), ("calibrated", 0), ("spline", 1), ("inn", None)])
+def test_what_learns_alone_says_from_how_many_strokes(campaign, name, least):
+    """The spline cannot answer unfitted; the equations can, and so their row of no strokes is there."""
+    assert about(name).least_strokes_alone == least
+    if least is not None:
+        table = curves(name, {}, campaign, 0)
+        assert table.loc[table["how"] == "alone", "shots"].min() == least

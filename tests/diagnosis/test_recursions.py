@@ -5,7 +5,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import lsq_linear
 
-from pipeline.diagnosis.recursions import boxed, lowpass, play, whiten
+from pipeline.diagnosis.bounded import boxed
+from pipeline.diagnosis.recursions import lowpass, play, whiten
 
 
 def test_play_follows_with_a_dead_band() -> None:

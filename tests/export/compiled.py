@@ -11,7 +11,7 @@ import pytest
 
 from pipeline.export.c_header import header
 from pipeline.export.inputs import Inputs
-from pipeline.export.source import Source
+from pipeline.export.interface import Source
 
 ROOT = Path(__file__).resolve().parents[2]
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Werror")

@@ -7,7 +7,8 @@ import pytest
 from compiled import Compiled, compiled
 from made_models import saved
 
-from pipeline.export.source import Beside, Source, opened
+from pipeline.export.interface import Source
+from pipeline.export.source import Beside, opened
 
 
 @pytest.fixture(scope="session")

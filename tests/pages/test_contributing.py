@@ -20,12 +20,13 @@ MODEL_AND_HEADER = """
 import sys
 from pathlib import Path
 import numpy as np, pandas as pd
-from pipeline.export import c_header, c_shifted, source
-from pipeline.models.interface import make_model, names
-from pipeline.models.parts.conditions import MEASURED
+from pipeline.export import c_header, interface, onnx_model, source
+from pipeline.ground.errors import BadInput
+from pipeline.models.about import About
+from pipeline.models.interface import about, make_model, names
 
 points = pd.read_parquet("points.parquet")
-assert "shifted" in names()
+assert "shifted" in names() and about("shifted") == About()
 model, plain = make_model("shifted"), make_model("traditional")
 model.fit(points, 0)
 file = Path("shifted/within-0.model")
@@ -38,10 +39,17 @@ err = lambda answers: float(np.sqrt(np.mean((answers - points["displacement_mm"]
 assert err(x) < err(plain.forward(points))
 turns = again.inverse(points.drop(columns="motor_turns").assign(displacement_mm=x))
 assert np.allclose(turns, points["motor_turns"], atol=1e-6)
-source.READS["shifted"], c_header.BODIES["shifted"] = MEASURED, c_shifted.body
-text = c_header.header(source.opened(file, None, source.Beside(Path("points.parquet"))), "arm")
+assert "shifted" in interface.names()
+opened = source.opened(file, None, source.Beside(Path("points.parquet")))
+text = c_header.header(opened, "arm")
 assert f"{model.zero_mm:.6g}"[:5] in text and "arm_raw_inverse" in text
 Path("arm.h").write_text(text)
+try:
+    onnx_model.graphs(opened, "arm")
+except BadInput as error:
+    assert "say --format c" in str(error)
+else:
+    raise AssertionError("a model without `answer` has no graphs")
 """
 METHOD = """
 import sys
@@ -55,6 +63,7 @@ from pipeline.run.samples import read_samples
 folder = Path(sys.argv[1])
 run, samples = read_samples(folder)
 seen = calibrated(engine.make_problem([run], [samples], [folder]))
+assert "cubic_fit" in command.names()
 learnt = command.method("cubic_fit")(seen)
 left = seen.residual_mm - learnt.adds_mm(seen.problem)
 assert learnt.named is None and engine.rms(left) < engine.rms(seen.residual_mm)

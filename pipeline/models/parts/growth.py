@@ -33,11 +33,14 @@ class Law:
     std: float = 1.0
 
     def of(self, stroke: Array) -> Array:
-        """Growth at each stroke n ≥ 1, without unit, of the shape of `stroke`."""
+        """Growth at each stroke n ≥ 1, without unit; both of any shape."""
         return (FAMILIES[self.family](np.asarray(stroke, float), self.parameter) - self.mean) / self.std
 
     def standardised(self, stroke: Array) -> "Law":
-        """The law scaled to the strokes of training points; with one stroke only it is 0 there."""
+        """The law scaled to the strokes of training points; with one stroke only it is 0 there.
+
+        `stroke` counts from 1, shape (points,); the law has no unit.
+        """
         raw = FAMILIES[self.family](np.asarray(stroke, float), self.parameter)
         spread = float(raw.std())
         return Law(self.family, self.parameter, float(raw.mean()), spread if spread > 1e-9 else 1.0)

@@ -38,7 +38,10 @@ class Scatter:
 
     @classmethod
     def of(cls, turns: Array, direction: Array, error: Array) -> "Scatter":
-        """The scatter of errors at twists, all of shape (points,)."""
+        """The scatter of errors at twists, all of shape (points,).
+
+        Twist in turns; errors in mm, or in turns for the inverse.
+        """
         edges = np.quantile(turns, np.linspace(0.0, 1.0, TWISTS + 1)[1:-1])
         whole = float(np.sqrt(np.mean(error**2)))
         size = np.full((TWISTS, 2), whole)
@@ -51,7 +54,7 @@ class Scatter:
         return cls(edges, np.maximum(size, 1e-12))
 
     def at(self, turns: Array, direction: Array) -> Array:
-        """Scatter at twists, shape (points,)."""
+        """Scatter at twists, shape (points,). In the unit of the errors; twist in turns, direction 1 or -1."""
         return self.size[np.searchsorted(self.edges_turns, turns), np.where(direction > 0, 0, 1)]
 
 

@@ -17,6 +17,7 @@ def least_squares(problem: Problem, start: Array, ridge: Array, steps: int) -> A
     """Parameters that make Σ residuals² + Σ ridge · parameters² least, shape (parameters,), in at most `steps` steps.
 
     `ridge` holds a weight for each parameter. Raises ArithmeticError when the residuals at the start are not finite.
+    Parameters and residuals have whatever units the problem gives them.
     """
 
     def cost(residuals: Array, parameters: Array) -> float:

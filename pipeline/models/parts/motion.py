@@ -53,7 +53,8 @@ class Motion:
 def one_way(time_s: Array, turns: Array, weight: Array, rising: bool) -> Array:
     """Twist of one winding (rising) or unwinding that is nearest to estimates by weight, shape (points,).
 
-    A motor has inertia: what moves one way alone would go in steps, and steps are rates that no motor had.
+    A motor has inertia: what moves one way alone would go in steps, and steps are rates that no motor had. Time in s,
+    twist in turns, weights beside each other.
     """
     steps = IsotonicRegression(increasing=rising).fit(time_s, turns, sample_weight=weight).predict(time_s)
     order = np.argsort(time_s, kind="stable")
@@ -65,7 +66,8 @@ def one_way(time_s: Array, turns: Array, weight: Array, rising: bool) -> Array:
 def path(known: pd.DataFrame, asked: pd.DataFrame, turns: Array, weight: Array) -> Array:
     """Twist of asked points of one run, in turns, whose estimates have weights: each stretch of a stroke moves one way.
 
-    Known points of the same stretch hold it where they are.
+    Known points of the same stretch hold it where they are. `turns` and `weight` have the shape (asked points,), and so
+    has the answer.
     """
     found = turns.copy()
     labels = ["stroke", "phase"]

@@ -2,6 +2,9 @@
 
 Gregory and Delbourgo's interpolant: between two knots a rise h and the slopes at both ends give a rising rational
 quadratic; beyond the outer knots it goes on as a straight line. It rises wherever rises and slopes are positive.
+
+Source: Gregory and Delbourgo, "Piecewise rational quadratic interpolation to monotonic data", IMA Journal of
+Numerical Analysis 2, 1982.
 """
 
 from dataclasses import dataclass
@@ -58,7 +61,7 @@ def _beyond(knots: Knots, u: Array) -> Array:
 
 
 def value(knots: Knots, u: Array) -> Array:
-    """The spline at u, one value a point; both of shape (points,)."""
+    """The spline at u, one value a point; both of shape (points,). u and value in the units of the knots."""
     at = _piece(knots, u)
     steep, mixed = at.rise / at.width, at.share * (1.0 - at.share)
     curve = at.rise * (steep * at.share**2 + at.left * mixed) / (steep + (at.left + at.right - 2.0 * steep) * mixed)
@@ -66,7 +69,7 @@ def value(knots: Knots, u: Array) -> Array:
 
 
 def inverse(knots: Knots, y: Array) -> Array:
-    """The u at which the spline is y, one a point; both of shape (points,)."""
+    """The u at which the spline is y, one a point; both of shape (points,). u and y in the units of the knots."""
     rows, values = np.arange(len(y)), knots.values
     number = np.clip((values <= y[:, None]).sum(axis=1) - 1, 0, values.shape[1] - 2)
     width, rise = np.diff(knots.at)[number], knots.rise[rows, number]
@@ -82,7 +85,10 @@ def inverse(knots: Knots, y: Array) -> Array:
 
 
 def by_logarithms(knots: Knots, u: Array) -> tuple[Array, Array]:
-    """Change of the value by the logarithm of each rise, (points, knots - 1), and of each slope, (points, knots)."""
+    """Change of the value by the logarithm of each rise and of each slope.
+
+    Shape (points, knots - 1) and (points, knots), in the unit of the knots' values.
+    """
     at, rows = _piece(knots, u), np.arange(len(u))
     steep, share, mixed = at.rise / at.width, at.share, at.share * (1.0 - at.share)
     top = steep * share**2 + at.left * mixed

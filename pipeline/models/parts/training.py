@@ -44,7 +44,7 @@ def repeatable(seed: int) -> Iterator[None]:
 
 
 def tensor(values: object) -> Tensor:
-    """An array as a float32 tensor."""
+    """An array as a float32 tensor. Its shape and unit stay."""
     return torch.as_tensor(values, dtype=torch.float32)
 
 
@@ -54,6 +54,7 @@ def minimise(
     """Lower a loss by Adam with the given learning rate in each epoch; `loss_of` takes a batch's row numbers.
 
     Shows the epochs as progress and logs the last one's mean loss. Raises ArithmeticError when the loss is not finite.
+    They have the shape (batch,).
     """
     optimiser = torch.optim.Adam(network.parameters(), lr=rates[0], fused=True)
     batches = math.ceil(points / batch)

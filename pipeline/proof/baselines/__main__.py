@@ -3,7 +3,9 @@
 import argparse
 import importlib
 import json
+import re
 import time
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +17,12 @@ from ...ground.files import write_text
 from ...run.samples import read_samples
 from .learnt import Method, calibrated, held_out_mm
 
-METHODS = ("residual_sindy", "frozen_fit", "gradient_boosting", "gaussian_process")
+
+@cache
+def names() -> tuple[str, ...]:
+    """Names of all methods, sorted: of the files beside this one that hold a function `learn`."""
+    holding = (path for path in Path(__file__).parent.glob("*.py") if path.stem.isidentifier())
+    return tuple(sorted(path.stem for path in holding if re.search(r"^def learn\(", path.read_text("utf-8"), re.M)))
 
 
 def method(name: str) -> Method:
@@ -30,7 +37,7 @@ def baselines(folder: Path) -> dict[str, Any]:
     problem, fine = engine.make_problem([run], [samples], [folder]), own_rate.at_own_rate([run], [samples])
     whole = calibrated(problem)
     found: dict[str, Any] = {"run": run.run}
-    for name in METHODS:
+    for name in names():
         started = time.monotonic()
         with threadpool_limits(1):  # so that seconds compare, and runs may go side by side
             named = method(name)(whole).named
@@ -51,7 +58,7 @@ def main() -> None:
     for folder in told.run_dir:
         found = baselines(folder)
         write_text(told.out / folder.resolve().name / "baselines.json", json.dumps(found, indent=1) + "\n")
-        errors = (f"{name} {found[name]['named']} {found[name]['heldout_mm']} mm" for name in METHODS)
+        errors = (f"{name} {found[name]['named']} {found[name]['heldout_mm']} mm" for name in names())
         print(f"{found['run']}: {'; '.join(errors)}", flush=True)
 
 

@@ -1,4 +1,7 @@
-"""Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if clearly better."""
+"""Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if clearly better.
+
+Source: BIC: Schwarz, "Estimating the dimension of a model", Annals of Statistics 6, 1978.
+"""
 
 from ...diagnosis import calibrate, candidates, engine, generic
 from ...diagnosis.interface import physics

@@ -1,4 +1,7 @@
-"""Boosted trees on the residual over driver features: a good interpolator that names nothing."""
+"""Boosted trees on the residual over driver features: a good interpolator that names nothing.
+
+Source: Friedman, "Greedy function approximation: a gradient boosting machine", Annals of Statistics 29, 2001.
+"""
 
 from sklearn.ensemble import HistGradientBoostingRegressor
 

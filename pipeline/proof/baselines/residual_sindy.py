@@ -1,4 +1,8 @@
-"""Sparse regression of the calibrated residual on drivers (PySINDy's STLSQ), the threshold chosen by BIC."""
+"""Sparse regression of the calibrated residual on drivers (PySINDy's STLSQ), the threshold chosen by BIC.
+
+Source: Brunton, Proctor and Kutz, PNAS 113, 2016; BIC: Schwarz, "Estimating the dimension of a model", Annals of
+Statistics 6, 1978.
+"""
 
 import warnings
 

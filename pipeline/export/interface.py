@@ -1,0 +1,46 @@
+"""What an exporter of a model is: a file of `exporters/` with the model's name, found by being there."""
+
+import importlib
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, Protocol
+
+from .c_text import Body
+from .inputs import Inputs
+
+FOLDER = Path(__file__).parent / "exporters"
+
+
+@dataclass(frozen=True)
+class Source:
+    """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero."""
+
+    name: str
+    model: Any
+    inputs: Inputs
+    zero_mm: float = 0.0
+
+
+class Exporter(Protocol):
+    """What a file of `exporters/` holds; one that gives ONNX too holds what `onnx_model.OnnxExporter` asks as well."""
+
+    READS: tuple[str, ...]  # the measured columns that the model reads whether or not they vary; conditions come on top
+
+    def body(self, source: Source) -> Body:
+        """The text of the C functions `tsa_raw_forward` and `tsa_raw_inverse`, and what they need."""
+
+
+@cache
+def names() -> tuple[str, ...]:
+    """Names of the models that can be exported, sorted."""
+    return tuple(
+        sorted(path.stem for path in FOLDER.glob("*.py") if path.stem.isidentifier() and path.stem != "__init__")
+    )
+
+
+def exporter(name: str) -> Exporter:
+    """The exporter of a model of `names()`."""
+    found: Any = importlib.import_module(f"{__package__}.exporters.{name}")
+    held: Exporter = found
+    return held

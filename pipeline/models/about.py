@@ -1,0 +1,18 @@
+"""What else a model's file may say of its model, under `ABOUT`: what programs ask, so that they name no model."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class About:
+    """What a model can be asked and shown; the defaults are those of most models.
+
+    `needs_motion`: its answer depends on the whole motion before, so that single questions cannot be asked.
+    `each_string_apart`: it has numbers of its own for every string and none for all: nothing goes over to a new string.
+    `least_strokes_alone`: how many strokes of one string suffice to fit it on them alone, 0 where it answers unfitted;
+    None where one string is never enough.
+    """
+
+    needs_motion: bool = False
+    each_string_apart: bool = False
+    least_strokes_alone: int | None = None

@@ -1,0 +1,33 @@
+"""What a person reads in the reference names every field of what is given, and every column of its tables."""
+
+import dataclasses
+import re
+
+import pytest
+
+import pipeline as tb
+from pipeline.ground import schemas
+
+
+def named(text: str | None) -> set[str]:
+    return set(re.findall(r"`(\w+)`", text or ""))
+
+
+@pytest.mark.parametrize("kind", [tb.Mechanism, tb.Interval], ids=lambda kind: kind.__name__)
+def test_a_class_names_its_fields(kind: type) -> None:
+    fields = {field.name for field in dataclasses.fields(kind)}  # type: ignore[arg-type]
+    assert fields <= named(kind.__doc__), fields - named(kind.__doc__)
+
+
+def test_bad_input_names_what_it_holds() -> None:
+    assert set(vars(tb.BadInput("a", "b", "c", "d"))) <= named(tb.BadInput.__doc__)
+
+
+@pytest.mark.parametrize(
+    ("given", "schema"),
+    [(tb.Recording.strokes, schemas.STROKES), (tb.points, schemas.DATASET)],
+    ids=["strokes", "points"],
+)
+def test_a_table_names_its_columns(given: object, schema: object) -> None:
+    columns = set(schema.names)  # type: ignore[attr-defined]
+    assert columns <= named(given.__doc__), columns - named(given.__doc__)
