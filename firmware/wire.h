@@ -5,7 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum kind { HELLO = 0x01, SAMPLE = 0x02, EVENT = 0x03, END = 0x04, GREET = 0x81, START = 0x82, STOP = 0x83, ACK = 0x84 };
+enum kind {
+    HELLO = 0x01, SAMPLE = 0x02, EVENT = 0x03, END = 0x04, TAKEN = 0x05,
+    GREET = 0x81, START = 0x82, STOP = 0x83, ACK = 0x84, LEG = 0x85, PROGRAM = 0x86, BEAT = 0x87
+};
 
 /* Bytes on the line of a frame with a payload of up to 246 bytes: kind, seq, crc, one byte of COBS and the zero. */
 #define FRAME_BYTES(payload) ((payload) + 11)
