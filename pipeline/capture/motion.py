@@ -91,7 +91,7 @@ def load(port: Port, hello: Hello, legs: Sequence[Leg], name: str) -> None:
         raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
     if answer is None:
         raise BadInput(name, "program", "the device did not answer it; nothing was moved", "check cable and firmware")
-    why = SAYS.get(answer, f"its reason is {answer}")
+    why = SAYS[Answer(answer)] if answer in SAYS else f"its reason is {answer}"
     field = f"program, leg {leg}" if leg else "program"
     raise BadInput(name, field, f"the device refused it: {why}", "choose another run; nothing was moved")
 
