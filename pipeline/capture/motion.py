@@ -12,6 +12,7 @@ from ..wire.motion import PROGRAM, TAKEN, Answer, Leg, packed, refusal
 from .port import Port, Unplugged
 
 ANSWER_S, TRIES = 1.0, 3
+PAUSE_S = 0.002  # after each frame: a small board has room for two of them
 DRIVER, LOAD = "motor_turns", "load_n"
 ALIKE = 0.02  # of a load: two medians of one load cell differ by less
 SAYS = {
@@ -82,6 +83,7 @@ def load(port: Port, hello: Hello, legs: Sequence[Leg], name: str) -> None:
         for _ in range(TRIES):
             for frame in frames:
                 port.write(frame)
+                time.sleep(PAUSE_S)
             answer, leg = _answer(port, decoder, len(payloads), crc)
             if answer == Answer.TAKEN:
                 return
