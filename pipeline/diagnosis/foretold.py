@@ -10,6 +10,7 @@ from ..run.description import Run
 from .drivers import drivers_of
 from .nextrun import Proposal, appended, options
 from .outcome import Study
+from .verdict import tidy
 from .words.worth import decides
 
 POINTS = 400  # of a curve
@@ -25,7 +26,7 @@ def foretold(found: Study, run: Run, fixed_load: bool) -> list[dict[str, Any]]:
     entries = []
     for proposal in options(found.problem, run, found.noise, found.search, found.sets):
         entry = proposal.entry(run, fixed_load)
-        entries.append({**entry, "decides": decides(entry), "curves": curves(found, run, proposal)})
+        entries.append({**tidy(entry), "decides": decides(entry), "curves": curves(found, run, proposal)})
     return entries
 
 

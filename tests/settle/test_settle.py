@@ -1,5 +1,6 @@
 """The loop on the real programs: a concealed effect behind a pseudo-terminal, a poor recording first."""
 
+import json
 import os
 import pty
 import shutil
@@ -188,3 +189,27 @@ def test_killed_in_every_state_it_goes_on_to_the_same_end(place):
     assert done.returncode == 0, done.stdout
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and settled(place)["verdict"] == "explained"
     assert settled(place)["spent"]["runs"] == 2 and not (place / "raw" / "poor-1-s3").exists()
+
+
+def test_each_run_that_could_be_next_has_a_curve_of_every_explanation(waiting):
+    place = waiting[0] / "out" / "step-0"
+    options, found = (json.loads((place / name).read_text()) for name in ("next_runs.json", "diagnosis.json"))
+    assert options[0]["title"] == found["next_run"]["title"] and options[0]["legs"] == found["next_run"]["legs"]
+    gaps = [entry["gap_then"] for entry in options]
+    assert (
+        len(options) == 10 and gaps == sorted(gaps, reverse=True) and [e["decides"] for e in options][:3] == [1, 1, 0]
+    )
+    sets = [
+        " + ".join(entry["id"] for entry in found["mechanisms"]),
+        *(" + ".join(one) for one in found["alternatives"]),
+    ]
+    for entry in options:
+        curves = entry["curves"]
+        assert sorted(curves["rivals"]) == sorted(sets)
+        assert all(len(one) == len(curves["time_s"]) <= 400 and one[0] == 0 for one in curves["rivals"].values())
+
+    def apart(entry: dict) -> float:
+        one, other = entry["curves"]["rivals"].values()
+        return max(abs(a - b) for a, b in zip(one, other, strict=True))
+
+    assert apart(options[0]) > 3 * apart(next(e for e in options if e["title"] == "one more stroke as before"))
