@@ -31,7 +31,7 @@ _Static_assert(F_CPU / 8 % BAUD == 0, "that baud rate cannot be made from 16 MHz
 _Static_assert(RATE_HZ >= 40 && RATE_HZ <= 1000 && 1000000L % RATE_HZ == 0, "that rate is no whole number of us");
 _Static_assert(STEPS_PER_S <= STEP_TICKS_HZ / 2, "so many steps a second cannot be made");
 
-static volatile uint8_t sent[256], got[32]; /* uint8_t indices turn over by themselves in the first */
+static volatile uint8_t sent[256], got[64]; /* uint8_t indices turn over by themselves in the first */
 static volatile uint8_t sent_in, sent_out, got_in, got_out;
 
 static volatile struct sample queue[QUEUE];

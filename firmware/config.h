@@ -36,6 +36,17 @@
 #define RAMP_MS 250L /* from standstill to that speed */
 #endif
 
+/* Programs of motion from the host: twist from 0 to TOP_TURNS, speed and ramps as above, the load as it hangs. */
+#ifndef MOST_LEGS
+#define MOST_LEGS 48 /* eight bytes each */
+#endif
+#ifndef LONGEST_S
+#define LONGEST_S 3600UL
+#endif
+#ifndef SILENCE_MS
+#define SILENCE_MS 1500L /* of the host, after which the motor is stopped */
+#endif
+
 /* The experiment: rest, then STROKES times wind, hold, unwind, rest. */
 #ifndef STROKES
 #define STROKES 9

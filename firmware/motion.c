@@ -4,18 +4,19 @@
 
 #include "board.h"
 #include "config.h"
+#include "program.h"
 
-#define TICKS(ms) ((uint32_t)(ms) * RATE_HZ / 1000)
 #define TOP (TOP_TURNS * STEPS_PER_TURN)
 #define SLOWEST 100 /* steps/s, at which any stepper starts and stops */
-#define RAMP_TICKS (TICKS(RAMP_MS) > 0 ? TICKS(RAMP_MS) : 1)
-#define FASTER ((STEPS_PER_S * 16 / (int32_t)RAMP_TICKS) > 0 ? (STEPS_PER_S * 16 / (int32_t)RAMP_TICKS) : 1)
 #define TURN ((int64_t)MOTOR_COUNTS_PER_TURN * STEPS_PER_TURN)
 
-static enum { STILL, HOMING, RESTING, WINDING, HOLDING, UNWINDING } phase;
+static enum { STILL, HOMING, RESTING, WINDING, HOLDING, UNWINDING, FOLLOWING } phase;
 static uint16_t stroke;
 static uint32_t ticks; /* since the phase began */
 static int32_t from, target;
+static int32_t fastest; /* 1/16 steps/s */
+static uint16_t leg; /* of the program */
+static bool winds; /* a stroke of the program is under way */
 static int32_t speed; /* 1/16 steps/s: a sample's change of speed is less than a step/s */
 static int32_t ramped; /* steps that it took to get that fast, so to stop again */
 
@@ -42,12 +43,12 @@ static bool arrived(void)
         return true;
     if (left <= ramped) {
         speed -= FASTER;
-    } else if (speed < STEPS_PER_S * 16) {
+    } else if (speed < fastest) {
         speed += FASTER;
         ramped = labs(now - from);
     }
-    if (speed > STEPS_PER_S * 16)
-        speed = STEPS_PER_S * 16;
+    if (speed > fastest)
+        speed = fastest;
     if (speed < SLOWEST * 16)
         speed = SLOWEST * 16;
     board_drive(target, (uint16_t)(speed / 16));
@@ -64,7 +65,48 @@ static bool stalled(int32_t motor_counts)
 void motion_begin(void)
 {
     stroke = 0;
+    fastest = STEPS_PER_S * 16;
     go(HOMING, 0); /* a run that was stopped has left the string twisted */
+}
+
+/* On to the leg; its speed is rounded up, and the time that is left at its end is waited for. */
+static void enter_leg(void)
+{
+    if (leg == program_legs())
+        return;
+    const struct leg *next = program_at(leg);
+    go(FOLLOWING, steps_of(next->milliturns));
+    fastest = cruise_of(target - from, next->ms) + 16;
+}
+
+void motion_follow(void)
+{
+    stroke = leg = 0;
+    winds = false;
+    enter_leg();
+}
+
+static enum news follow(void)
+{
+    if (leg == program_legs()) {
+        motion_halt();
+        return FINISHED;
+    }
+    bool there = arrived();
+    if (ticks == 1 && target > from && !winds) {
+        winds = true;
+        stroke++;
+        return STROKE_STARTS;
+    }
+    if (!there || ticks < TICKS(program_at(leg)->ms))
+        return NOTHING;
+    bool ended = winds && target < from;
+    leg++;
+    enter_leg();
+    if (!ended)
+        return NOTHING;
+    winds = false;
+    return STROKE_ENDS;
 }
 
 void motion_halt(void)
@@ -115,6 +157,8 @@ enum news motion_tick(int32_t motor_counts)
             return NOTHING;
         enter(RESTING);
         return STROKE_ENDS;
+    case FOLLOWING:
+        return follow();
     default:
         return NOTHING;
     }

@@ -2,6 +2,7 @@
 #include "board.h"
 #include "config.h"
 #include "motion.h"
+#include "program.h"
 #include "wire.h"
 
 #define TEXT_OF(number) #number
@@ -13,7 +14,7 @@
 #define EVENT_PAYLOAD 9
 
 enum event { STROKE_START = 1, STROKE_END = 2, FAULT = 3 };
-enum reason { COMPLETE = 0, STOPPED = 1, FAULTY = 2 };
+enum reason { COMPLETE = 0, STOPPED = 1, FAULTY = 2, SILENT = 3 };
 enum fault { MOTOR_STALLED = 1, ENCODER_SKIPPED = 2 }; /* our own numbers */
 
 static const char HELLO_BEGIN[] PROGMEM =
@@ -22,18 +23,48 @@ static const char HELLO_REST[] PROGMEM =
     "\",\"rate_hz\":" TEXT(RATE_HZ) ",\"strokes\":" TEXT(STROKES) ",\"channels\":["
     CHANNEL("motor_turns", "turns", "i32", MOTOR_SCALE, "0") ","
     CHANNEL("displacement_mm", "mm", "i32", DISPLACEMENT_SCALE, "0") ","
-    CHANNEL("load_n", "N", "u16", LOAD_SCALE, LOAD_OFFSET) "]}";
+    CHANNEL("load_n", "N", "u16", LOAD_SCALE, LOAD_OFFSET) "],\"program\":{\"legs\":" TEXT(MOST_LEGS) ",\"turns\":[0,";
+static const char HELLO_SPEED[] PROGMEM = "],\"turns_per_s\":";
+static const char HELLO_RAMP[] PROGMEM = ",\"turns_per_s2\":";
+static const char HELLO_SECONDS[] PROGMEM = ",\"seconds\":";
+static const char HELLO_SILENCE[] PROGMEM = ",\"silence_s\":";
+static const char HELLO_AT[] PROGMEM = ",\"at_turns\":";
+static const char HELLO_END[] PROGMEM = "}}";
 
 static enum { IDLE, RECORDING, ENDING } state;
 static uint32_t next_seq, samples, nonce;
 static uint8_t end_reason;
 static uint16_t end_ticks; /* samples' time since END was first said */
+static bool following; /* a program */
+static uint32_t silence; /* samples' time since the host was heard */
 
 static void say_text(const char *text)
 {
     char one;
     while ((one = (char)pgm_read_byte(text++)) != 0)
         frame_u8((uint8_t)one);
+}
+
+/* A number of thousandths, as JSON has it. */
+static void say_milli(int32_t number)
+{
+    uint32_t size = number < 0 ? -(uint32_t)number : (uint32_t)number;
+    bool begun = false;
+    if (number < 0)
+        frame_u8('-');
+    for (uint32_t place = 1000000000UL; place > 0; place /= 10) {
+        uint8_t digit = (uint8_t)(size / place % 10);
+        begun = begun || digit != 0 || place <= 1000;
+        if (begun)
+            frame_u8((uint8_t)('0' + digit));
+        if (place == 1000)
+            frame_u8('.');
+    }
+}
+
+static int32_t milliturns(int32_t steps)
+{
+    return (int32_t)((int64_t)steps * 1000 / STEPS_PER_TURN);
 }
 
 static void say_hello(void)
@@ -43,6 +74,18 @@ static void say_hello(void)
     for (int8_t shift = 28; shift >= 0; shift -= 4)
         frame_u8((uint8_t) "0123456789abcdef"[nonce >> shift & 15]);
     say_text(HELLO_REST);
+    say_milli(TOP_TURNS * 1000);
+    say_text(HELLO_SPEED);
+    say_milli(milliturns(STEPS_PER_S));
+    say_text(HELLO_RAMP);
+    say_milli(milliturns(STEPS_PER_S2));
+    say_text(HELLO_SECONDS);
+    say_milli(LONGEST_S * 1000);
+    say_text(HELLO_SILENCE);
+    say_milli(SILENCE_MS);
+    say_text(HELLO_AT);
+    say_milli(milliturns(board_steps()));
+    say_text(HELLO_END);
     frame_end();
 }
 
@@ -90,6 +133,21 @@ static void end(enum reason reason)
     say_end();
 }
 
+static void say_taken(const struct command *command)
+{
+    uint16_t count = 0, leg = 0;
+    uint32_t sum = 0;
+    enum answer answer = BUSY;
+    if (state == IDLE)
+        answer = program_weigh(command, board_steps(), &count, &sum, &leg);
+    frame_begin(TAKEN, 0);
+    frame_u16(count);
+    frame_u32(sum);
+    frame_u8((uint8_t)answer);
+    frame_u16(leg);
+    frame_end();
+}
+
 static void obey(const struct command *command)
 {
     struct sample stale;
@@ -97,6 +155,7 @@ static void obey(const struct command *command)
     case GREET:
         motion_halt();
         state = IDLE;
+        program_forget();
         say_hello();
         break;
     case START:
@@ -108,7 +167,20 @@ static void obey(const struct command *command)
         next_seq = 1;
         samples = 0;
         state = RECORDING;
-        motion_begin();
+        silence = 0;
+        following = program_legs() > 0;
+        if (following)
+            motion_follow();
+        else
+            motion_begin();
+        break;
+    case LEG:
+        if (state == IDLE && command->length == LEG_PAYLOAD)
+            program_leg(command);
+        break;
+    case PROGRAM:
+        if (command->length == PROGRAM_PAYLOAD)
+            say_taken(command);
         break;
     case STOP:
         if (state == RECORDING)
@@ -139,6 +211,8 @@ static void record(const struct sample *sample)
     say_sample(sample);
     if (news == FINISHED)
         end(COMPLETE);
+    else if (following && ++silence >= TICKS(SILENCE_MS))
+        end(SILENT);
 }
 
 /* What waits for END's acknowledgement goes by the samples' pace: again every 0.2 s, for 10 s. */
@@ -154,6 +228,7 @@ static void wait(void)
 int main(void)
 {
     board_begin();
+    program_forget();
     nonce = board_nonce();
     board_put(0); /* ends the frame that a reset has cut off */
     say_hello(); /* tells a host that was recording of the reset */
@@ -162,8 +237,10 @@ int main(void)
         struct command command;
         struct sample sample;
         while (board_get(&byte))
-            if (frame_heard(byte, &command))
+            if (frame_heard(byte, &command)) {
+                silence = 0;
                 obey(&command);
+            }
         while (board_sample(&sample)) {
             if (state == RECORDING)
                 record(&sample);

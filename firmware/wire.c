@@ -3,7 +3,7 @@
 #include "board.h"
 
 #define GROUP 254 /* bytes without a zero that one COBS code can announce */
-#define COMMAND 9 /* kind u8, seq u32, crc u32: the host's frames have no payload */
+#define COMMAND 9 /* kind u8, seq u32, crc u32, of a frame of the host without a payload */
 
 static uint8_t group[GROUP];
 static uint8_t grouped;
@@ -15,7 +15,7 @@ static const uint32_t HALVES[16] PROGMEM = {
     0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC, 0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
     0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C, 0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
 
-static uint32_t crc_of(uint32_t sum, uint8_t byte)
+uint32_t crc_of(uint32_t sum, uint8_t byte)
 {
     sum = sum >> 4 ^ pgm_read_dword(&HALVES[(uint8_t)(sum ^ byte) & 15]);
     return sum >> 4 ^ pgm_read_dword(&HALVES[(uint8_t)(sum ^ byte >> 4) & 15]);
@@ -90,14 +90,14 @@ static bool unstuff(uint8_t *bytes, uint8_t count)
     return next == count;
 }
 
-static uint32_t u32_at(const uint8_t *bytes)
+uint32_t u32_at(const uint8_t *bytes)
 {
     return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
 bool frame_heard(uint8_t byte, struct command *command)
 {
-    static uint8_t heard[COMMAND + 1];
+    static uint8_t heard[COMMAND + MOST_PAYLOAD + 1];
     static uint8_t count;
 
     if (byte != 0) {
@@ -109,14 +109,17 @@ bool frame_heard(uint8_t byte, struct command *command)
     }
     uint8_t length = count;
     count = 0;
-    if (length != sizeof heard || !unstuff(heard, length))
+    if (length < COMMAND + 1 || length > sizeof heard || !unstuff(heard, length))
         return false;
     uint32_t sum = 0xFFFFFFFF;
-    for (uint8_t at = 1; at <= COMMAND - 4; at++)
+    for (uint8_t at = 1; at < length - 4; at++)
         sum = crc_of(sum, heard[at]);
-    if (u32_at(&heard[COMMAND - 3]) != (uint32_t)~sum)
+    if (u32_at(&heard[length - 4]) != (uint32_t)~sum)
         return false;
     command->kind = heard[1];
     command->seq = u32_at(&heard[2]);
+    command->length = length - (COMMAND + 1);
+    for (uint8_t at = 0; at < command->length; at++)
+        command->payload[at] = heard[6 + at];
     return true;
 }

@@ -5,15 +5,25 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum kind { HELLO = 0x01, SAMPLE = 0x02, EVENT = 0x03, END = 0x04, GREET = 0x81, START = 0x82, STOP = 0x83, ACK = 0x84 };
+enum kind {
+    HELLO = 0x01, SAMPLE = 0x02, EVENT = 0x03, END = 0x04, TAKEN = 0x05,
+    GREET = 0x81, START = 0x82, STOP = 0x83, ACK = 0x84, LEG = 0x85, PROGRAM = 0x86, BEAT = 0x87
+};
 
 /* Bytes on the line of a frame with a payload of up to 246 bytes: kind, seq, crc, one byte of COBS and the zero. */
 #define FRAME_BYTES(payload) ((payload) + 11)
 
+#define MOST_PAYLOAD 14 /* of the host's frames */
+
 struct command {
     uint8_t kind;
     uint32_t seq;
+    uint8_t length;
+    uint8_t payload[MOST_PAYLOAD];
 };
+
+uint32_t crc_of(uint32_t sum, uint8_t byte); /* one byte more; start with 0xFFFFFFFF, invert at the end */
+uint32_t u32_at(const uint8_t *bytes);
 
 /* A frame goes out between begin and end; its payload in the pieces between them, low byte first. */
 void frame_begin(enum kind kind, uint32_t seq);

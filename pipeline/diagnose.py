@@ -11,6 +11,7 @@ from typing import Any
 
 from .diagnosis import figures, library
 from .diagnosis.adopt import adoptions, block
+from .diagnosis.foretold import foretold
 from .diagnosis.judge import judge
 from .diagnosis.whole import diagnosed, optional
 from .diagnosis.words.text import verdict_text
@@ -31,9 +32,11 @@ def diagnose(
     together: bool = False,
     without: frozenset[str] = frozenset(),
     judge_file: Path | None = None,
+    rivals: bool = False,
 ) -> str:
     """Diagnose one run, or several of one rig together; write json, words and figures; return the words.
 
+    `rivals`: write `next_runs.json` too, every run that could be made next and what each explanation foretells of it.
     The library lacks the mechanisms in `without`; `judge_file` holds a judge in place of the library's. Raises BadInput
     for runs that are none, or not of one rig.
     """
@@ -54,6 +57,9 @@ def diagnose(
         content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
     if together:
         content["run"] = [run.run for run in runs]
+    if rivals:
+        fixed_load = bool((content["next_run"] or {}).get("fixed_load"))
+        write_text(out / "next_runs.json", json.dumps(foretold(found, runs[0], fixed_load)) + "\n")
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
     write_block(content, out)

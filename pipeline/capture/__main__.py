@@ -2,98 +2,21 @@
 
 import argparse
 import math
-import signal
-from datetime import UTC, datetime
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..run.folder import read_run
-from .commit import commit, recover
+from .commit import recover
 from .fields import names
-from .handshake import check_rate, greet
-from .log import LINES, NAME, Log, check_folder
-from .port import Port
-from .printed import await_header, follow, tell_lines
-from .stream import record
-from .table import commit_lines, recover_lines
+from .log import LINES
+from .motion import read_legs
+from .printed import tell_lines
+from .session import capture, capture_lines
+from .table import recover_lines
 
 GAPS_TOLD = 5
-CLOCK = "time_s"
-
-
-class Asked:
-    """How often the person has asked to stop, by Ctrl-C or SIGTERM."""
-
-    def __init__(self) -> None:
-        self.times = 0
-
-    def __call__(self) -> int:
-        """So many times."""
-        return self.times
-
-    def listen(self) -> None:
-        """From here on signals are counted."""
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, self._ask)
-
-    def _ask(self, number: int, frame: FrameType | None) -> None:
-        self.times += 1
-
-
-def plain(text: str) -> str:
-    """A device's text without what a terminal would obey."""
-    return "".join(character if character.isprintable() else "?" for character in text)
-
-
-def capture_lines(
-    name: str, folder: Path, baud: int, columns: tuple[str, ...], longest_s: float = math.inf
-) -> dict[str, Any]:
-    """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
-    asked = Asked()
-    check_folder(folder)
-    with Port(name, baud) as port:
-        beginning = await_header(port, name, columns)
-        asked.listen()
-        log = Log(folder, LINES)
-        try:
-            began = datetime.now(UTC)
-            outcome = follow(port, log, asked, columns, beginning, longest_s)
-        except OSError as error:
-            mend = f"make room, then run {command('capture')} --recover {folder}"
-            raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
-        finally:
-            log.close()
-    return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
-
-
-def capture(name: str, folder: Path, baud: int, longest_s: float = math.inf) -> dict[str, Any]:
-    """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written."""
-    asked = Asked()
-    check_folder(folder)
-    with Port(name, baud) as port:
-        hello, beginning = greet(port, name, baud)
-        check_rate(hello, baud, name)
-        channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
-        print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
-        if any(channel.name == CLOCK for channel in hello.channels):
-            print(
-                f"{CLOCK} is the device's clock, t_us; its channel of that name is kept as device_{CLOCK}", flush=True
-            )
-        asked.listen()
-        log = Log(folder)
-        try:
-            log.append(beginning)
-            began = datetime.now(UTC)
-            outcome = record(port, log, hello, asked, longest_s)
-        except OSError as error:
-            mend = f"make room, then run {command('capture')} --recover {folder}"
-            raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
-        finally:
-            log.close()
-    return commit(folder, began, datetime.now(UTC), outcome)
 
 
 def tell(info: dict[str, Any], folder: Path) -> None:
@@ -155,7 +78,11 @@ def main() -> int:
     parser.add_argument("--text", action="store_true", help="the rig prints lines of numbers, not frames")
     parser.add_argument("--columns", default="", help="names, separated by commas, of what --text records")
     parser.add_argument("--longest", type=float, default=math.inf, metavar="SECONDS", help="then the run is ended")
+    motion = "the motion, for a rig that takes one: a diagnosis.json, or a list of legs"
+    parser.add_argument("--program", type=Path, metavar="FILE", help=motion)
     arguments = parser.parse_args()
+    if arguments.program and arguments.text:
+        parser.error("--program is for rigs that send frames")
     if not arguments.longest > 0:
         parser.error("--longest must be above 0 seconds")
     columns = names(arguments.columns.encode())
@@ -175,7 +102,8 @@ def main() -> int:
             if arguments.text:
                 info = capture_lines(arguments.port, folder, arguments.baud, columns, arguments.longest)
             else:
-                info = capture(arguments.port, folder, arguments.baud, arguments.longest)
+                legs = read_legs(arguments.program) if arguments.program else []
+                info = capture(arguments.port, folder, arguments.baud, arguments.longest, legs)
         except KeyboardInterrupt:  # before START: nothing was recorded
             return 130
     tell(info, folder)

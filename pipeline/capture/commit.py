@@ -105,7 +105,7 @@ def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> d
             "backward_time_stamps": frames.backward_stamps,
             "repeated_time_stamps": frames.repeated_stamps,
         },
-        "hello": asdict(hello) if hello else None,
+        "hello": hello.content if hello else None,
     }
 
 

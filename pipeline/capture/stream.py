@@ -14,6 +14,7 @@ from .progress import Progress
 SILENCE_S = 3.0
 STOP_S = 5.0  # so long may a device go on that was told to stop
 IDLE_S = 60.0  # so long may bytes come and no new frame
+BEAT_S = 0.25  # the host is heard so often by a device that follows a program
 PERSON = "person"  # who asked for the end, by Ctrl-C
 WRONG_ENDS = 3  # an END that cannot be true is a fault when it comes again and again
 
@@ -63,20 +64,29 @@ class Listener:
         _, reason = END.unpack(frame.payload)
         if reason == Reason.FAULT:
             return Outcome("fault", "the device reported a fault")
+        if reason == Reason.SILENCE:
+            return Outcome("fault", "the device stopped: it did not hear this program any more")
         return Outcome("complete" if reason == Reason.COMPLETE else "aborted")
 
 
-def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest_s: float = math.inf) -> Outcome:
+def record(
+    port: Port,
+    log: Log,
+    hello: Hello,
+    stops: Callable[[], int],
+    longest_s: float = math.inf,
+    beats: bool = False,
+) -> Outcome:
     """Record from START to END; what is in the log afterwards is on the disk, and then the END is acknowledged.
 
     `stops` says how often the person has asked to stop: once, or `longest_s` over, sends STOP and waits for the END;
-    twice ends it.
+    twice ends it. With `beats` the device is told again and again that somebody is there.
     """
     listener = Listener(hello)
     progress = listener.progress
     silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
     began_s = heard_s = new_s = time.monotonic()
-    stopped_s, newest = math.inf, 0
+    stopped_s, newest, beat_s = math.inf, 0, began_s if beats else math.inf
     over: str | None = None  # what stopped it
     outcome: Outcome | None = None
     try:
@@ -87,6 +97,9 @@ def record(port: Port, log: Log, hello: Hello, stops: Callable[[], int], longest
             log.append(chunk[:used])
             progress.show(log.free_bytes if progress.screen.due else 0)
             now_s = time.monotonic()
+            if now_s >= beat_s:
+                port.write(encode(Kind.BEAT, 2, protocol=hello.protocol))
+                beat_s = now_s + BEAT_S
             heard_s = now_s if chunk else heard_s
             new_s, newest = (now_s, progress.numbers.high) if progress.numbers.high > newest else (new_s, newest)
             if outcome is not None:

@@ -102,18 +102,22 @@ def separation(
     return min(gaps, key=lambda gap: gap[0])
 
 
-def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:
-    """The candidate that parts the closest pair of the explanations most."""
+def options(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> list[Proposal]:
+    """Every candidate, the one first that parts the closest pair of the explanations most."""
     rig = Rig(problem.record)
     possible = {name: legs for name, legs in CANDIDATES.items() if problem.record.load.any() or "load" not in name}
-    options = {name: [rig.home(), *legs(rig)] for name, legs in possible.items()}
-    gaps = {
-        name: separation(problem, run, noise, search, sets[:4], appended(problem.record, legs))
-        for name, legs in options.items()
-    }
-    name = max(gaps, key=lambda key: gaps[key][0])
     now = separation(problem, run, noise, search, sets[:4], problem.record)
-    return Proposal(name, options[name], rig, now, gaps[name])
+    found = []
+    for name, legs in possible.items():
+        whole = [rig.home(), *legs(rig)]
+        then = separation(problem, run, noise, search, sets[:4], appended(problem.record, whole))
+        found.append(Proposal(name, whole, rig, now, then))
+    return sorted(found, key=lambda one: -one.then[0] if one.then else 0.0)
+
+
+def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:
+    """The candidate that parts the closest pair of the explanations most."""
+    return options(problem, run, noise, search, sets)[0]
 
 
 def after_unknown(problem: Problem, run: Run, driver: str) -> Proposal:

@@ -9,15 +9,19 @@ from types import FrameType
 
 from ..ground import command as called
 from ..ground.errors import program
+from .commanded import Commanded
 from .device import Device
 from .line import line, serve
 from .options import command, free_name
 from .setup import names, read_setup
 from .simulate import simulate
+from .standing import Standing
 
 MOST_STROKES = 1000
 FORECAST = 12  # strokes that a forecast of the life needs at least; a test holds it to that program's own number
 RAW = Path("raw")  # of the folder in which the rig is started: where pipeline.new_run makes a run's folder
+ANEW = "rig: every recording is of a new string: give each a run and a --string-id of its own"
+STAYS = "rig: every recording is of the same string: give each a run of its own and the same --string-id"
 PACE = 5.0  # the paper's nine strokes in a minute
 
 
@@ -51,6 +55,11 @@ def main() -> int:
     parser.add_argument("--recordings", type=int, default=0, help="so many, then end (default: until Ctrl-C)")
     strokes = f"strokes of each recording, 1 to {MOST_STROKES:,}; default: as the set-up says (paper: 9)"
     parser.add_argument("--strokes", type=int, metavar="N", help=strokes)
+    parser.add_argument("--standing", action="store_true", help="one string for all recordings; it takes programs")
+    parser.add_argument("--fixed-load", action="store_true", help="with --standing: no program can change the load")
+    parser.add_argument(
+        "--stalls-at", type=float, metavar="TURNS", help="with --standing: a twist that programs stall at"
+    )
     arguments = parser.parse_args()
     if arguments.strokes is not None and not 1 <= arguments.strokes <= MOST_STROKES:
         parser.error(f"--strokes must be 1 to {MOST_STROKES}")
@@ -59,12 +68,19 @@ def main() -> int:
     setup = read_setup(arguments.setup)
     if arguments.strokes is not None:
         setup = setup.model_copy(update={"motion": setup.motion.of_strokes(arguments.strokes)})
-    device, number = Device(simulate(setup, arguments.seed)), 1
+    standing = Standing(setup, arguments.seed, not arguments.fixed_load) if arguments.standing else None
+
+    def device_of(number: int) -> Device:
+        if standing is not None:
+            return Commanded(standing, arguments.stalls_at)
+        return Device(simulate(setup, arguments.seed + number - 1))
+
+    device, number = device_of(1), 1
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
         print(f"rig: {arguments.setup} is at {arguments.link}, {paced(arguments.pace, setup.rate_hz)}; Ctrl-C ends it")
         print(f"rig: before recording 1 describe its string by: {command(setup, free_name(RAW))}")
-        print("rig: every recording is of a new string: give each a run and a --string-id of its own")
+        print(STAYS if standing else ANEW)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
         try:
             while True:
@@ -74,8 +90,9 @@ def main() -> int:
                 if number == arguments.recordings:
                     return 0 if served else 1
                 number += 1
-                print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
-                device = Device(simulate(setup, arguments.seed + number - 1))
+                if standing is None:
+                    print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
+                device = device_of(number)
         except KeyboardInterrupt:
             return 130
 

@@ -26,6 +26,14 @@ class Device:
         self._seq = 1
 
     @property
+    def silence_s(self) -> float | None:
+        """How long the host may say nothing while a program moves the motor; None where none does."""
+        return None
+
+    def alone(self) -> None:
+        """The host has said nothing for that long."""
+
+    @property
     def recording(self) -> bool:
         """Whether it was started and has not come to its END."""
         return self._sample is not None
@@ -71,11 +79,14 @@ class Device:
             frames.append(encode(Kind.SAMPLE, self._next(), samples[self._sample].tobytes()))
             self._sample += 1
         if self._stop or self._sample == len(samples):
-            reason = Reason.STOPPED if self._stop else Reason.COMPLETE
-            self._end = encode(Kind.END, self._next(), END.pack(self._sample, reason))
-            frames.append(self._end)
-            self._sample = None
+            frames.append(self._end_with(Reason.STOPPED if self._stop else Reason.COMPLETE))
         return b"".join(frames)
+
+    def _end_with(self, reason: Reason) -> bytes:
+        """END after the samples that were sent."""
+        self._end = encode(Kind.END, self._next(), END.pack(self._sample or 0, reason))
+        self._sample = None
+        return self._end
 
     def _tell(self, t_us: int, code: Event, value: int) -> bytes:
         return encode(Kind.EVENT, self._next(), EVENT.pack(t_us, code, value))

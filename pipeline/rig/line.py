@@ -63,6 +63,7 @@ def serve(end: int, device: Device, pace: float = math.inf) -> bool:
     pending = b""
     started_s: float | None = None
     ended_s: float | None = None
+    told_s = time.monotonic()  # when the host last said something
     while not device.acknowledged:
         now_s = time.monotonic()
         if not pending:
@@ -74,11 +75,14 @@ def serve(end: int, device: Device, pace: float = math.inf) -> bool:
                 return False
         else:
             ended_s = None
+        if device.silence_s is not None and now_s - told_s > device.silence_s:
+            device.alone()
         writers = [end] if pending else []
-        patience_s = REPEAT_END_S if device.waiting else None if math.isinf(pace) else 0.02
+        waits = math.isinf(pace) and device.silence_s is None
+        patience_s = REPEAT_END_S if device.waiting else None if waits else 0.02
         readable, writable, _ = select.select([end], writers, [], patience_s)
         if readable:
-            before = device.recording
+            before, told_s = device.recording, time.monotonic()
             device.hear(os.read(end, 4096))
             if device.recording and not before:
                 started_s = time.monotonic()

@@ -62,7 +62,7 @@ class Commands:
 
 
 @dataclass(frozen=True)
-class _Move:
+class Move:
     """One way of the motor: its speed rises and falls evenly, sooner where the way is too short for that."""
 
     turns: float  # negative when unwinding
@@ -71,13 +71,14 @@ class _Move:
     down_s: float
 
     @staticmethod
-    def of(stroke: Strokes, turns: float) -> "_Move":
+    def of(stroke: Strokes, turns: float) -> "Move":
         ramps_turns = stroke.speed_turns_per_s * (stroke.speed_up_s + stroke.slow_down_s) / 2.0
         share = min(1.0, abs(turns) / ramps_turns) if ramps_turns else 1.0
-        return _Move(turns, stroke.speed_turns_per_s, share * stroke.speed_up_s, share * stroke.slow_down_s)
+        return Move(turns, stroke.speed_turns_per_s, share * stroke.speed_up_s, share * stroke.slow_down_s)
 
     @property
     def duration_s(self) -> float:
+        """How long it takes."""
         return abs(self.turns) / self.speed_turns_per_s + (self.up_s + self.down_s) / 2.0
 
     def at(self, since_s: Array) -> Array:
@@ -99,8 +100,8 @@ def commands(motion: Motion, step_s: float) -> Commands:
     at_turns, at_s = each[0].bottom_turns, motion.rest_s
     moves, marks_s = [], []
     for stroke in each:
-        wind = _Move.of(stroke, stroke.top_turns - at_turns)
-        unwind = _Move.of(stroke, stroke.bottom_turns - stroke.top_turns)
+        wind = Move.of(stroke, stroke.top_turns - at_turns)
+        unwind = Move.of(stroke, stroke.bottom_turns - stroke.top_turns)
         held_s = at_s + wind.duration_s + stroke.hold_s
         moves += [(at_s, wind), (held_s, unwind)]
         marks_s.append((at_s, at_s + wind.duration_s, held_s, held_s + unwind.duration_s))

@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 from ..ground.kinematics import Array
 from ..wire import Event, Hello
+from ..wire.motion import Limits
 from . import effects, sensors
-from .motion import commands
+from .motion import Commands, commands
 from .setup import SetUp, described, dimensions
 from .string import String
 
@@ -30,29 +31,40 @@ class Simulated:
 
 def simulate(setup: SetUp, seed: int) -> Simulated:
     """Run the set-up once; the same seed gives the same recording."""
+    step_s = step_of(setup)
+    return sampled(setup, commands(setup.motion, step_s), string_of(setup), seed)
+
+
+def hello_of(setup: SetUp, nonce: str, strokes: int, program: Limits | None = None) -> Hello:
+    """What a set-up's device says of itself; `program`: what it takes of one."""
+    return Hello(DEVICE, FIRMWARE, nonce, setup.rate_hz, strokes, sensors.declare(setup.sensors), program=program)
+
+
+def step_of(setup: SetUp) -> float:
+    """Time step of a set-up's rig in s."""
+    return 1.0 / setup.rate_hz / setup.steps_per_sample
+
+
+def string_of(setup: SetUp) -> String:
+    """A new string of a set-up, with its effects."""
+    geometry = dimensions(described(setup, Path("synthetic/run.yaml")))
+    return String(geometry, [effects.make(*effect) for effect in setup.effects.items()], step_of(setup))
+
+
+def sampled(setup: SetUp, told: Commands, string: String, seed: int) -> Simulated:
+    """What a set-up's sensors say while a string, which is not new afterwards, undergoes commanded steps."""
     # the nonce, and each channel's noise, have a stream of their own: one more channel must not move the others'
     boot, *streams = (np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(17))
-    step_s = 1.0 / setup.rate_hz / setup.steps_per_sample
-    told = commands(setup.motion, step_s)
-    geometry = dimensions(described(setup, Path("synthetic/run.yaml")))
-    string = String(geometry, [effects.make(*effect) for effect in setup.effects.items()], step_s)
     contraction_mm = string.pull(told.motor_turns, told.load_n)
 
-    sampled = slice(None, None, setup.steps_per_sample)
-    time_s = told.time_s[sampled]
+    every = slice(None, None, setup.steps_per_sample)
+    time_s = told.time_s[every]
     truth = {
-        "motor_turns": told.motor_turns[sampled],
-        "displacement_mm": contraction_mm[sampled],
-        "load_n": told.load_n[sampled],
+        "motor_turns": told.motor_turns[every],
+        "displacement_mm": contraction_mm[every],
+        "load_n": told.load_n[every],
     }
-    hello = Hello(
-        device=DEVICE,
-        firmware=FIRMWARE,
-        nonce=f"{boot.integers(1 << 32):08x}",
-        rate_hz=setup.rate_hz,
-        strokes=len(told.strokes_s),
-        channels=sensors.declare(setup.sensors),
-    )
+    hello = hello_of(setup, f"{boot.integers(1 << 32):08x}", len(told.strokes_s))
     samples = np.zeros(len(time_s), hello.sample_type)
     samples["t_us"] = _t_us(setup, time_s)
     for (name, sensor), rng in zip(setup.sensors.items(), streams, strict=False):

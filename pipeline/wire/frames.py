@@ -19,10 +19,14 @@ class Kind(IntEnum):
     SAMPLE = 2
     EVENT = 3
     END = 4
+    TAKEN = 5
     GREET = 0x81
     START = 0x82
     STOP = 0x83
     ACK = 0x84
+    LEG = 0x85
+    PROGRAM = 0x86
+    BEAT = 0x87
 
 
 class Event(IntEnum):
@@ -39,6 +43,7 @@ class Reason(IntEnum):
     COMPLETE = 0
     STOPPED = 1
     FAULT = 2
+    SILENCE = 3  # of the host
 
 
 EVENT = struct.Struct("<IBi")  # t_us, code, value

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from .check import CRC, MAX_PAYLOAD, PROTOCOL
+from .motion import Limits
 
 MAX_CHANNELS = 16
 RATES_HZ = (1.0, 100_000.0)
@@ -29,7 +30,7 @@ class Channel:
 
 @dataclass(frozen=True)
 class Hello:
-    """A device and what it is about to send; `nonce` is new with every boot."""
+    """A device and what it is about to send; `nonce` is new with every boot, `program` what it takes of one, if any."""
 
     device: str
     firmware: str
@@ -38,10 +39,17 @@ class Hello:
     strokes: int
     channels: tuple[Channel, ...]
     protocol: int = PROTOCOL
+    program: Limits | None = None
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """It as JSON has it; a device that takes no program says nothing of one."""
+        found = {key: value for key, value in asdict(self).items() if key != "program"}
+        return found | ({"program": self.program.content} if self.program else {})
 
     def pack(self) -> bytes:
         """Payload of the HELLO frame; raises ValueError when it would be too long."""
-        payload = json.dumps(asdict(self), separators=(",", ":")).encode()
+        payload = json.dumps(self.content, separators=(",", ":")).encode()
         if len(payload) > MAX_PAYLOAD:
             raise ValueError(f"a HELLO of {len(payload)} bytes is longer than {MAX_PAYLOAD}")
         return payload
@@ -73,6 +81,7 @@ class Hello:
             strokes=_get(content, "strokes", int),
             channels=tuple(_channel(channel) for channel in channels),
             protocol=protocol,
+            program=Limits.of(content["program"]) if content.get("program") is not None and protocol > 1 else None,
         )
         if not RATES_HZ[0] <= hello.rate_hz <= RATES_HZ[1]:
             raise ValueError(f"rate_hz: must be from {RATES_HZ[0]:g} to {RATES_HZ[1]:g}")

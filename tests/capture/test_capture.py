@@ -18,9 +18,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.capture.__main__ import plain, tell_frames
+from pipeline.capture.__main__ import tell_frames
 from pipeline.capture.commit import Read, account
 from pipeline.capture.handshake import check_rate
+from pipeline.capture.session import plain
 from pipeline.capture.stream import Outcome
 from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device

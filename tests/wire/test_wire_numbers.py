@@ -151,11 +151,9 @@ def test_a_coarse_clock_is_a_clock():
 
 def test_the_numbers_of_the_protocol_are_those_of_its_page():
     assert {kind.name: int(kind) for kind in Kind} == {
-        "HELLO": 1, "SAMPLE": 2, "EVENT": 3, "END": 4, "GREET": 0x81, "START": 0x82, "STOP": 0x83, "ACK": 0x84
+        "HELLO": 1, "SAMPLE": 2, "EVENT": 3, "END": 4, "TAKEN": 5,
+        "GREET": 0x81, "START": 0x82, "STOP": 0x83, "ACK": 0x84, "LEG": 0x85, "PROGRAM": 0x86, "BEAT": 0x87,
     }  # fmt: skip
-    assert [reason.name for reason in Reason] == ["COMPLETE", "STOPPED", "FAULT"] and list(map(int, Reason)) == [
-        0,
-        1,
-        2,
-    ]
+    reasons = {reason.name: int(reason) for reason in Reason}
+    assert reasons == {"COMPLETE": 0, "STOPPED": 1, "FAULT": 2, "SILENCE": 3}
     assert [event.name for event in Event] == ["STROKE_START", "STROKE_END", "FAULT"] and list(Event) == [1, 2, 3]

@@ -1,0 +1,110 @@
+"""A program of motion for a rig: read from a file, looked at by the rig's own limits, and taken by it as a whole."""
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ..ground.errors import BadInput
+from ..wire import Decoder, Hello, Kind, encode
+from ..wire.motion import PROGRAM, TAKEN, Answer, Leg, packed, refusal
+from .port import Port, Unplugged
+
+ANSWER_S, TRIES = 1.0, 3
+PAUSE_S = 0.002  # after each frame: a small board has room for two of them
+DRIVER, LOAD = "motor_turns", "load_n"
+ALIKE = 0.02  # of a load: two medians of one load cell differ by less
+SAYS = {
+    Answer.BROKEN: "it did not get it whole",
+    Answer.BUSY: "it is recording",
+    Answer.LEGS: "it has more legs than it can keep",
+    Answer.TURNS: "it goes beyond its turns",
+    Answer.SPEED: "it is too fast",
+    Answer.ACCELERATION: "it starts or stops too quickly",
+    Answer.LOAD: "it does not have that load",
+    Answer.SECONDS: "it takes too long",
+}
+
+
+def as_legs(entries: Sequence[Mapping[str, Any]], hanging_n: float | None = None) -> list[Leg]:
+    """Legs as `next_run` of a diagnosis.json has them; a load that hangs already, and all the time, is left alone.
+
+    Raises ValueError for what are none.
+    """
+    try:
+        legs = [
+            Leg(float(one["seconds"]), float(one[DRIVER]), None if one.get(LOAD) is None else float(one[LOAD]))
+            for one in entries
+        ]
+    except (TypeError, KeyError, AttributeError):
+        raise ValueError(f"each leg needs seconds and {DRIVER}, and may have {LOAD}, all of them numbers") from None
+    packed(legs)  # raises for numbers that the protocol cannot write
+    same_n = ALIKE * abs(hanging_n or 0.0)
+    if hanging_n is not None and all(leg.load_n is None or abs(leg.load_n - hanging_n) <= same_n for leg in legs):
+        legs = [Leg(leg.seconds, leg.turns) for leg in legs]
+    return legs
+
+
+def read_legs(path: Path) -> list[Leg]:
+    """The legs of a file: a list of them, or a diagnosis.json with a `next_run`; raises BadInput."""
+    mend = "give a diagnosis.json with a next_run, or a list of legs as it has them"
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+        run = (content.get("next_run") or {}) if isinstance(content, dict) else {"legs": content}
+        legs = as_legs(run.get("legs") or [], run.get("load"))
+    except (ValueError, AttributeError, RecursionError) as error:
+        raise BadInput(path, "--program", f"holds no program ({error})", mend) from None
+    if not legs:
+        raise BadInput(path, "--program", "proposes no run", mend)
+    return legs
+
+
+def check(hello: Hello, legs: Sequence[Leg], name: str) -> None:
+    """Raise BadInput for a rig that takes no program, or not this one."""
+    if hello.program is None:
+        problem = "takes no program: its HELLO declares no limits of one"
+        raise BadInput(name, "HELLO.program", problem, "move the motor by hand, or bring its firmware up to date")
+    found = refusal(legs, hello.program)
+    if found is not None:
+        _, number, sentence = found
+        field = f"program, leg {number}" if number else "program"
+        raise BadInput(name, field, sentence, "choose another run, or widen the limits in the firmware if that is safe")
+
+
+def load(port: Port, hello: Hello, legs: Sequence[Leg], name: str) -> None:
+    """Hand a program over, until the device says that it has the whole of it; nothing moves yet. Raises BadInput."""
+    check(hello, legs, name)
+    payloads, crc = packed(legs)
+    frames = [encode(Kind.LEG, number, payload, hello.protocol) for number, payload in enumerate(payloads)]
+    frames.append(encode(Kind.PROGRAM, len(payloads), PROGRAM.pack(len(payloads), crc), hello.protocol))
+    decoder, answer, leg = Decoder(hello.protocol), None, 0
+    try:
+        for _ in range(TRIES):
+            for frame in frames:
+                port.write(frame)
+                time.sleep(PAUSE_S)
+            answer, leg = _answer(port, decoder, len(payloads), crc)
+            if answer == Answer.TAKEN:
+                return
+            if answer not in (None, Answer.BROKEN):
+                break
+    except Unplugged as error:
+        raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
+    if answer is None:
+        raise BadInput(name, "program", "the device did not answer it; nothing was moved", "check cable and firmware")
+    why = SAYS[Answer(answer)] if answer in SAYS else f"its reason is {answer}"
+    field = f"program, leg {leg}" if leg else "program"
+    raise BadInput(name, field, f"the device refused it: {why}", "choose another run; nothing was moved")
+
+
+def _answer(port: Port, decoder: Decoder, count: int, crc: int) -> tuple[int | None, int]:
+    """What the device says of exactly this program, and of which leg; None when it says nothing in time."""
+    until_s = time.monotonic() + ANSWER_S
+    while time.monotonic() < until_s:
+        for heard in decoder.feed(port.read()):
+            if heard.frame.kind == Kind.TAKEN and len(heard.frame.payload) == TAKEN.size:
+                legs, theirs, answer, leg = TAKEN.unpack(heard.frame.payload)
+                if answer != Answer.TAKEN or (legs, theirs) == (count, crc):
+                    return answer, leg
+    return None, 0

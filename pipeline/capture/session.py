@@ -1,0 +1,102 @@
+"""One recording from its port to its commit, and who may ask for its end."""
+
+import math
+import signal
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from ..ground.command import command
+from ..ground.errors import BadInput
+from ..wire.motion import Leg
+from .commit import commit
+from .handshake import check_rate, greet
+from .log import LINES, NAME, Log, check_folder
+from .motion import load
+from .port import Port
+from .printed import await_header, follow
+from .stream import record
+from .table import commit_lines
+
+CLOCK = "time_s"
+
+
+class Asked:
+    """How often the person has asked to stop, by Ctrl-C or SIGTERM."""
+
+    def __init__(self) -> None:
+        self.times = 0
+
+    def __call__(self) -> int:
+        """So many times."""
+        return self.times
+
+    def listen(self) -> None:
+        """From here on signals are counted."""
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self._ask)
+
+    def _ask(self, number: int, frame: FrameType | None) -> None:
+        self.times += 1
+
+
+def plain(text: str) -> str:
+    """A device's text without what a terminal would obey."""
+    return "".join(character if character.isprintable() else "?" for character in text)
+
+
+def capture_lines(
+    name: str, folder: Path, baud: int, columns: tuple[str, ...], longest_s: float = math.inf
+) -> dict[str, Any]:
+    """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
+    asked = Asked()
+    check_folder(folder)
+    with Port(name, baud) as port:
+        beginning = await_header(port, name, columns)
+        asked.listen()
+        log = Log(folder, LINES)
+        try:
+            began = datetime.now(UTC)
+            outcome = follow(port, log, asked, columns, beginning, longest_s)
+        except OSError as error:
+            mend = f"make room, then run {command('capture')} --recover {folder}"
+            raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
+        finally:
+            log.close()
+    return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
+
+
+def capture(
+    name: str, folder: Path, baud: int, longest_s: float = math.inf, legs: Sequence[Leg] = ()
+) -> dict[str, Any]:
+    """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written.
+
+    With `legs` the rig follows them: it takes them as a whole before START, or the run is not begun.
+    """
+    asked = Asked()
+    check_folder(folder)
+    with Port(name, baud) as port:
+        hello, beginning = greet(port, name, baud)
+        check_rate(hello, baud, name)
+        channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
+        print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
+        if any(channel.name == CLOCK for channel in hello.channels):
+            print(
+                f"{CLOCK} is the device's clock, t_us; its channel of that name is kept as device_{CLOCK}", flush=True
+            )
+        if legs:
+            load(port, hello, legs, name)
+        asked.listen()
+        log = Log(folder)
+        try:
+            log.append(beginning)
+            began = datetime.now(UTC)
+            outcome = record(port, log, hello, asked, longest_s, beats=bool(legs))
+        except OSError as error:
+            mend = f"make room, then run {command('capture')} --recover {folder}"
+            raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
+        finally:
+            log.close()
+    return commit(folder, began, datetime.now(UTC), outcome)

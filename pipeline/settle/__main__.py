@@ -1,0 +1,68 @@
+"""Settle a tie: record the run that would decide, diagnose all together, and go on until one explanation is left."""
+
+import argparse
+from pathlib import Path
+
+from ..ground.command import command
+from ..ground.errors import BadInput, program
+from ..ground.outputs import folder_to_write
+from ..run.folder import read_run
+from .approve import WAYS
+from .choose import Budget
+from .limits import EXAMPLE, Allowed
+from .loop import Loop
+from .step import Place
+
+REPORTS = Path("reports/settle")
+
+
+def looked_at(folders: list[Path]) -> list[Path]:
+    """Run folders whose motor this program can speak of; raises BadInput."""
+    found = [folder if folder.name else folder.resolve() for folder in folders]
+    for folder in found:
+        run = read_run(folder)
+        if run.system.driver != "motor_turns":
+            mend = "make the run that its diagnosis proposes by hand"
+            raise BadInput(folder, "actuator", f"is {run.actuator}, whose motion is not in turns of a motor", mend)
+    return found
+
+
+@program
+def main() -> int:
+    """Exit 0 when it is settled or not approved, 1 after a fault of the rig, 2 on bad input, 130 when stopped."""
+    parser = argparse.ArgumentParser(prog=command("settle"), description=__doc__)
+    parser.add_argument(
+        "run_dir", metavar="RUN_DIR", type=Path, nargs="+", help="runs of one rig that are there already"
+    )
+    parser.add_argument("--port", help="the rig's serial port; without one each run is a sheet for a person")
+    parser.add_argument("--baud", type=int, default=1_000_000)
+    parser.add_argument("--approve", choices=WAYS, default="ask", help="auto needs --limits; default: ask")
+    parser.add_argument("--limits", metavar="YAML", help=f"what no run may go beyond: {EXAMPLE}")
+    parser.add_argument("--runs", type=int, default=3, help="at most so many (3)")
+    parser.add_argument("--minutes", type=float, default=30.0, help="of motion in all, at most (30)")
+    parser.add_argument("--strokes", type=int, default=40, help="spent in all, at most (40)")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="where its steps lie (reports/settle/<run>)")
+    arguments = parser.parse_args()
+    if arguments.approve == "auto" and not arguments.limits:
+        parser.error(f"--approve auto needs --limits, such as {EXAMPLE}: nothing moves without them")
+    if arguments.runs < 1 or not arguments.minutes > 0 or arguments.strokes < 1:
+        parser.error("--runs, --minutes and --strokes must be above 0")
+    runs = looked_at(arguments.run_dir)
+    loop = Loop(
+        runs,
+        Place(folder_to_write(arguments.out or REPORTS / runs[0].name)),
+        arguments.port,
+        arguments.baud,
+        arguments.approve,
+        Allowed.read(arguments.limits or "{}"),
+        Budget(arguments.runs, arguments.minutes, arguments.strokes),
+    )
+    try:
+        return loop.go()
+    except KeyboardInterrupt:
+        print("stopped: nothing moves; started again it goes on from here")
+        return 130
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,74 @@
+"""Which run is proposed next, of those that the diagnosis tried; or why none is."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ..capture.motion import as_legs
+from ..wire.motion import Leg, Limits
+from .limits import beyond
+from .step import Step
+
+FIRM = ("explained", "consistent", "parameters", "unknown")
+SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
+
+
+@dataclass(frozen=True)
+class Budget:
+    """What may be spent in all."""
+
+    runs: int
+    minutes: float
+    strokes: int
+
+    def left(self, steps: Sequence[Step]) -> "Budget":
+        """What is left after so many steps."""
+        spent = [step for step in steps if step.number and step.state in ("recorded", "diagnosed")]
+        seconds, strokes = sum(step.seconds for step in spent), sum(step.strokes for step in spent)
+        return Budget(self.runs - len(spent), self.minutes - seconds / 60.0, self.strokes - strokes)
+
+    def lacks(self, step: Step) -> str | None:
+        """What of a run is not left, in words."""
+        if self.runs < 1:
+            return "as many runs as --runs allows are made"
+        if step.seconds > 60.0 * self.minutes:
+            return f"it takes {step.seconds / 60:.1f} min, and of --minutes {max(self.minutes, 0):.1f} are left"
+        if step.strokes > self.strokes:
+            return f"it takes {step.strokes} strokes, and of --strokes {max(self.strokes, 0)} are left"
+        return None
+
+
+def reachable(entry: dict[str, Any], limits: Limits | None) -> list[Leg]:
+    """Legs of a proposal, the first one slow enough to get from where the motor stands to where the run begins."""
+    legs = as_legs(entry["legs"], entry.get("load"))
+    if limits is not None and legs:
+        way_s = SLOWER * limits.way_s(legs[0].turns - limits.at_turns)
+        legs[0] = Leg(max(legs[0].seconds, way_s), legs[0].turns, legs[0].load_n)
+    return legs
+
+
+def chosen(
+    options: Sequence[dict[str, Any]], number: int, limits: Limits | None, left: Budget
+) -> tuple[Step | None, str]:
+    """The best run that is expected to decide and that limits and budget allow, and why it is no better one.
+
+    Without such a run None, and the sentence that ends the loop.
+    """
+    deciding = [entry for entry in options if entry["decides"]]
+    if not deciding:
+        said = "no run that was tried would part what ties: under what this rig can do it is a tie by construction"
+        return None, f"{said}, as far as those runs can show"
+    refused: list[str] = []
+    for entry in deciding:
+        legs = reachable(entry, limits)
+        plain = [
+            {"seconds": leg.seconds, "motor_turns": leg.turns} | ({} if leg.load_n is None else {"load_n": leg.load_n})
+            for leg in legs
+        ]
+        proposal = {key: value for key, value in entry.items() if key != "curves"} | {"legs": plain}
+        step = Step(number, "proposed", proposal=proposal)
+        why = beyond(legs, limits) or left.lacks(step)
+        if why is None:
+            return step, "; ".join(refused)
+        refused.append(f"{entry['title']}: {why}")
+    return None, f"no run that would decide is allowed ({'; '.join(refused)})"

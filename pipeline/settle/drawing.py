@@ -1,0 +1,80 @@
+"""What each explanation that ties foretells of a run, before it is made; and what came, drawn over it."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.figure import Figure
+
+from ..ground.files import whole
+from ..ground.kinematics import Array
+from ..run.samples import read_samples
+
+SIZE_INCHES, DOTS = (8.0, 7.0), 150
+COLOURS = ("#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b")
+STANDS_TURNS = 0.02
+SMOOTH_S = 0.25  # over which a recording is averaged before the small differences are drawn
+
+
+def draw(entry: dict[str, Any], path: Path, title: str, came: Path | None = None) -> None:
+    """Draw a proposed run, and over it the run folder that came, as PNG and PDF; `path` goes without an ending."""
+    curves = entry["curves"]
+    figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
+    figure.suptitle(title, fontsize=10)
+    motion, reading, apart = figure.subplots(3, 1, sharex=True, height_ratios=[1, 2, 3])
+    time_s, base_mm = np.array(curves["time_s"]), np.array(curves["calibrated"])
+    motion.plot(time_s, curves["motor_turns"], "0.4", lw=1.2)
+    motion.set_ylabel("motor (turns)")
+    for number, (name, curve) in enumerate(curves["rivals"].items()):
+        colour = COLOURS[number % len(COLOURS)]
+        reading.plot(time_s, curve, color=colour, lw=1.2)
+        apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5, label=name)
+    if came is not None:
+        _, table = read_samples(came)
+        at_s = table["time_s"].to_numpy() - table["time_s"].iloc[0]
+        turns = table["motor_turns"].to_numpy()
+        came_mm = table["displacement_mm"].to_numpy() - zero_mm(turns, table["displacement_mm"].to_numpy())
+        reading.plot(at_s, came_mm, "k", lw=0.8)
+        beyond_mm = came_mm - simulated_mm(curves, at_s, turns)
+        apart.plot(at_s, averaged(at_s, beyond_mm), "k", lw=1.2, label="what came")
+    reading.set_ylabel("displacement since\nthe run began (mm)")
+    apart.set_ylabel("beyond the simulator\nwithout a mechanism (mm)")
+    apart.set_xlabel("time (s)")
+    apart.legend(fontsize=8, frameon=False)
+    with whole(path.with_name(f"{path.name}.png")) as temporary:
+        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
+    figure.set_layout_engine("none")
+    with whole(path.with_name(f"{path.name}.pdf")) as temporary:
+        FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})
+
+
+def zero_mm(turns: Array, reading_mm: Array) -> float:
+    """The reading while the motor had not begun to move: a first sample alone carries its noise into all others."""
+    moved = np.flatnonzero(np.abs(turns - turns[0]) > STANDS_TURNS)
+    return float(np.median(reading_mm[: max(1, int(moved[0]) if len(moved) else len(turns))]))
+
+
+def simulated_mm(curves: dict[str, Any], at_s: Array, turns: Array) -> Array:
+    """The simulator without a mechanism at the twist that the motor truly had, shape (samples,).
+
+    Its curve over the twist is taken under the load that hangs then: a motor that runs a moment late is no effect.
+    """
+    time_s, load = np.array(curves["time_s"]), np.array(curves["load"])
+    foretold_turns, foretold_mm = np.array(curves["motor_turns"]), np.array(curves["calibrated"])
+    hangs = np.interp(at_s, time_s, load)
+    found = np.interp(at_s, time_s, foretold_mm)
+    for one in np.unique(load):
+        under = load == one
+        order = np.argsort(foretold_turns[under], kind="stable")
+        here = np.abs(hangs - one) <= 1e-9 * max(abs(one), 1.0)
+        found[here] = np.interp(turns[here], foretold_turns[under][order], foretold_mm[under][order])
+    return found
+
+
+def averaged(at_s: Array, values: Array) -> Array:
+    """Running means over SMOOTH_S."""
+    width = max(1, round(SMOOTH_S / max(float(np.median(np.diff(at_s))), 1e-9))) if len(at_s) > 1 else 1
+    weights = np.ones(min(width, len(values)))
+    return np.convolve(values, weights, "same") / np.convolve(np.ones(len(values)), weights, "same")

@@ -1,0 +1,67 @@
+"""What a person allows: how far, how fast, under which load and how long; and what the rig's own limits leave of it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from ..ground.errors import BadInput
+from ..ground.strict_yaml import parse_yaml
+from ..wire.motion import Leg, Limits, refusal
+
+OPTION = "--limits"
+EXAMPLE = "'{turns: [0, 25], turns_per_s: 8, load_n: [10, 40], seconds: 300}'"
+PAIRS, NUMBERS = ("turns", "load_n"), ("turns_per_s", "seconds")
+ALL = ("turns", "turns_per_s", "seconds")  # what nothing moves unattended without
+
+
+@dataclass(frozen=True)
+class Allowed:
+    """Limits that a person gave; an entry that is not there leaves the rig's own."""
+
+    given: Mapping[str, Any]
+
+    @staticmethod
+    def read(text: str) -> "Allowed":
+        """The limits in an option's YAML; raises BadInput."""
+        content = parse_yaml(text, Path(OPTION))
+        if not isinstance(content, dict):
+            raise BadInput(OPTION, "value", "is not keys and values", f"write it as in {EXAMPLE}")
+        for key, value in content.items():
+            good = key in PAIRS and isinstance(value, list) and len(value) == 2 and all(map(_number, value))
+            if not (good and value[0] <= value[1]) and not (key in NUMBERS and _number(value) and value > 0):
+                raise BadInput(OPTION, str(key), "is no limit, or not of its form", f"write it as in {EXAMPLE}")
+        return Allowed(content)
+
+    def check_unattended(self, rig: Limits) -> None:
+        """Raise BadInput where something is missing that nothing may move unattended without."""
+        needed = [*ALL, *(["load_n"] if rig.load_n else [])]
+        missing = [key for key in needed if key not in self.given]
+        if missing:
+            problem = f"{' and '.join(missing)} must be given before anything moves unattended"
+            raise BadInput(OPTION, missing[0], problem, f"write it as in {EXAMPLE}, or use --approve ask")
+
+    def within(self, rig: Limits) -> Limits:
+        """What both allow."""
+        given = self.given
+        turns, load = given.get("turns", rig.turns), given.get("load_n", rig.load_n)
+        return replace(
+            rig,
+            turns=(max(turns[0], rig.turns[0]), min(turns[1], rig.turns[1])),
+            turns_per_s=min(given.get("turns_per_s", rig.turns_per_s), rig.turns_per_s),
+            seconds=min(given.get("seconds", rig.seconds), rig.seconds),
+            load_n=(max(load[0], rig.load_n[0]), min(load[1], rig.load_n[1])) if rig.load_n and load else None,
+        )
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e9
+
+
+def beyond(legs: list[Leg], limits: Limits | None) -> str | None:
+    """What of a run is beyond the limits, in words; None where nothing is, or there are none."""
+    found = refusal(legs, limits) if limits is not None else None
+    if found is None:
+        return None
+    _, number, sentence = found
+    return f"leg {number} {sentence}" if number else sentence

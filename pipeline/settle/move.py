@@ -1,0 +1,90 @@
+"""A run is made: its folder, then the rig moves and is recorded by the capture program's own code."""
+
+import contextlib
+import signal
+import time
+from pathlib import Path
+from typing import Any
+
+from ..capture.commit import recover
+from ..capture.handshake import greet
+from ..capture.log import NAME, in_use
+from ..capture.motion import as_legs
+from ..capture.port import Port
+from ..capture.session import capture
+from ..capture.stream import PERSON
+from ..new_run import make_run
+from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
+from ..run.like import as_in, with_given
+from ..wire.motion import Limits
+from .step import Step
+
+LONGER, AND_S = 2.0, 60.0  # than its legs take: then a recording is ended
+LEAST_SAMPLES = 200  # of a recording that was cut short, to be of use
+LOOKS_S = 0.5
+
+
+def limits_of(port: str, baud: int) -> Limits | None:
+    """What the rig at a port takes of a program now; None where it takes none. Raises BadInput for no rig."""
+    with Port(port, baud) as there:
+        return greet(there, port, baud)[0].program
+
+
+def free_dir(first: Path) -> Path:
+    """A run folder beside the first one that is not there yet."""
+    number = 1
+    while (first.parent / f"{first.name}-s{number}").exists():
+        number += 1
+    return first.parent / f"{first.name}-s{number}"
+
+
+def describe(folder: Path, first: Path) -> None:
+    """Make the run's folder with a run.yaml like the first one's, unless it is there."""
+    if not (folder / "run.yaml").exists():
+        make_run(with_given(as_in(first), {"run": folder.name}, first), None, folder.parent, known=True)
+
+
+def begun(folder: Path) -> bool:
+    """Whether something was recorded into a run's folder, to its end or not."""
+    return any((folder / name).is_file() for name in (*RECORDINGS, *CAPTURED))
+
+
+def mended(folder: Path) -> bool:
+    """Make usable what an earlier start of this program left unfinished; False where it had not moved the rig yet.
+
+    The capture writes HELLO before it says START. Raises BadInput where a program still records there.
+    """
+    path = folder / NAME
+    if not unfinished(folder):
+        return True
+    if path.is_file() and path.stat().st_size == 0 and not in_use(path):
+        return False
+    recover(folder)
+    return True
+
+
+def record(step: Step, port: str, baud: int) -> None:
+    """Move the rig and record it. Raises BadInput."""
+    try:
+        capture(port, Path(step.run_dir or ""), baud, LONGER * step.seconds + AND_S, as_legs(step.legs))
+    finally:
+        for number in (signal.SIGINT, signal.SIGTERM):  # the capture listened to them; from here they end the program
+            with contextlib.suppress(ValueError):
+                signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
+
+
+def wait_for(folder: Path) -> None:
+    """Wait until a person has recorded a run."""
+    while not begun(folder) or unfinished(folder):
+        time.sleep(LOOKS_S)
+
+
+def came(step: Step) -> tuple[Step, bool]:
+    """The step with how its recording ended, and whether a person ended it."""
+    info: dict[str, Any] = capture_info(Path(step.run_dir or ""))
+    status = info.get("exit_status", "complete")
+    if status == "complete":
+        return step.at("recorded"), False
+    samples = int((info.get("samples") or {}).get("received", 0))
+    said = info.get("fault") or (f"ended by {info['ended_by']}" if info.get("ended_by") else status)
+    return step.at("recorded", ended=str(said), used=samples >= LEAST_SAMPLES), info.get("ended_by") == PERSON

@@ -1,0 +1,28 @@
+"""A proposed run as a sheet for a person, where the rig cannot be commanded."""
+
+import shlex
+from pathlib import Path
+
+from ..ground.command import command
+from .step import Step
+
+
+def sheet(step: Step, like: Path, why: str) -> str:
+    """What to do, leg by leg, and how to record it; `why` says why the rig is not moved by this program."""
+    folder = Path(step.run_dir or "")
+    lines = [f"Run {folder.name}: {step.proposal['title']}", f"By hand, since {why}.", "", "What the motor does:"]
+    at, hangs = step.proposal.get("from", 0.0), None
+    for number, leg in enumerate(step.legs, 1):
+        to, load = leg["motor_turns"], leg.get("load_n")
+        does = f"stand at {to:.2f} turns" if abs(to - at) < 5e-3 else f"go from {at:.2f} to {to:.2f} turns"
+        weight = f", under {load:g} N" if load is not None and load != hangs else ""
+        lines.append(f"  {number}. {does} in {leg['seconds']:.1f} s{weight}")
+        at, hangs = to, load if load is not None else hangs
+    record = f"{command('capture')} PORT {shlex.quote(str(folder))}"
+    lines += [
+        "",
+        f"Record all of it as one run: {record} (add --text where the rig prints lines of numbers),",
+        f"or put recording.csv into {folder}; its run.yaml is there, and says the string of {like}.",
+        "When the recording is there, this program goes on by itself.",
+    ]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,127 @@
+"""A device that answers a program late, oddly or not at all: a sentence, no run begun, and nothing moved."""
+
+import json
+import os
+import pty
+import threading
+import time
+import tty
+from pathlib import Path
+
+import pytest
+from programs import run
+
+from pipeline.capture.motion import load
+from pipeline.capture.port import Port
+from pipeline.ground.errors import BadInput
+from pipeline.wire import Channel, Decoder, Hello, Kind, encode
+from pipeline.wire.motion import PROGRAM, TAKEN, Answer, Leg, Limits
+
+LIMITS = Limits(10, (0.0, 20.0), 5.0, 50.0, 100.0, 1.5, 0.0)
+CHANNELS = (Channel("motor_turns", "turns", "i32", 0.001), Channel("displacement_mm", "mm", "i32", 0.001))
+HELLO = Hello("a rig", "1", "1", 50.0, 0, CHANNELS, program=LIMITS)
+LEGS = [Leg(4.0, 10.0), Leg(4.0, 0.0)]
+
+
+class Rig(threading.Thread):
+    """Answers GREET, and a program as a test says; notes what it hears."""
+
+    def __init__(self, answers: list[tuple[float, bytes]], hello: Hello = HELLO) -> None:
+        super().__init__(daemon=True)
+        self.ours, self.theirs = pty.openpty()
+        tty.setraw(self.theirs)
+        self.port, self.answers, self.hello = os.ttyname(self.theirs), answers, hello
+        self.heard: list[int] = []
+
+    def run(self) -> None:
+        decoder = Decoder(2)
+        while True:
+            try:
+                frames = decoder.feed(os.read(self.ours, 4096))
+            except OSError:
+                return
+            for one in frames:
+                self.heard.append(one.frame.kind)
+                if one.frame.kind == Kind.GREET:
+                    os.write(self.ours, encode(Kind.HELLO, 0, self.hello.pack()))
+                if one.frame.kind == Kind.PROGRAM and self.answers:
+                    wait_s, payload = self.answers.pop(0)
+                    count, crc = PROGRAM.unpack(one.frame.payload)
+                    time.sleep(wait_s)
+                    os.write(self.ours, encode(Kind.TAKEN, 0, payload or TAKEN.pack(count, crc, Answer.TAKEN, 0)))
+
+
+def asked(*answers: tuple[float, bytes]) -> Rig:
+    """What a rig heard that was handed a program; raises BadInput as that does."""
+    rig = Rig(list(answers))
+    rig.start()
+    with Port(rig.port, 1_000_000) as port:
+        load(port, HELLO, LEGS, "the rig")
+    return rig
+
+
+def test_an_answer_that_comes_late_is_taken():
+    rig = asked((1.3, b""))
+    assert rig.heard.count(Kind.PROGRAM) >= 1 and rig.heard.count(Kind.LEG) >= 2
+
+
+def test_a_program_that_was_taken_in_half_is_handed_over_again():
+    rig = asked((0.0, TAKEN.pack(1, 5, Answer.BROKEN, 0)), (0.0, b""))
+    assert rig.heard == [Kind.LEG, Kind.LEG, Kind.PROGRAM] * 2
+
+
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        ([], "did not answer it; nothing was moved"),
+        ([(0.0, TAKEN.pack(2, 5, Answer.TAKEN, 0))], "did not answer it"),
+        ([(0.0, TAKEN.pack(2, 5, Answer.LOAD, 2))], "leg 2: the device refused it: it does not have that load"),
+        ([(0.0, TAKEN.pack(2, 5, 77, 0))], "its reason is 77"),
+        ([(0.0, TAKEN.pack(1, 5, Answer.BROKEN, 0))] * 3, "it did not get it whole"),
+    ],
+    ids=["silent", "another program", "load", "unknown reason", "broken line"],
+)
+def test_what_is_not_taken_is_a_sentence(answers, said):
+    with pytest.raises(BadInput, match=said):
+        asked(*answers)
+
+
+@pytest.mark.parametrize(
+    ("program", "limits", "said"),
+    [
+        ({"legs": "many"}, LIMITS, "program.legs: is missing or is not a number"),
+        ({"turns": [3, 1]}, LIMITS, "program.turns: its least is above its most"),
+        ({"silence_s": 0}, LIMITS, "must be above 0"),
+        ([], LIMITS, "program: is not an object"),
+    ],
+)
+def test_limits_that_are_none_are_refused_before_anything_is_written(program, limits, said, tmp_path):
+    content = json.loads(HELLO.pack())
+    content["program"] = content["program"] | program if isinstance(program, dict) else program
+
+    class Odd:
+        def pack(self) -> bytes:
+            return json.dumps(content).encode()
+
+    rig = Rig([], Odd())  # type: ignore[arg-type]
+    rig.start()
+    done = run("pipeline.capture", rig.port, tmp_path / "run-1")
+    assert done.returncode == 2 and said in done.stderr and not (tmp_path / "run-1").exists()
+
+
+def test_a_rig_without_limits_takes_no_program(tmp_path: Path):
+    rig = Rig([], Hello("a rig", "1", "1", 50.0, 0, CHANNELS))
+    rig.start()
+    path = tmp_path / "program.json"
+    path.write_text(json.dumps([{"seconds": 4, "motor_turns": 10}]))
+    done = run("pipeline.capture", rig.port, tmp_path / "run-1", "--program", path)
+    assert done.returncode == 2 and "takes no program" in done.stderr
+    assert set(rig.heard) == {Kind.GREET} and not (tmp_path / "run-1").exists()
+
+
+@pytest.mark.parametrize("text", ["{", "[1]", "{}", '{"next_run": null}', '[{"seconds": -1, "motor_turns": 2}]'])
+def test_a_file_without_a_program_is_refused(text, tmp_path):
+    path = tmp_path / "program.json"
+    path.write_text(text)
+    done = run("pipeline.capture", "/dev/null", tmp_path / "run-1", "--program", path)
+    assert done.returncode == 2 and "--program" in done.stderr and "Mend:" in done.stderr

@@ -1,0 +1,97 @@
+"""A loop on a synthetic rig whose tie one run can decide: friction or backlash, told apart by the load alone."""
+
+import json
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+LIMITS = "{turns: [0, 21], turns_per_s: 9, load_n: [8, 45], seconds: 300}"
+SIZES = {"radius-mm": 0.4, "length-mm": 400, "stiffness-n-per-mm": 15, "torsion-zone-mm": 150, "separator-mm": 8}
+
+
+def set_up(folder: Path) -> None:
+    """A set-up with a poor motion, equal strokes under one load, and concealed friction."""
+    content = yaml.safe_load((ROOT / "pipeline" / "rig" / "setups" / "small.yaml").read_text())
+    one = {"repeat": 8, "top_turns": 20, "speed_turns_per_s": 4, "speed_up_s": 0.2, "slow_down_s": 0.2}
+    content["motion"] = {"rest_s": 3, "strokes": [one | {"hold_s": 0.2, "rest_s": 0.2, "load_n": 20}]}
+    content["effects"] = {"friction_hysteresis": {"turns_per_n": 0.01, "reach_turns": 0.2}}
+    (folder / "rig.yaml").write_text(yaml.safe_dump(content))
+
+
+@contextmanager
+def rig(place: Path, *options: object) -> Iterator[str]:
+    """A standing rig at the link `port` in a folder."""
+    command = [sys.executable, "-m", "pipeline.rig", "rig.yaml", "--standing", "--link", "port", *map(str, options)]
+    with subprocess.Popen(command, cwd=place, stdout=subprocess.DEVNULL) as one:
+        try:
+            while not (place / "port").is_symlink():
+                assert one.poll() is None
+                time.sleep(0.01)
+            yield "port"
+        finally:
+            one.terminate()
+            one.wait()
+
+
+def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:
+    """A program of ours in a folder, without a terminal."""
+    command = [sys.executable, "-m", f"pipeline.{module}", *map(str, words)]
+    said = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "timeout": 120}
+    return subprocess.run(command, cwd=place, stdin=subprocess.DEVNULL, **said)
+
+
+def begun(place: Path) -> str:
+    """Record the poor run, and ask for the loop without a terminal; what was said."""
+    set_up(place)
+    sizes = [word for name, value in SIZES.items() for word in (f"--{name}", value)]
+    made = ended(place, "new_run", "poor-1", "--material", "example", *sizes, "--string-id", "poor-1", "--out", "raw")
+    assert made.returncode == 0, made.stdout
+    with rig(place, "--pace", "inf") as port:
+        made = ended(place, "capture", port, "raw/poor-1")
+        assert made.returncode == 0, made.stdout
+        asked = ended(place, "settle", "raw/poor-1", "--port", port, "--out", "out")
+    assert asked.returncode == 2, asked.stdout
+    return asked.stdout
+
+
+def copied(begun_at: Path, place: Path) -> Path:
+    """A loop that stands where another one does."""
+    shutil.copytree(begun_at, place, symlinks=True)
+    return place
+
+
+def state(place: Path, number: int = 1) -> dict:
+    """State of a step."""
+    return json.loads((place / "out" / f"step-{number}" / "state.json").read_text())
+
+
+def settled(place: Path) -> dict:
+    """How the loop ended."""
+    return json.loads((place / "out" / "settled.json").read_text())
+
+
+def auto(place: Path, *words: object, limits: str = LIMITS) -> subprocess.CompletedProcess:
+    """The loop, unattended."""
+    fixed = ("raw/poor-1", "--port", "port", "--out", "out", "--approve", "auto", "--limits", limits)
+    return ended(place, "settle", *fixed, *words)
+
+
+def started(place: Path, *words: object) -> subprocess.Popen:
+    """The loop, unattended and not waited for."""
+    fixed = ["raw/poor-1", "--port", "port", "--out", "out", "--approve", "auto", "--limits", LIMITS]
+    command = [sys.executable, "-m", "pipeline.settle", *fixed, *map(str, words)]
+    return subprocess.Popen(command, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def until(one: subprocess.Popen, there: Path, least: int = 1) -> None:
+    """Wait until a file has so many bytes."""
+    while not there.is_file() or there.stat().st_size < least:
+        assert one.poll() is None, one.stdout.read() if one.stdout else ""
+        time.sleep(0.01)

@@ -1,0 +1,215 @@
+"""The loop on the real programs: a concealed effect behind a pseudo-terminal, a poor recording first."""
+
+import json
+import os
+import pty
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import tty
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from settle_bench import auto, begun, copied, ended, rig, settled, started, state, until
+
+from pipeline.wire import Channel, Decoder, Hello, Kind, Reason, encode, read_recording
+
+
+@pytest.fixture(scope="module")
+def waiting(tmp_path_factory):
+    """A loop whose first step is proposed, and what was said."""
+    place = tmp_path_factory.mktemp("begun")
+    return place, begun(place)
+
+
+@pytest.fixture
+def place(waiting, tmp_path) -> Path:
+    return copied(waiting[0], tmp_path / "lab")
+
+
+def test_nothing_moves_before_somebody_approves_and_the_run_is_drawn_before(waiting):
+    place, said = waiting
+    assert "no terminal in which to ask; nothing was moved" in said
+    assert "proposed: one stroke under twice the load" in said
+    assert state(place)["state"] == "proposed" and state(place, 0)["verdict"] == "ambiguous"
+    for ending in ("png", "pdf"):
+        assert (place / "out" / "step-1" / f"proposed.{ending}").stat().st_size > 5000
+    assert [path.name for path in (place / "raw").iterdir()] == ["poor-1"]
+
+
+def test_unattended_it_ends_in_the_right_and_firm_verdict(place):
+    with rig(place, "--pace", "inf"):
+        done = auto(place)
+    assert done.returncode == 0, done.stdout
+    found = settled(place)
+    assert (found["verdict"], found["mechanisms"]) == ("explained", ["friction_hysteresis"])
+    assert found["runs"] == ["raw/poor-1", "raw/poor-1-s1"] and found["spent"]["runs"] == 1
+    assert state(place)["approved_by"] == "--approve auto, within --limits"
+    assert (place / "out" / "step-1" / "came.png").is_file()
+    recording = read_recording((place / "raw" / "poor-1-s1" / "recording.frames").read_bytes())
+    assert recording.channels["load_n"].max() == pytest.approx(40.0, abs=0.5)
+    again = auto(place)  # no rig is there, and none is needed
+    assert again.returncode == 0 and settled(place) == found
+
+
+def test_without_limits_nothing_moves_unattended(place):
+    done = ended(place, "settle", "raw/poor-1", "--port", "port", "--out", "out", "--approve", "auto")
+    assert done.returncode == 2 and "nothing moves without them" in done.stdout
+    with rig(place):
+        done = auto(place, limits="{turns: [0, 21], seconds: 300}")
+    assert done.returncode == 2 and "turns_per_s and load_n must be given" in done.stdout
+    assert not (place / "raw" / "poor-1-s1").exists()
+
+
+def test_where_the_limits_allow_no_run_that_decides_it_says_so_and_ends(place):
+    with rig(place):
+        done = auto(place, limits="{turns: [0, 21], turns_per_s: 9, load_n: [15, 25], seconds: 300}")
+    assert done.returncode == 0, done.stdout
+    found = settled(place)
+    assert found["why"] == "no run" and found["verdict"] == "ambiguous" and found["spent"]["runs"] == 0
+    assert "one stroke under twice the load: leg 2 asks for 40 N, and the rig hangs 15 to 25 N" in found["sentence"]
+    assert not (place / "raw" / "poor-1-s1").exists()
+
+
+def test_a_load_that_the_rig_does_not_have_is_not_proposed(place):
+    with rig(place, "--fixed-load"):
+        done = auto(place)
+    assert done.returncode == 0, done.stdout
+    assert "asks for 20 N, and the rig cannot change its load" in settled(place)["sentence"]
+    assert not (place / "raw" / "poor-1-s1").exists()
+
+
+def test_a_budget_that_is_spent_ends_it(place):
+    with rig(place):
+        done = auto(place, "--minutes", 0.1)
+    assert done.returncode == 0, done.stdout
+    assert "of --minutes 0.1 are left" in settled(place)["sentence"] and not (place / "raw" / "poor-1-s1").exists()
+
+
+def test_a_stall_is_the_end_of_the_program_and_of_the_motion(place):
+    with rig(place, "--pace", 20, "--stalls-at", 8):
+        done = auto(place)
+    assert done.returncode == 1 and "the device reported a fault" in done.stdout
+    step = state(place)
+    assert step["state"] == "recorded" and step["ended"] == "the device reported a fault" and not step["used"]
+
+
+def test_ctrl_c_stops_the_motor_first(place):
+    with rig(place, "--pace", 1):
+        one = started(place)
+        until(one, place / "raw" / "poor-1-s1" / "recording.frames", 1500)
+        one.send_signal(signal.SIGINT)
+        said = one.communicate()[0]
+    assert one.returncode == 130, said
+    recording = read_recording((place / "raw" / "poor-1-s1" / "recording.frames").read_bytes())
+    assert recording.account.end.reason == Reason.STOPPED and len(recording.time_s) < 200
+    assert state(place)["ended"] == "ended by person"
+
+
+class Old(threading.Thread):
+    """A device of version 1 on a pseudo-terminal: it answers GREET, and takes no program."""
+
+    def __init__(self) -> None:
+        super().__init__(daemon=True)
+        self.ours, self.theirs = pty.openpty()
+        tty.setraw(self.theirs)
+        self.name_of_port, self.heard = os.ttyname(self.theirs), []
+        channels = (Channel("motor_turns", "turns", "i32", 0.001), Channel("displacement_mm", "mm", "i32", 0.001))
+        self.hello = replace(Hello("an old rig", "1", "1", 50.0, 9, channels), protocol=1).pack()
+
+    def run(self) -> None:
+        decoder = Decoder(1)
+        while True:
+            try:
+                frames = decoder.feed(os.read(self.ours, 4096))
+            except OSError:
+                return
+            for one in frames:
+                self.heard.append(one.frame.kind)
+                if one.frame.kind == Kind.GREET:
+                    os.write(self.ours, encode(Kind.HELLO, 0, self.hello, 1))
+
+
+def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_for(place):
+    with rig(place, "--pace", "inf") as port:  # somebody else moves it, as the sheet says
+        program = place / "program.json"
+        program.write_text((place / "out" / "step-0" / "diagnosis.json").read_text())
+        made = ended(place, "capture", port, "by-hand", "--program", program)
+        assert made.returncode == 0, made.stdout
+    old = Old()
+    old.start()
+    words = ["raw/poor-1", "--port", old.name_of_port, "--out", "out"]
+    command = [sys.executable, "-m", "pipeline.settle", *words]
+    one = subprocess.Popen(command, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    until(one, place / "out" / "step-1" / "sheet.txt")
+    sheet = (place / "out" / "step-1" / "sheet.txt").read_text()
+    assert "go from 0.00 to 20.0" in sheet and "under 40 N" in sheet and "declares no limits" in sheet
+    for name in ("recording.frames", "capture.json"):
+        shutil.copy(place / "by-hand" / name, place / "raw" / "poor-1-s1" / name)
+    said = one.communicate(timeout=60)[0]
+    assert one.returncode == 0, said
+    assert settled(place)["mechanisms"] == ["friction_hysteresis"] and set(old.heard) == {Kind.GREET}
+
+
+def test_another_run_is_not_settled_in_the_same_place(place):
+    shutil.copytree(place / "raw" / "poor-1", place / "raw" / "poor-2")
+    path = place / "raw" / "poor-2" / "run.yaml"
+    path.write_text(path.read_text().replace("run: poor-1", "run: poor-2"))
+    done = ended(place, "settle", "raw/poor-2", "--out", "out")
+    assert done.returncode == 2 and "is of raw/poor-1" in done.stdout
+
+
+def test_a_state_that_was_damaged_is_a_sentence(place):
+    (place / "out" / "step-1" / "state.json").write_text('{"number": 1')
+    done = ended(place, "settle", "raw/poor-1", "--out", "out")
+    assert done.returncode == 2 and "step-1/state.json" in done.stdout and "Mend:" in done.stdout
+
+
+@pytest.mark.long
+def test_killed_in_every_state_it_goes_on_to_the_same_end(place):
+    run = place / "raw" / "poor-1-s1"
+    with rig(place, "--pace", 4):
+        one = started(place)  # proposed, and then while it moves
+        until(one, run / "recording.frames", 800)
+        one.kill()
+        one.communicate()
+        assert state(place)["state"] == "approved" and not (run / "capture.json").exists()
+        one = started(place)  # what came is made usable; a second run is proposed; killed while it diagnoses that
+        until(one, place / "raw" / "poor-1-s2" / "capture.json")
+        one.kill()
+        one.communicate()
+        assert state(place)["state"] == "diagnosed" and (run / "capture.json").exists()
+        assert state(place, 2)["state"] in ("approved", "recorded")
+        path = place / "out" / "step-2" / "state.json"
+        path.write_text(path.read_text().replace('"recorded"', '"approved"'))  # as if killed before it was noted
+        done = auto(place)
+    assert done.returncode == 0, done.stdout
+    assert settled(place)["mechanisms"] == ["friction_hysteresis"] and settled(place)["verdict"] == "explained"
+    assert settled(place)["spent"]["runs"] == 2 and not (place / "raw" / "poor-1-s3").exists()
+
+
+def test_each_run_that_could_be_next_has_a_curve_of_every_explanation(waiting):
+    place = waiting[0] / "out" / "step-0"
+    options, found = (json.loads((place / name).read_text()) for name in ("next_runs.json", "diagnosis.json"))
+    assert options[0]["title"] == found["next_run"]["title"] and options[0]["legs"] == found["next_run"]["legs"]
+    gaps = [entry["gap_then"] for entry in options]
+    assert (
+        len(options) == 10 and gaps == sorted(gaps, reverse=True) and [e["decides"] for e in options][:3] == [1, 1, 0]
+    )
+    sets = [
+        " + ".join(entry["id"] for entry in found["mechanisms"]),
+        *(" + ".join(one) for one in found["alternatives"]),
+    ]
+    for entry in options:
+        curves = entry["curves"]
+        assert sorted(curves["rivals"]) == sorted(sets)
+        assert all(len(one) == len(curves["time_s"]) <= 400 and one[0] == 0 for one in curves["rivals"].values())
+
+    def apart(entry: dict) -> float:
+        one, other = entry["curves"]["rivals"].values()
+        return max(abs(a - b) for a, b in zip(one, other, strict=True))
+
+    assert apart(options[0]) > 3 * apart(next(e for e in options if e["title"] == "one more stroke as before"))

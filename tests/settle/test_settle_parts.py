@@ -1,0 +1,114 @@
+"""Parts of the loop, each by itself: limits, budget, choice, approval, sheet and figure."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pipeline.ground.errors import BadInput
+from pipeline.settle.approve import approved
+from pipeline.settle.choose import Budget, chosen, reachable
+from pipeline.settle.drawing import simulated_mm, zero_mm
+from pipeline.settle.limits import Allowed
+from pipeline.settle.sheet import sheet
+from pipeline.settle.step import Place, Step
+from pipeline.wire.motion import Limits
+
+RIG = Limits(100, (0.0, 30.0), 8.0, 40.0, 600.0, 1.5, 0.0, (5.0, 60.0))
+
+
+def entry(title: str, top: float = 20.0, load_n: float = 20.0, decides: bool = True, **more) -> dict:
+    """A run of one stroke, as next_runs.json has it."""
+    legs = [
+        {"seconds": 2.0, "motor_turns": 0.0, "load_n": 20.0},
+        {"seconds": 5.0, "motor_turns": top, "load_n": load_n},
+        {"seconds": 5.0, "motor_turns": 0.0, "load_n": load_n},
+    ]
+    return {"title": title, "legs": legs, "from": 0.0, "load": 20.0, "decides": decides, "curves": {}} | more
+
+
+def test_what_both_allow_is_the_narrower_of_the_two():
+    found = Allowed.read("{turns: [-5, 25], turns_per_s: 9, load_n: [10, 90], seconds: 60}").within(RIG)
+    assert (found.turns, found.turns_per_s, found.load_n, found.seconds) == ((0.0, 25), 8.0, (10, 60.0), 60)
+    assert Allowed.read("{}").within(RIG) == RIG
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["[1]", "{turn: 3}", "{turns: 3}", "{turns: [5, 1]}", "{seconds: -1}", "{seconds: true}", "{load_n: [a, b]}"],
+)
+def test_limits_that_are_none_are_refused_with_an_example(text):
+    with pytest.raises(BadInput, match="turns_per_s: 8"):
+        Allowed.read(text)
+
+
+def test_the_best_run_that_is_allowed_is_chosen_and_what_is_passed_over_is_said():
+    options = [entry("far", top=40.0), entry("heavy", load_n=80.0), entry("good"), entry("less good")]
+    step, why = chosen(options, 3, RIG, Budget(2, 10.0, 10))
+    assert (
+        step is not None
+        and step.proposal["title"] == "good"
+        and step.number == 3
+        and (step.strokes, step.seconds) == (1, 12.0)
+    )
+    assert "far: leg 2 goes to 40 turns" in why and "heavy: leg 2 asks for 80 N" in why and "less good" not in why
+
+
+def test_without_a_run_that_decides_the_tie_is_said_to_be_one_by_construction():
+    step, why = chosen([entry("one", decides=False)], 1, RIG, Budget(2, 10.0, 10))
+    assert step is None and "a tie by construction" in why
+
+
+@pytest.mark.parametrize(
+    ("budget", "said"),
+    [(Budget(1, 10.0, 10), "--runs"), (Budget(5, 0.39, 10), "--minutes"), (Budget(5, 10.0, 1), "--strokes")],
+)
+def test_a_budget_counts_what_was_spent(budget, said):
+    one = chosen([entry("one")], 1, RIG, Budget(1, 10.0, 10))[0].at("diagnosed")
+    step, why = chosen([entry("two")], 2, RIG, budget.left([Step(0, "diagnosed"), one]))
+    assert step is None and said in why
+
+
+def test_the_way_to_where_a_run_begins_is_slow_enough_for_the_rig():
+    at = Limits(100, (0.0, 30.0), 2.0, 40.0, 600.0, 1.5, 28.0, None)
+    legs = reachable(entry("one"), at)
+    assert legs[0].seconds >= 28.0 / 2.0 and [leg.load_n for leg in legs] == [None] * 3
+    assert [leg.load_n for leg in reachable(entry("two", load_n=40.0), at)] == [20.0, 40.0, 40.0]
+
+
+@pytest.mark.parametrize(
+    ("answer", "moves"), [("yes", True), (" YES ", True), ("y", False), ("", False), ("no", False)]
+)
+def test_a_person_is_asked_and_only_yes_is_yes(answer, moves, monkeypatch):
+    monkeypatch.setattr(sys.stdin, "isatty", lambda: True, raising=False)
+    monkeypatch.setattr("builtins.input", lambda _: answer)
+    step = approved(Step(1, "proposed"), "ask")
+    assert (step is not None) == moves and (step is None or step.state == "approved")
+
+
+def test_a_sheet_says_each_leg_and_how_to_record_it():
+    step = chosen([entry("one", load_n=40.0)], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
+    text = sheet(step, Path("raw/a"), "no --port was given")
+    assert "1. stand at 0.00 turns in 2.0 s, under 20 N" in text
+    assert "2. go from 0.00 to 20.00 turns in 5.0 s, under 40 N" in text
+    assert "3. go from 20.00 to 0.00 turns in 5.0 s\n" in text and "capture PORT raw/a-s1" in text
+
+
+def test_steps_are_read_as_they_were_written(tmp_path):
+    place = Place(tmp_path)
+    written = [place.write(Step(0, "diagnosed", verdict="ambiguous")), place.write(Step(1, "approved", "raw/a-s1"))]
+    assert place.steps() == written
+    (tmp_path / "step-1" / "state.json").write_text('{"number": 7, "state": "approved"}')
+    with pytest.raises(BadInput, match="is no step of this folder"):
+        place.steps()
+
+
+def test_a_motor_that_runs_late_is_no_effect_in_the_figure():
+    time_s = np.linspace(0.0, 10.0, 201)
+    turns = np.interp(time_s, [0, 2, 6, 10], [0.0, 0.0, 8.0, 0.0])
+    curves = {"time_s": time_s, "load": np.full(201, 20.0), "motor_turns": turns, "calibrated": turns**2}
+    late = np.interp(time_s - 0.3, time_s, turns)
+    np.testing.assert_allclose(simulated_mm(curves, time_s, late), late**2, atol=0.05)
+    noisy = 5.0 + late**2 + np.where(time_s == 0.0, 1.0, 0.0)
+    assert zero_mm(late, noisy) == 5.0
