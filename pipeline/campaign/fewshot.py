@@ -96,15 +96,15 @@ def curves(name: str, settings: Mapping[str, object], points: pd.DataFrame, seed
 @program
 def main() -> None:
     """Write the few-shot errors of one model."""
-    asked = parser(__doc__).parse_args()
-    points = points_of(asked)
+    arguments = parser(__doc__).parse_args()
+    points = points_of(arguments)
     strings = points.groupby("strings")["string"].nunique()
     if any(strings.get(part, 0) < least for part, least in LEAST_STRINGS.items()):
         problem = "has too few strings to learn from, to tune on or to ask about"
-        raise BadInput(asked.points, "strings", problem, "record at least 20 strings, 4 of each material")
-    with fitting(asked.model):
-        table = curves(asked.model, json.loads(asked.settings), points, asked.seed)
-    schemas.write(table, FEW_SHOT, asked.out)
+        raise BadInput(arguments.points, "strings", problem, "record at least 20 strings, 4 of each material")
+    with fitting(arguments.model):
+        table = curves(arguments.model, json.loads(arguments.settings), points, arguments.seed)
+    schemas.write(table, FEW_SHOT, arguments.out)
     middle = table.groupby(["how", "shots"])[["forward_mm", "inverse_turns"]].median()
     print(middle.to_string(float_format="%.3f"))
 

@@ -48,11 +48,13 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
     parser.add_argument("--untaught-by", default="", metavar="AUTHOR", help="whom the judge must not know; none: any")
-    told = parser.parse_args()
-    runs = list(find_runs(told.runs))
-    judge = JUDGES / f"without_{told.untaught_by}.json" if told.untaught_by else None
-    asked: Asked = ask(runs, told.out, told.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
-    write_text(told.out / "asked.json", json.dumps(asked) + "\n")
+    arguments = parser.parse_args()
+    runs = list(find_runs(arguments.runs))
+    judge = JUDGES / f"without_{arguments.untaught_by}.json" if arguments.untaught_by else None
+    asked: Asked = (
+        ask(runs, arguments.out, arguments.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
+    )
+    write_text(arguments.out / "asked.json", json.dumps(asked) + "\n")
 
 
 if __name__ == "__main__":

@@ -138,16 +138,16 @@ def main() -> None:
     )
     parser.add_argument("--others", type=Path, required=True, help="folder for the diagnoses of all but one")
     parser.add_argument("--out", type=Path, required=True, help="the file of the table, csv; required")
-    told = parser.parse_args()
-    read = {folder.name: _read(folder) for folder in told.run_dir}
+    arguments = parser.parse_args()
+    read = {folder.name: _read(folder) for folder in arguments.run_dir}
     runs = {name: one for name, one in read.items() if one is not None}
-    folders = {folder.name: folder for folder in told.run_dir}
-    rows = of_group(runs, {name: told.diagnoses / name / "diagnosis.json" for name in runs})
-    rows += left_out(runs, folders, told.others)
-    table = pd.DataFrame([{"group": told.group, **row} for row in rows], columns=COLUMNS)
-    with whole(told.out) as temporary:
+    folders = {folder.name: folder for folder in arguments.run_dir}
+    rows = of_group(runs, {name: arguments.diagnoses / name / "diagnosis.json" for name in runs})
+    rows += left_out(runs, folders, arguments.others)
+    table = pd.DataFrame([{"group": arguments.group, **row} for row in rows], columns=COLUMNS)
+    with whole(arguments.out) as temporary:
         table.to_csv(temporary, index=False, float_format="%.5g")
-    print(f"{told.group}: {len(table)} errors")
+    print(f"{arguments.group}: {len(table)} errors")
 
 
 if __name__ == "__main__":

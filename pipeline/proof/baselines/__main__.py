@@ -54,12 +54,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.baselines", description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
-    told = parser.parse_args()
-    for folder in told.run_dir:
+    arguments = parser.parse_args()
+    for folder in arguments.run_dir:
         found = baselines(folder)
         run = read_run(folder).run
         text = json.dumps({"run": run, **found}, indent=1) + "\n"
-        write_text(told.out / folder.resolve().name / "baselines.json", text)
+        write_text(arguments.out / folder.resolve().name / "baselines.json", text)
         errors = (f"{name} {found[name]['named']} {found[name]['heldout_mm']} mm" for name in names())
         print(f"{run}: {'; '.join(errors)}", flush=True)
 
