@@ -97,28 +97,30 @@ def main() -> None:
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
     parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--out", type=Path, required=True, help="the file of the answers, csv; required")
-    asked = parser.parse_args()
-    if not 0.0 < asked.level < 1.0:
-        raise BadInput("--level", str(asked.level), "is no probability", "give a number between 0 and 1")
-    configured(asked.model, asked.settings)  # complains before anything is fitted
-    if about(asked.model).needs_motion:
+    arguments = parser.parse_args()
+    if not 0.0 < arguments.level < 1.0:
+        raise BadInput("--level", str(arguments.level), "is no probability", "give a number between 0 and 1")
+    configured(arguments.model, arguments.settings)  # complains before anything is fitted
+    if about(arguments.model).needs_motion:
         problem = "answers along a whole motion, which single questions do not tell"
-        raise BadInput("--model", asked.model, problem, "choose another, such as spline")
-    file_to_write(asked.out, reads=[asked.dataset, asked.questions])
-    dataset = opened(asked.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
-    for said in read_jumps([asked.dataset.with_name(NAME)]):
+        raise BadInput("--model", arguments.model, problem, "choose another, such as spline")
+    file_to_write(arguments.out, reads=[arguments.dataset, arguments.questions])
+    dataset = opened(arguments.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
+    for said in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {said}", file=sys.stderr)
-    points, known = read_questions(asked.questions, dataset)
-    intervals = Intervals(lambda: configured(asked.model, asked.settings))
+    points, known = read_questions(arguments.questions, dataset)
+    intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
     try:
-        with fitting(asked.model):
-            intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), asked.seed)
-            table = answers(intervals, points, known, asked.level)
+        with fitting(arguments.model):
+            intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
+            table = answers(intervals, points, known, arguments.level)
     except TooFew as error:
-        raise BadInput(asked.dataset, "points", str(error), "record more strokes, or more samples a stroke") from None
-    write_text(asked.out, table.to_csv(index=False, float_format="%.6g"))
+        raise BadInput(
+            arguments.dataset, "points", str(error), "record more strokes, or more samples a stroke"
+        ) from None
+    write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())
-    print(f"{len(table)} answers in {asked.out}", end="")
+    print(f"{len(table)} answers in {arguments.out}", end="")
     print(f", {outside} of them without an interval: outside what was recorded, or too far ahead" if outside else "")
 
 

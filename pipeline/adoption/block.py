@@ -2,7 +2,7 @@
 
 import json
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from ..run.description import parse_run
 KEY, ORIGIN = "simulation", "adopted"
 
 
-def with_block(text: str, entries: list[dict[str, Any]], named: str = KEY) -> str:
+def with_block(text: str, entries: Sequence[Mapping[str, Any]], named: str = KEY) -> str:
     """Text of a `run.yaml` with the key `named` replaced, or added after the last key; all other text is kept.
 
     `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.

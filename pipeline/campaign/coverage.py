@@ -52,17 +52,17 @@ def main() -> None:
     """Write the coverage of one model's intervals on the strings of a campaign."""
     words = parser(__doc__)
     words.add_argument("--strings", type=int, help="the first so many of them (all)")
-    asked = words.parse_args()
-    if asked.strings is not None and asked.strings < 1:
-        raise BadInput("--strings", str(asked.strings), "is none", "give a number from 1, or leave it out for all")
-    points = points_of(asked)
+    arguments = words.parse_args()
+    if arguments.strings is not None and arguments.strings < 1:
+        raise BadInput("--strings", str(arguments.strings), "is none", "give a number from 1, or leave it out for all")
+    points = points_of(arguments)
     by_string = [rows for _, rows in points.groupby("string", sort=True)]
-    settings = json.loads(asked.settings)
-    with fitting(asked.model):
-        some = steps(by_string[: asked.strings], "string")
-        parts = [of_string(rows, asked.model, settings, asked.seed) for rows in some]
+    settings = json.loads(arguments.settings)
+    with fitting(arguments.model):
+        some = steps(by_string[: arguments.strings], "string")
+        parts = [of_string(rows, arguments.model, settings, arguments.seed) for rows in some]
     table = pd.concat(parts, ignore_index=True)
-    schemas.write(table, COVERAGE, asked.out)
+    schemas.write(table, COVERAGE, arguments.out)
     weighted = table.assign(held=table["held"] * table["points"]).groupby(["map", "level"])[["held", "points"]].sum()
     print((weighted["held"] / weighted["points"]).to_string(float_format="%.3f"))
 

@@ -1,7 +1,7 @@
 """Which model knows a new string from how many of its strokes: errors on strokes that nothing has learnt from."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -34,7 +34,7 @@ def errors(model: Any, asked: pd.DataFrame) -> tuple[float, float]:
     return float(np.sqrt(np.mean(forward**2))), float(np.sqrt(np.mean(inverse**2)))
 
 
-def fitted(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int) -> Model:
+def fitted(name: str, settings: Mapping[str, object], points: pd.DataFrame, seed: int) -> Model:
     """A model of the strings to learn from, on at most so many points, evenly thinned."""
     train = points[points["strings"] == "train"]
     model = make_model(name, **settings)
@@ -71,7 +71,7 @@ def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[i
         yield asked, {shots: rows[count <= shots].reset_index(drop=True) for shots in SHOTS}
 
 
-def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int) -> pd.DataFrame:
+def curves(name: str, settings: Mapping[str, object], points: pd.DataFrame, seed: int) -> pd.DataFrame:
     """Errors of a model by string, strokes shown, and how it learnt: "transfer" or "alone"; columns of `FEW_SHOT`."""
     rows = []
     said = about(name)
@@ -96,15 +96,15 @@ def curves(name: str, settings: dict[str, Any], points: pd.DataFrame, seed: int)
 @program
 def main() -> None:
     """Write the few-shot errors of one model."""
-    asked = parser(__doc__).parse_args()
-    points = points_of(asked)
+    arguments = parser(__doc__).parse_args()
+    points = points_of(arguments)
     strings = points.groupby("strings")["string"].nunique()
     if any(strings.get(part, 0) < least for part, least in LEAST_STRINGS.items()):
         problem = "has too few strings to learn from, to tune on or to ask about"
-        raise BadInput(asked.points, "strings", problem, "record at least 20 strings, 4 of each material")
-    with fitting(asked.model):
-        table = curves(asked.model, json.loads(asked.settings), points, asked.seed)
-    schemas.write(table, FEW_SHOT, asked.out)
+        raise BadInput(arguments.points, "strings", problem, "record at least 20 strings, 4 of each material")
+    with fitting(arguments.model):
+        table = curves(arguments.model, json.loads(arguments.settings), points, arguments.seed)
+    schemas.write(table, FEW_SHOT, arguments.out)
     middle = table.groupby(["how", "shots"])[["forward_mm", "inverse_turns"]].median()
     print(middle.to_string(float_format="%.3f"))
 

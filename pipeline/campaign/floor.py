@@ -32,11 +32,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("points", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the floor, Parquet; required")
-    asked = parser.parse_args()
-    file_to_write(asked.out, reads=[asked.points])
-    points = opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    arguments = parser.parse_args()
+    file_to_write(arguments.out, reads=[arguments.points])
+    points = opened(arguments.points, SCHEMA, "make it: python -m pipeline.campaign.points")
     table = pd.DataFrame(list(floors(points)), columns=FLOOR.names)
-    schemas.write(table, FLOOR, asked.out)
+    schemas.write(table, FLOOR, arguments.out)
     print(table[["forward_mm", "inverse_turns"]].median().to_string(float_format="%.4f"))
 
 

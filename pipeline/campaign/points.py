@@ -74,10 +74,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path, help="a folder of run folders")
     parser.add_argument("--out", type=Path, required=True, help="the file of the points, Parquet; required")
-    asked = parser.parse_args()
-    file_to_write(asked.out)
-    points = campaign_points(asked.folder)
-    schemas.write(points, SCHEMA, asked.out)
+    arguments = parser.parse_args()
+    file_to_write(arguments.out)
+    points = campaign_points(arguments.folder)
+    schemas.write(points, SCHEMA, arguments.out)
     for part, rows in points.groupby("strings"):
         print(f"{part}: {rows['string'].nunique()} strings, {len(rows)} points")
 

@@ -1,7 +1,8 @@
 """`simulation:` of run.yaml, and of a diagnosis, to what acts in the simulator, and back."""
 
 import sys
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, TypedDict
 
 from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
@@ -15,9 +16,16 @@ NO_USE = "Hardly worth making"  # what `next_experiment` says of a run that deci
 NOTE = {"simulation": "  # numbers of the library's formulas, as a diagnosis found them: not to be edited by hand"}
 
 
-def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
+class Entry(TypedDict):
+    """One effect under `simulation`: its id, and its numbers by name, each in the unit that its name ends in."""
+
+    id: str
+    parameters: dict[str, float]
+
+
+def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Entry]:
     """One entry a shape: its id and, by name, the shape's values and the coefficients that are not zero."""
-    found = []
+    found: list[Entry] = []
     for act in acts:
         mechanism, at = mechanisms()[act.id], 0
         for shape in act.shapes:
@@ -32,7 +40,7 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[dict[str, Any]]:
     return found
 
 
-def block(entries: list[dict[str, Any]], key: str = "simulation") -> str:
+def block(entries: Sequence[Mapping[str, Any]], key: str = "simulation") -> str:
     """The lines that say `simulation`, or another key, in a run.yaml, of its entries: ready to be pasted there."""
     head, _, rest = write_yaml({key: entries}).partition("\n")
     return f"{head}{NOTE.get(key, '')}\n{rest}"

@@ -1,6 +1,6 @@
 """Held out: the whole procedure without the last 30 % of strokes, then simulated through them."""
 
-from typing import Any
+from typing import Any, Literal, NotRequired, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +19,30 @@ LEFT = 1.3  # times the noise, from which a regression without physics is asked 
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 
 
-def worse_than_nominal(errors: dict[str, Any]) -> list[str]:
+class Left(TypedDict):
+    """Where a regression without physics still finds something, and which driver that follows."""
+
+    location: dict[str, Any]  # as `locate.box` says it
+    driver: str
+
+
+class Errors(TypedDict):
+    """Errors on strokes that no fit has seen, rms in the channel's unit, of each simulator; and which strokes."""
+
+    split: str
+    nominal: float
+    calibrated: float
+    explained: float
+    without_physics: NotRequired[float]  # with what a regression adds, where it was asked
+    left: NotRequired[Left]
+
+
+FITTED: tuple[Literal["calibrated", "explained"], ...] = ("calibrated", "explained")
+
+
+def worse_than_nominal(errors: Errors) -> list[str]:
     """Which of the calibrated and the explained simulator are worse than the nominal one on strokes that none saw."""
-    return [name for name in ("calibrated", "explained") if errors[name] > WORSE * errors["nominal"]]
+    return [name for name in FITTED if errors[name] > WORSE * errors["nominal"]]
 
 
 def first_held_out(problem: Problem) -> int | None:
@@ -41,7 +62,7 @@ def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
     return float(1.4826 * np.median(np.abs(bends)) / np.sqrt(6.0))
 
 
-def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[dict[str, Any] | None, Study | None]:
+def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Errors | None, Study | None]:
     """Errors (rms) on strokes that no fit has seen: nominal, calibrated, explained; and the study they came from.
 
     `fine` is the same recording at its own rate, on which the errors are measured, lonely wild readings left out;
@@ -62,7 +83,7 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[dict[
                 residual[own] -= np.median(residual[own][time_s - time_s[0] <= TARE_S])
         return rms(residual[unseen & ~wild(residual)[0]])
 
-    errors: dict[str, Any] = {
+    errors: Errors = {
         "split": "last 30 % of strokes",
         "nominal": error(found.nominal),
         "calibrated": error(found.base),

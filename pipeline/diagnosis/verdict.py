@@ -1,6 +1,6 @@
 """Everything found, as the content of `diagnosis.json`."""
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from .bounds import at_bound
 from .detectable import detectable
 from .engine import fine_floor
 from .evidence import evidence
-from .heldout import worse_than_nominal
+from .heldout import Errors, worse_than_nominal
 from .idle import without_idle
 from .interface import physics
 from .intervals import intervals
@@ -25,7 +25,9 @@ from .outcome import Study, rms
 from .problem import Problem, State
 from .words.spoken import spoken
 
-HELD_OUT = ("nominal", "calibrated", "explained", "without_physics")
+HELD_OUT: tuple[Literal["nominal", "calibrated", "explained", "without_physics"], ...] = (
+    "nominal", "calibrated", "explained", "without_physics",
+)  # fmt: skip
 DIGITS = 5  # more of them would be rounding, which processors do each in their own way
 
 
@@ -104,7 +106,7 @@ def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
 def diagnosis(
     found: Study,
     fine: Problem,
-    heldout: dict[str, Any] | None,
+    heldout: Errors | None,
     runs: list[Run],
     experiment: nextrun.Proposal | None,
     without: frozenset[str],

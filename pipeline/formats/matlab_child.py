@@ -47,8 +47,8 @@ def main() -> None:
     """Write the series of one file to standard output."""
     parser = argparse.ArgumentParser(prog=command("formats.matlab_child"), description=__doc__)
     parser.add_argument("file", type=Path)
-    told = parser.parse_args()
-    with open_regular(told.file) as file, warnings.catch_warnings():
+    arguments = parser.parse_args()
+    with open_regular(arguments.file) as file, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
             variables = scipy.io.loadmat(file, simplify_cells=True)

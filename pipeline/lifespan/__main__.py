@@ -38,24 +38,24 @@ def main() -> int:
     parser.add_argument(
         "--out", type=Path, required=True, help="the folder in which each string gets a folder; required"
     )
-    told = parser.parse_args()
+    arguments = parser.parse_args()
     for name, value, most in (
-        ("loss", told.loss, 1.0),
-        ("drift-mm", told.drift_mm, float("inf")),
-        ("level", told.level, 1.0),
+        ("loss", arguments.loss, 1.0),
+        ("drift-mm", arguments.drift_mm, float("inf")),
+        ("level", arguments.level, 1.0),
     ):
         if not 0.0 < value < most:
             raise BadInput(
                 "arguments", f"--{name}", f"is {value:g}", f"give a number above 0{' and below 1' * (most == 1)}"
             )
-    folder_to_write(told.out)
-    for one in steps(strings(told.run_dir), "string"):
-        answers = ask(one, told.loss, told.drift_mm)
-        content = record.lifespan(one, answers, told.level)
-        write_text(told.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
-        figure.page(one, answers, told.level, told.out / one.string / "lifespan.png")
+    folder_to_write(arguments.out)
+    for one in steps(strings(arguments.run_dir), "string"):
+        answers = ask(one, arguments.loss, arguments.drift_mm)
+        content = record.lifespan(one, answers, arguments.level)
+        write_text(arguments.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
+        figure.page(one, answers, arguments.level, arguments.out / one.string / "lifespan.png")
         clear()
-        print(sentences.sentences(one, answers, told.level))
+        print(sentences.sentences(one, answers, arguments.level))
     return 0
 
 

@@ -1,6 +1,6 @@
 """What is said of a string's life as JSON, with units in the names."""
 
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import pandas as pd
@@ -20,7 +20,33 @@ def finite(value: float, digits: int = 6) -> float | None:
     return float(f"{value:.{digits}g}") if np.isfinite(value) else None
 
 
-def laws(choice: Choice | None) -> list[dict[str, Any]]:
+class LawSaid(TypedDict):
+    """One law of lifespan.json; errors in the unit of what is asked about."""
+
+    name: str
+    formula: str
+    weight: float | None
+    left_out_rms: float | None
+    parameters: dict[str, float | None]
+
+
+class AnswerSaid(TypedDict):
+    """One question of lifespan.json; `strokes_left` and `at_stroke` hold low, median and high."""
+
+    limit: float
+    unit: str
+    state: str
+    reason: str
+    strokes_left: dict[str, float | None]
+    at_stroke: dict[str, float | None]
+    passed_at_stroke: float | None
+    horizon_strokes: float | None
+    chance_within_horizon: float | None
+    origins: int
+    laws: list[LawSaid]
+
+
+def laws(choice: Choice | None) -> list[LawSaid]:
     """The laws by falling weight: formula, weight, error of their forecasts of left-out strokes, best parameters."""
     if choice is None:
         return []
@@ -38,7 +64,7 @@ def laws(choice: Choice | None) -> list[dict[str, Any]]:
     ]
 
 
-def answer(one: Answer, level: float) -> dict[str, Any]:
+def answer(one: Answer, level: float) -> AnswerSaid:
     """One question's answer; strokes are counted from the last one seen, None means beyond the horizon."""
     left, span = one.left, one.left.span(level)
     spans = {"low": span.low, "median": span.median, "high": span.high}

@@ -114,14 +114,14 @@ def main() -> None:
     parser.add_argument("--loss", type=float, default=0.10)
     parser.add_argument("--drift-mm", type=float, default=1.0)
     parser.add_argument("--out", type=Path, required=True, help="the folder of lifespan.csv, .md and .svg; required")
-    told = parser.parse_args()
-    folder_to_write(told.out)
-    rows = score(told.lives, told.loss, told.drift_mm)
-    with whole(told.out / "lifespan.csv") as temporary:
+    arguments = parser.parse_args()
+    folder_to_write(arguments.out)
+    rows = score(arguments.lives, arguments.loss, arguments.drift_mm)
+    with whole(arguments.out / "lifespan.csv") as temporary:
         rows.to_csv(temporary, index=False)
     text = words(rows)
-    write_text(told.out / "lifespan.md", text)
-    page(rows, LEVELS, told.out / "lifespan.svg")
+    write_text(arguments.out / "lifespan.md", text)
+    page(rows, LEVELS, arguments.out / "lifespan.svg")
     print(text, end="")
 
 

@@ -104,16 +104,16 @@ def main() -> None:
     parser.add_argument("--cases", type=read, required=True, help="JSON, as pipeline.proof.plan writes it")
     parser.add_argument("--verdicts", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the folder of the added runs; required")
-    told = parser.parse_args()
-    told.out.mkdir(parents=True, exist_ok=True)
-    for planned in told.cases:
-        legs = proposed(told.verdicts / planned.run / "diagnosis.json")
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    for planned in arguments.cases:
+        legs = proposed(arguments.verdicts / planned.run / "diagnosis.json")
         if not legs or planned.author:  # an author's string is not there for a second recording
             continue
         case = drawn(planned)
         ways = {"proposed": legs, "same": same_again(case.protocol, sum(leg.seconds for leg in legs))}
         for draw, (way, done) in enumerate(ways.items(), start=3):
-            folder = told.out / planned.run / way / f"{planned.run}-more"
+            folder = arguments.out / planned.run / way / f"{planned.run}-more"
             write_run(described(case, done, planned.run), gone_on(case, done, draw).table, folder)
         print(f"{planned.run}: {len(legs)} legs carried out")
 

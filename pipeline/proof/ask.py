@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from ..ground.errors import program
 from ..ground.files import write_text
@@ -16,9 +16,15 @@ JUDGES = Path(__file__).parent / "teach" / "judges"
 REFUSED = 2  # exit status of the diagnosis when some run cannot be decided; the others are written
 
 
-def ask(
-    runs: list[Path], out: Path, without: str = "", together: bool = False, judge: Path | None = None
-) -> dict[str, Any]:
+class Asked(TypedDict):
+    """How asking went, as asked.json holds it: the runs' names, CPU time in s, the diagnosis' exit status."""
+
+    runs: list[str]
+    seconds: float
+    status: int
+
+
+def ask(runs: list[Path], out: Path, without: str = "", together: bool = False, judge: Path | None = None) -> Asked:
     """Diagnose runs into `out`; returns how it went. Raises RuntimeError when the diagnosis fails."""
     command = [sys.executable, "-m", "pipeline.diagnose", *map(str, runs), "--out", str(out)]
     command += ["--without", without] if without else []
@@ -42,11 +48,13 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
     parser.add_argument("--untaught-by", default="", metavar="AUTHOR", help="whom the judge must not know; none: any")
-    told = parser.parse_args()
-    runs = list(find_runs(told.runs))
-    judge = JUDGES / f"without_{told.untaught_by}.json" if told.untaught_by else None
-    asked = ask(runs, told.out, told.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
-    write_text(told.out / "asked.json", json.dumps(asked) + "\n")
+    arguments = parser.parse_args()
+    runs = list(find_runs(arguments.runs))
+    judge = JUDGES / f"without_{arguments.untaught_by}.json" if arguments.untaught_by else None
+    asked: Asked = (
+        ask(runs, arguments.out, arguments.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
+    )
+    write_text(arguments.out / "asked.json", json.dumps(asked) + "\n")
 
 
 if __name__ == "__main__":

@@ -16,11 +16,11 @@ def main() -> None:
     parser.add_argument("names", nargs="+", metavar="run")
     parser.add_argument("--runs", type=Path, required=True, help="folder of run folders")
     parser.add_argument("--out", type=Path, required=True, help="the folder of what is found; required")
-    told = parser.parse_args()
-    told.out.mkdir(parents=True, exist_ok=True)
-    runs = [str(told.runs / name) for name in told.names if (told.runs / name).is_dir()]
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    runs = [str(arguments.runs / name) for name in arguments.names if (arguments.runs / name).is_dir()]
     if runs:
-        command = [sys.executable, "-m", "pipeline.proof.baselines", *runs, "--out", str(told.out)]
+        command = [sys.executable, "-m", "pipeline.proof.baselines", *runs, "--out", str(arguments.out)]
         subprocess.run(command, check=True, env={**os.environ, "TWISTBENCH_PARENT": str(os.getpid())})
 
 

@@ -43,20 +43,24 @@ def main() -> None:
     parser.add_argument("--run", required=True)
     parser.add_argument("--raw", type=Path, required=True)
     parser.add_argument("--answer", type=Path, required=True)
-    told = parser.parse_args()
-    if len(told.effect) > HIDES.get(told.stratum, 0):
-        parser.error(f"the stratum {told.stratum} hides {HIDES.get(told.stratum, 0)} effects")
-    if told.answer.resolve().is_relative_to(told.raw.resolve()):
-        raise BadInput(told.answer, "--answer", "lies where recordings are read", "seal it outside of --raw")
+    arguments = parser.parse_args()
+    if len(arguments.effect) > HIDES.get(arguments.stratum, 0):
+        parser.error(f"the stratum {arguments.stratum} hides {HIDES.get(arguments.stratum, 0)} effects")
+    if arguments.answer.resolve().is_relative_to(arguments.raw.resolve()):
+        raise BadInput(arguments.answer, "--answer", "lies where recordings are read", "seal it outside of --raw")
     try:
-        case = draw_case(told.seed, told.stratum, told.protocol, told.effect, told.kappa or [1.0])
+        case = draw_case(
+            arguments.seed, arguments.stratum, arguments.protocol, arguments.effect, arguments.kappa or [1.0]
+        )
     except OutOfReach as error:
-        raise BadInput(told.run, "--kappa", str(error), "choose another seed, effect or protocol") from None
-    write_run(case.bench.described(told.run, not case.load_cell), performed(case).table, told.raw / told.run)
-    sealed = answer(case, told.run)
-    write_text(told.answer, json.dumps(sealed, indent=1, default=plain) + "\n")
+        raise BadInput(arguments.run, "--kappa", str(error), "choose another seed, effect or protocol") from None
+    write_run(
+        case.bench.described(arguments.run, not case.load_cell), performed(case).table, arguments.raw / arguments.run
+    )
+    sealed = answer(case, arguments.run)
+    write_text(arguments.answer, json.dumps(sealed, indent=1, default=plain) + "\n")
     hidden = ", ".join(f"{one['id']} of {one['kappa']:.2f} noise floors" for one in sealed["effects"])
-    print(f"{told.run}: {hidden or 'nothing'} hidden")
+    print(f"{arguments.run}: {hidden or 'nothing'} hidden")
 
 
 if __name__ == "__main__":

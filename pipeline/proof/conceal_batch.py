@@ -45,12 +45,12 @@ def main() -> None:
     parser.add_argument("--cases", type=read, required=True, help="JSON, as pipeline.proof.plan writes it")
     parser.add_argument("--runs", type=Path, required=True)
     parser.add_argument("--answers", type=Path, required=True)
-    told = parser.parse_args()
-    if told.answers.resolve().is_relative_to(told.runs.resolve()):
-        raise BadInput(told.answers, "--answers", "lies where recordings are read", "seal it outside of --runs")
-    told.runs.mkdir(parents=True, exist_ok=True)
-    answers = [concealed(planned, told.runs) for planned in told.cases]
-    write_text(told.answers, json.dumps(answers, indent=1, default=plain) + "\n")
+    arguments = parser.parse_args()
+    if arguments.answers.resolve().is_relative_to(arguments.runs.resolve()):
+        raise BadInput(arguments.answers, "--answers", "lies where recordings are read", "seal it outside of --runs")
+    arguments.runs.mkdir(parents=True, exist_ok=True)
+    answers = [concealed(planned, arguments.runs) for planned in arguments.cases]
+    write_text(arguments.answers, json.dumps(answers, indent=1, default=plain) + "\n")
     skipped = [f"{one['run']}: {one['skipped']}" for one in answers if "skipped" in one]
     print("\n".join([f"{len(answers) - len(skipped)} recordings concealed", *skipped]))
 

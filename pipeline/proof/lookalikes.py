@@ -37,9 +37,9 @@ def main() -> None:
     parser.add_argument("--cases", type=read, required=True, help="JSON, as pipeline.proof.plan writes it")
     parser.add_argument("--verdicts", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the file of what looks alike, JSON; required")
-    told = parser.parse_args()
-    found = {one.run: left(one, told.verdicts / one.run / "diagnosis.json") for one in told.cases}
-    write_text(told.out, json.dumps({run: by for run, by in found.items() if by}, indent=1) + "\n")
+    arguments = parser.parse_args()
+    found = {one.run: left(one, arguments.verdicts / one.run / "diagnosis.json") for one in arguments.cases}
+    write_text(arguments.out, json.dumps({run: by for run, by in found.items() if by}, indent=1) + "\n")
 
 
 if __name__ == "__main__":

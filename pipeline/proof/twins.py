@@ -114,9 +114,9 @@ def main() -> None:
     parser.add_argument("--kappa", type=float, default=1.0, help="size of the effects, in noise floors")
     parser.add_argument("--protocol", choices=("rich", "poor"), default="rich")
     parser.add_argument("--out", type=Path, required=True, help="the file of the table, csv; required")
-    told = parser.parse_args()
-    table = twins(told.effect or NAMED, told.protocol, told.kappa)
-    write_text(told.out, table.to_csv(index=False, float_format="%.5g"))
+    arguments = parser.parse_args()
+    table = twins(arguments.effect or NAMED, arguments.protocol, arguments.kappa)
+    write_text(arguments.out, table.to_csv(index=False, float_format="%.5g"))
     print("\n".join(summary(table)))
 
 

@@ -35,8 +35,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.real.ask", description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the folder of the diagnosis; required")
-    told = parser.parse_args()
-    print(ask(told.run_dir, told.out))
+    arguments = parser.parse_args()
+    print(ask(arguments.run_dir, arguments.out))
 
 
 if __name__ == "__main__":

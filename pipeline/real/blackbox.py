@@ -143,14 +143,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.real.blackbox", description=__doc__)
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the errors, JSON; required")
-    told = parser.parse_args()
+    arguments = parser.parse_args()
     errors = None
-    if usable(told.run_dir):
+    if usable(arguments.run_dir):
         try:
-            errors = held_out(*read_samples(told.run_dir))
+            errors = held_out(*read_samples(arguments.run_dir))
         except BadInput as error:
             print(error)
-    write_text(told.out, json.dumps({"run": told.run_dir.name, "heldout": errors}, indent=1) + "\n")
+    write_text(arguments.out, json.dumps({"run": arguments.run_dir.name, "heldout": errors}, indent=1) + "\n")
 
 
 if __name__ == "__main__":

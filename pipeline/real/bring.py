@@ -31,8 +31,8 @@ def main() -> None:
     parser.add_argument("file", type=Path)
     parser.add_argument("--map", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the folder of the run, a new one; required")
-    told = parser.parse_args()
-    print(bring(told.file, told.map, told.out))
+    arguments = parser.parse_args()
+    print(bring(arguments.file, arguments.map, arguments.out))
 
 
 if __name__ == "__main__":

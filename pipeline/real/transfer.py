@@ -2,7 +2,7 @@
 
 import argparse
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import pandas as pd
@@ -75,29 +75,41 @@ class Source:
         return found
 
 
-def rows_of(source: Source, learnt_from: str, runs: dict[str, Samples]) -> list[dict[str, Any]]:
+class Row(TypedDict):
+    """The errors of one method on one run after learning from another; rms, in `unit`."""
+
+    learnt_from: str
+    asked_about: str
+    method: str
+    rms: float
+    centred_rms: float
+    unit: str
+
+
+def rows_of(source: Source, learnt_from: str, runs: dict[str, Samples]) -> list[Row]:
     """A row for every run that is asked about and every method: rms error in the reading's unit."""
-    rows = []
+    rows: list[Row] = []
     for name, about in runs.items():
         unit = about[0].system.channel.rpartition("_")[2]
         for method, (first, best) in source.asked_about(about).items():
-            pair = {"learnt_from": learnt_from, "asked_about": name, "method": method}
-            rows.append({**pair, "rms": first, "centred_rms": best, "unit": unit})
+            rows.append(Row(
+                learnt_from=learnt_from, asked_about=name, method=method, rms=first, centred_rms=best, unit=unit
+            ))  # fmt: skip
     return rows
 
 
-def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[dict[str, Any]]:
+def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[Row]:
     """Rows for every ordered pair of runs."""
-    rows = []
+    rows: list[Row] = []
     for name, recording in runs.items():
         others = {other: about for other, about in runs.items() if other != name}
         rows += rows_of(Source([recording], diagnoses[name]), name, others)
     return rows
 
 
-def left_out(runs: dict[str, Samples], folders: dict[str, Path], out: Path) -> list[dict[str, Any]]:
+def left_out(runs: dict[str, Samples], folders: dict[str, Path], out: Path) -> list[Row]:
     """Rows for every run after learning from all the others together, whose diagnosis goes to `out`/<run>."""
-    rows: list[dict[str, Any]] = []
+    rows: list[Row] = []
     out.mkdir(parents=True, exist_ok=True)  # also where too few are left to learn from
     for name in runs if len(runs) > LEAST_OTHERS else ():
         others = [other for other in runs if other != name]
@@ -126,16 +138,16 @@ def main() -> None:
     )
     parser.add_argument("--others", type=Path, required=True, help="folder for the diagnoses of all but one")
     parser.add_argument("--out", type=Path, required=True, help="the file of the table, csv; required")
-    told = parser.parse_args()
-    read = {folder.name: _read(folder) for folder in told.run_dir}
+    arguments = parser.parse_args()
+    read = {folder.name: _read(folder) for folder in arguments.run_dir}
     runs = {name: one for name, one in read.items() if one is not None}
-    folders = {folder.name: folder for folder in told.run_dir}
-    rows = of_group(runs, {name: told.diagnoses / name / "diagnosis.json" for name in runs})
-    rows += left_out(runs, folders, told.others)
-    table = pd.DataFrame([{"group": told.group, **row} for row in rows], columns=COLUMNS)
-    with whole(told.out) as temporary:
+    folders = {folder.name: folder for folder in arguments.run_dir}
+    rows = of_group(runs, {name: arguments.diagnoses / name / "diagnosis.json" for name in runs})
+    rows += left_out(runs, folders, arguments.others)
+    table = pd.DataFrame([{"group": arguments.group, **row} for row in rows], columns=COLUMNS)
+    with whole(arguments.out) as temporary:
         table.to_csv(temporary, index=False, float_format="%.5g")
-    print(f"{told.group}: {len(table)} errors")
+    print(f"{arguments.group}: {len(table)} errors")
 
 
 if __name__ == "__main__":

@@ -2,10 +2,12 @@
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
 from typing import Any
+
+from ..ground.configuration import ModelPlan
 
 AMOUNTS = ("within", "later", "seeds", "epochs", "strings", "count", "each")  # less of these than usual: a small fit
 NOT_HASHED = ("recordings",)  # where files of others lie on this machine
@@ -54,7 +56,7 @@ def _leaves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str,
         yield path, value if isinstance(value, int | float | str) or value is None else json.dumps(value)
 
 
-def _amounts(config: dict[str, Any]) -> dict[tuple[str, ...], float]:
+def _amounts(config: Mapping[str, Any]) -> dict[tuple[str, ...], float]:
     """What a configuration has much or little of; entries of a list add up."""
     found: dict[tuple[str, ...], float] = {}
     for path, value in _leaves(config):
@@ -63,7 +65,7 @@ def _amounts(config: dict[str, Any]) -> dict[tuple[str, ...], float]:
     return found
 
 
-def _differences(config: dict[str, Any], default: dict[str, Any]) -> list[str]:
+def _differences(config: Mapping[str, Any], default: Mapping[str, Any]) -> list[str]:
     """Where two configurations differ, in words, amounts first."""
     mine, usual = _amounts(config), _amounts(default)
     said = [f"{'.'.join(path)} ({mine[path]:g} instead of {usual[path]:g})"
@@ -80,7 +82,7 @@ def _plural(count: int, word: str) -> str:
     return f"{count} {word}{'s' * (count != 1)}"
 
 
-def _fits(models: dict[str, Any]) -> str:
+def _fits(models: Mapping[str, ModelPlan]) -> str:
     """How many seeds and epochs each model has; models of one fit without epochs are not listed."""
     said = []
     for model in models.values():
@@ -91,7 +93,7 @@ def _fits(models: dict[str, Any]) -> str:
     return ", ".join(said) + ("; the others one fit" if len(said) < len(models) else "")
 
 
-def made_by(config: dict[str, Any], default: dict[str, Any], name: str, parts: list[str]) -> MadeBy:
+def made_by(config: Mapping[str, Any], default: Mapping[str, Any], name: str, parts: list[str]) -> MadeBy:
     """The mark of what is made with some parts (top-level keys) of a configuration."""
     hashed = {key: value for key, value in config.items() if key not in NOT_HASHED}
     digest = hashlib.sha256(json.dumps(hashed, sort_keys=True).encode()).hexdigest()[:7]

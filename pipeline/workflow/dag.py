@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
+from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
 from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
 from ..ground.regular_file import read_regular
@@ -123,7 +123,7 @@ def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
     return [str(raw / run / name) for name in names if (raw / run / name).is_file()]
 
 
-def stored(models: dict[str, Any], plan: Plan) -> Iterator[str]:
+def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:
     """Tables and models that the workflow keeps between its jobs, by which a damaged one is looked for."""
     for run in plan.runs:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
@@ -135,7 +135,7 @@ def stored(models: dict[str, Any], plan: Plan) -> Iterator[str]:
             yield predictions.replace(".predictions.parquet", ".model")
 
 
-def fits(models: dict[str, Any], material: str, only: str | None = None) -> Iterator[str]:
+def fits(models: Mapping[str, ModelPlan], material: str, only: str | None = None) -> Iterator[str]:
     """Predictions file of every fit of a material that the configuration asks for, or of one model's fits within."""
     for model, settings in models.items():
         for split, count in settings["seeds"].items():

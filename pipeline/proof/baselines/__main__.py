@@ -7,15 +7,15 @@ import re
 import time
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from threadpoolctl import threadpool_limits
 
 from ...diagnosis import engine, own_rate
 from ...ground.errors import program
 from ...ground.files import write_text
+from ...run.folder import read_run
 from ...run.samples import read_samples
-from .learnt import Method, calibrated, held_out_mm
+from .learnt import Method, Said, calibrated, held_out_mm
 
 
 @cache
@@ -31,12 +31,12 @@ def method(name: str) -> Method:
     return learn
 
 
-def baselines(folder: Path) -> dict[str, Any]:
+def baselines(folder: Path) -> dict[str, Said]:
     """What every method says of one run folder; names come from the whole recording. Raises BadInput."""
     run, samples = read_samples(folder)
     problem, fine = engine.make_problem([run], [samples], [folder]), own_rate.at_own_rate([run], [samples])
     whole = calibrated(problem)
-    found: dict[str, Any] = {"run": run.run}
+    found: dict[str, Said] = {}
     for name in names():
         started = time.monotonic()
         with threadpool_limits(1):  # so that seconds compare, and runs may go side by side
@@ -54,12 +54,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.proof.baselines", description=__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
-    told = parser.parse_args()
-    for folder in told.run_dir:
+    arguments = parser.parse_args()
+    for folder in arguments.run_dir:
         found = baselines(folder)
-        write_text(told.out / folder.resolve().name / "baselines.json", json.dumps(found, indent=1) + "\n")
+        run = read_run(folder).run
+        text = json.dumps({"run": run, **found}, indent=1) + "\n"
+        write_text(arguments.out / folder.resolve().name / "baselines.json", text)
         errors = (f"{name} {found[name]['named']} {found[name]['heldout_mm']} mm" for name in names())
-        print(f"{found['run']}: {'; '.join(errors)}", flush=True)
+        print(f"{run}: {'; '.join(errors)}", flush=True)
 
 
 if __name__ == "__main__":

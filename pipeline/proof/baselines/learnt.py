@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypedDict
 
 import numpy as np
 
@@ -33,6 +34,14 @@ class Learnt:
 
     named: list[str] | None
     adds_mm: Callable[[Problem], Array]
+
+
+class Said(TypedDict):
+    """What a method says of a recording, as baselines.json holds it; None: names nothing, nothing held out."""
+
+    named: list[str] | None
+    heldout_mm: float | None
+    seconds: float
 
 
 Method = Callable[[Calibrated], Learnt]

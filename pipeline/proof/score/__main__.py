@@ -27,20 +27,20 @@ def main() -> None:
         "--out", type=Path, required=True, help="the folder of the tables, the page and the figures; required"
     )
     parser.add_argument("--note", default="", metavar="TEXT", help="which configuration made it, to stand beneath")
-    told = parser.parse_args()
-    everyone, sizes = gather(told.place, told.batches)
+    arguments = parser.parse_args()
+    everyone, sizes = gather(arguments.place, arguments.batches)
     cases = everyone[everyone["author"] == OWN].reset_index(drop=True)
     sizes = sizes[sizes["run"].isin(cases["run"])]
-    besides = beside.gather(everyone, told.place, told.batches)
+    besides = beside.gather(everyone, arguments.place, arguments.batches)
     scored = pd.concat([scores(cases, sizes), beside.scores(besides)], ignore_index=True)
     tables = {"cases": everyone, "sizes": sizes, "beside": besides, "scores": scored}
     tables |= {"authors": by_author(everyone), "laws": by_law(everyone)}
     for name, table in tables.items():
-        write_text(told.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
+        write_text(arguments.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
     hands = section(tables["authors"], tables["laws"])
-    write_text(told.out / "proof.md", page(cases, scored, pd.read_csv(told.twins), hands) + told.note)
+    write_text(arguments.out / "proof.md", page(cases, scored, pd.read_csv(arguments.twins), hands) + arguments.note)
     made = cases[cases["skipped"] == ""]
-    draw(made, sizes, told.out)
+    draw(made, sizes, arguments.out)
     print(made["outcome"].value_counts().to_string())
 
 

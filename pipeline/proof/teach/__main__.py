@@ -46,15 +46,15 @@ def main() -> None:
         "--out", type=Path, required=True, metavar="FILE", help="the file of the judge (.json); required"
     )
     parser.add_argument("--apart", type=Path, metavar="DIR", help="where the judges without one author go")
-    given = parser.parse_args()
-    wanted = curriculum(list(names()), given.rounds, given.seed)
-    lessons = [one for one in taken(given.lessons, wanted, given.jobs) if one.ids]
+    arguments = parser.parse_args()
+    wanted = curriculum(list(names()), arguments.rounds, arguments.seed)
+    lessons = [one for one in taken(arguments.lessons, wanted, arguments.jobs) if one.ids]
     if len({one.author for one in lessons}) < 2:
         problem = f"{len(lessons)} lessons with explanations are not by two authors"
-        raise BadInput(given.lessons, "--rounds", problem, "ask for at least one round")
-    save(given.out, lessons)
-    for author in names() if given.apart else []:
-        save(given.apart / f"without_{author}.json", [one for one in lessons if one.author != author])
+        raise BadInput(arguments.lessons, "--rounds", problem, "ask for at least one round")
+    save(arguments.out, lessons)
+    for author in names() if arguments.apart else []:
+        save(arguments.apart / f"without_{author}.json", [one for one in lessons if one.author != author])
     print(across.table(across.left_out(lessons)))
 
 

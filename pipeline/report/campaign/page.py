@@ -110,26 +110,30 @@ def main() -> None:
     parser.add_argument("--out-dir", type=Path, required=True, help="the folder of the page; required")
     add_mark(parser)
     parser.add_argument("--svg-dir", type=Path, help="write the figures as svg there, too")
-    asked = parser.parse_args()
-    titles, mark = titles_of(asked.titles), mark_from(asked.made_by)
-    few_shot = pd.concat([schemas.read(path, FEW_SHOT) for path in asked.few_shot], ignore_index=True)
-    floor, coverage = schemas.read(asked.floor, FLOOR), schemas.read(asked.coverage, COVERAGE)
-    points = schemas.read(asked.points, SCHEMA)
+    arguments = parser.parse_args()
+    titles, mark = titles_of(arguments.titles), mark_from(arguments.made_by)
+    few_shot = pd.concat([schemas.read(path, FEW_SHOT) for path in arguments.few_shot], ignore_index=True)
+    floor, coverage = schemas.read(arguments.floor, FLOOR), schemas.read(arguments.coverage, COVERAGE)
+    points = schemas.read(arguments.points, SCHEMA)
     with plt.rc_context(STYLE):
         for name, figure in (
             ("few_shot", figures.few_shot(few_shot, floor, titles)),
             ("coverage", figures.coverage(coverage)),
         ):
-            if asked.svg_dir:
-                figures.save_svg(figure, asked.svg_dir / f"{name}.svg")
-            save(figure, asked.out_dir / name, mark)
-    write_text(asked.out_dir / "few_shot.csv", few_shot_csv(few_shot, floor))
-    write_text(asked.out_dir / "coverage.csv", coverage.to_csv(index=False, float_format="%.6g", lineterminator="\n"))
-    describe(asked.out_dir / "few_shot.csv", "Errors on new strings, string by string", FEW_SHOT_COLUMNS, mark)
-    describe(asked.out_dir / "coverage.csv", "What prediction intervals held, string by string", COVERAGE_COLUMNS, mark)
+            if arguments.svg_dir:
+                figures.save_svg(figure, arguments.svg_dir / f"{name}.svg")
+            save(figure, arguments.out_dir / name, mark)
+    write_text(arguments.out_dir / "few_shot.csv", few_shot_csv(few_shot, floor))
+    write_text(
+        arguments.out_dir / "coverage.csv", coverage.to_csv(index=False, float_format="%.6g", lineterminator="\n")
+    )
+    describe(arguments.out_dir / "few_shot.csv", "Errors on new strings, string by string", FEW_SHOT_COLUMNS, mark)
+    describe(
+        arguments.out_dir / "coverage.csv", "What prediction intervals held, string by string", COVERAGE_COLUMNS, mark
+    )
     names = {model: plain(title) for model, title in titles.items()}
-    text = page(points, few_shot, floor, coverage, names, plain(asked.intervals_of))
-    write_page(asked.out_dir / "campaign.md", text, mark)
+    text = page(points, few_shot, floor, coverage, names, plain(arguments.intervals_of))
+    write_page(arguments.out_dir / "campaign.md", text, mark)
 
 
 if __name__ == "__main__":

@@ -121,15 +121,17 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the file of the page; required")
     parser.add_argument("--table", type=Path, required=True)
     parser.add_argument("--passed-over", nargs="*", default=[], help="files of which nothing was made")
-    told = parser.parse_args()
-    rows = pd.concat([pd.read_csv(io.BytesIO(read_regular(path, LARGEST))) for path in told.tables], ignore_index=True)
+    arguments = parser.parse_args()
+    rows = pd.concat(
+        [pd.read_csv(io.BytesIO(read_regular(path, LARGEST))) for path in arguments.tables], ignore_index=True
+    )
     texts = ["verdict", "named", "expected", "unit", "doubt", "why"]
     missing = [name for name in texts if name not in rows]
     if missing:
-        raise BadInput(told.tables[0], missing[0], "is not among its columns", "make the rigs' tables again")
+        raise BadInput(arguments.tables[0], missing[0], "is not among its columns", "make the rigs' tables again")
     rows[texts] = rows[texts].astype(object).fillna("").astype(str)
-    write_text(told.out, page(rows, read_rigs(), told.passed_over))
-    with whole(told.table) as temporary:
+    write_text(arguments.out, page(rows, read_rigs(), arguments.passed_over))
+    with whole(arguments.table) as temporary:
         rows.to_csv(temporary, index=False, float_format="%.5g")
 
 

@@ -177,22 +177,22 @@ def main() -> None:
         parser.add_argument(f"--{name}", type=Path, nargs="*", default=[])
     for name in ("out", "figure", "table"):
         parser.add_argument(f"--{name}", type=Path, required=True)
-    told = parser.parse_args()
+    arguments = parser.parse_args()
     rigs = read_rigs()
-    if told.rig not in rigs:
-        raise BadInput("arguments", "rig", f"{told.rig!r} is not a known rig", f"use {', '.join(rigs)}")
-    rig = rigs[told.rig]
+    if arguments.rig not in rigs:
+        raise BadInput("arguments", "rig", f"{arguments.rig!r} is not a known rig", f"use {', '.join(rigs)}")
+    rig = rigs[arguments.rig]
     known = pd.DataFrame(columns=["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"])
-    pairs = pd.concat([pd.read_csv(path) for path in told.transfer]) if told.transfer else known
-    results = read_results(told.verdicts, told.together, told.black_boxes, pairs)
+    pairs = pd.concat([pd.read_csv(path) for path in arguments.transfer]) if arguments.transfer else known
+    results = read_results(arguments.verdicts, arguments.together, arguments.black_boxes, pairs)
     unit = next((one.spoken for one in results if one.unit), "")
-    write_text(told.out, page(told.rig, rig, results, pairs, unit))
-    with whole(told.figure) as temporary:
+    write_text(arguments.out, page(arguments.rig, rig, results, pairs, unit))
+    with whole(arguments.figure) as temporary:
         drawn = figure(results, pairs, unit)
         drawn.savefig(temporary, dpi=160)
         plt.close(drawn)
-    rows = pd.DataFrame([{"rig": told.rig, **one.row(rig)} for one in results])
-    with whole(told.table) as temporary:
+    rows = pd.DataFrame([{"rig": arguments.rig, **one.row(rig)} for one in results])
+    with whole(arguments.table) as temporary:
         rows.to_csv(temporary, index=False, float_format="%.5g")
 
 

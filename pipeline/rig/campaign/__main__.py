@@ -17,14 +17,19 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the folder of the recordings, a new one; required")
     parser.add_argument("--strokes", type=int, default=9)
     parser.add_argument("--rate-hz", type=float, default=10.0)
-    asked = parser.parse_args()
-    if not (1 <= asked.strings <= 1000 and asked.strokes >= 1 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):
+    arguments = parser.parse_args()
+    if not (
+        1 <= arguments.strings <= 1000
+        and arguments.strokes >= 1
+        and arguments.seed >= 0
+        and 10 <= arguments.rate_hz <= 1000
+    ):
         parser.error("--strings must be 1 to 1000, --strokes 1 or more, --seed 0 or more, --rate-hz 10 to 1000")
-    with whole_recordings(asked.out) as folder:
-        for planned in plan(asked.seed, asked.strings, asked.strokes):
-            write_run(planned.specimen.described(planned.run), planned.recorded(asked.rate_hz).samples,
+    with whole_recordings(arguments.out) as folder:
+        for planned in plan(arguments.seed, arguments.strings, arguments.strokes):
+            write_run(planned.specimen.described(planned.run), planned.recorded(arguments.rate_hz).samples,
                       folder / planned.run)  # fmt: skip
-    print(f"{asked.out}: {asked.strings} strings, {asked.strokes} strokes each")
+    print(f"{arguments.out}: {arguments.strings} strings, {arguments.strokes} strokes each")
 
 
 if __name__ == "__main__":

@@ -21,20 +21,23 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, required=True, help="the folder of the recordings, a new one; required")
     parser.add_argument("--rate-hz", type=float, default=10.0)
-    asked = parser.parse_args()
-    if not (1 <= asked.strings <= 1000 and asked.seed >= 0 and 10 <= asked.rate_hz <= 1000):
+    arguments = parser.parse_args()
+    if not (1 <= arguments.strings <= 1000 and arguments.seed >= 0 and 10 <= arguments.rate_hz <= 1000):
         parser.error("--strings must be 1 to 1000, --seed 0 or more, --rate-hz 10 to 1000")
     truths = []
-    with whole_recordings(asked.out) as folder:
-        for planned in plan(asked.seed, asked.strings):
-            life = live(planned, asked.rate_hz)
+    with whole_recordings(arguments.out) as folder:
+        for planned in plan(arguments.seed, arguments.strings):
+            life = live(planned, arguments.rate_hz)
             write_run(planned.specimen.described(planned.run), life.samples, folder / planned.run)
             life.truth.insert(0, "run", planned.run)
             truths.append(life.truth)
         with whole(folder / "truth.parquet") as temporary:
             pd.concat(truths, ignore_index=True).to_parquet(temporary, index=False)
     strokes = [len(truth) for truth in truths]
-    print(f"{asked.out}: {asked.strings} strings of {min(strokes)} to {max(strokes)} strokes, {np.sum(strokes)} in all")
+    print(
+        f"{arguments.out}: {arguments.strings} strings of {min(strokes)} to {max(strokes)} strokes, "
+        f"{np.sum(strokes)} in all"
+    )
 
 
 if __name__ == "__main__":

@@ -21,18 +21,18 @@ def main() -> None:
     parser.add_argument("--noise", choices=NOISES)
     parser.add_argument("--take", type=int, default=0, help="another day of the same rig")
     parser.add_argument("--answer", type=Path, help="where the truth goes, outside RUN_DIR")
-    asked = parser.parse_args()
-    if asked.answer and asked.answer.resolve().is_relative_to(asked.run_dir.resolve()):
-        raise BadInput(asked.answer, "--answer", "is inside the run folder", "put it where no diagnosis looks")
+    arguments = parser.parse_args()
+    if arguments.answer and arguments.answer.resolve().is_relative_to(arguments.run_dir.resolve()):
+        raise BadInput(arguments.answer, "--answer", "is inside the run folder", "put it where no diagnosis looks")
     try:
-        made = make(asked.case, asked.seed, plan=asked.plan, noise=asked.noise, take=asked.take)
+        made = make(arguments.case, arguments.seed, plan=arguments.plan, noise=arguments.noise, take=arguments.take)
     except ValueError as error:
-        raise BadInput(asked.case, "--plan", str(error), "choose one of those") from None
-    if asked.run_dir.exists():
-        raise BadInput(asked.run_dir, "RUN_DIR", "is there already", "choose another; runs are never overwritten")
-    write_run(made, asked.run_dir)
-    if asked.answer:
-        write_text(asked.answer, json.dumps({"case": asked.case, **made.truth}, indent=1) + "\n")
+        raise BadInput(arguments.case, "--plan", str(error), "choose one of those") from None
+    if arguments.run_dir.exists():
+        raise BadInput(arguments.run_dir, "RUN_DIR", "is there already", "choose another; runs are never overwritten")
+    write_run(made, arguments.run_dir)
+    if arguments.answer:
+        write_text(arguments.answer, json.dumps({"case": arguments.case, **made.truth}, indent=1) + "\n")
 
 
 if __name__ == "__main__":
