@@ -1,5 +1,6 @@
 """Which run is proposed next, of those that the diagnosis tried; or why none is."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +11,7 @@ from .limits import beyond
 from .step import Step
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
+RAISED, PLAIN = 1.2, 3.0  # times the gap so far, and standard deviations: less is not worth a run; by hand
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
 
 
@@ -47,19 +49,32 @@ def reachable(entry: dict[str, Any], limits: Limits | None) -> list[Leg]:
     return legs
 
 
+def raises(entry: dict[str, Any]) -> bool:
+    """Whether a run is expected to raise the gap between the closest explanations, to what noise does not make."""
+    now, then = gaps(entry)
+    return bool(entry["decides"]) or then >= max(RAISED * now, PLAIN)
+
+
+def gaps(entry: dict[str, Any]) -> tuple[float, float]:
+    """The gap between the closest explanations without a run and with it, in standard deviations."""
+    now, then = (math.sqrt(max(entry[key], 0.0)) for key in ("gap_now", "gap_then"))
+    return now, then
+
+
 def chosen(
     options: Sequence[dict[str, Any]], number: int, limits: Limits | None, left: Budget
 ) -> tuple[Step | None, str]:
-    """The best run that is expected to decide and that limits and budget allow, and why it is no better one.
+    """The run that raises the gap most of those that limits and budget allow, and why it is no better one.
 
     Without such a run None, and the sentence that ends the loop.
     """
-    deciding = [entry for entry in options if entry["decides"]]
-    if not deciding:
-        said = "no run that was tried would part what ties: under what this rig can do it is a tie by construction"
-        return None, f"{said}, as far as those runs can show"
+    raising = [entry for entry in options if raises(entry)]
+    if not raising:
+        now, then = gaps(options[0])
+        said = f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"
+        return None, f"{said} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
     refused: list[str] = []
-    for entry in deciding:
+    for entry in raising:
         legs = reachable(entry, limits)
         plain = [
             {"seconds": leg.seconds, "motor_turns": leg.turns} | ({} if leg.load_n is None else {"load_n": leg.load_n})
@@ -71,4 +86,4 @@ def chosen(
         if why is None:
             return step, "; ".join(refused)
         refused.append(f"{entry['title']}: {why}")
-    return None, f"no run that would decide is allowed ({'; '.join(refused)})"
+    return None, f"no run that would raise the expected gap is allowed ({'; '.join(refused)})"
