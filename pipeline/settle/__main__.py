@@ -41,7 +41,9 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=3, help="at most so many (3)")
     parser.add_argument("--minutes", type=float, default=30.0, help="of motion in all, at most (30)")
     parser.add_argument("--strokes", type=int, default=40, help="spent in all, at most (40)")
-    parser.add_argument("--out", type=Path, metavar="DIR", help="where its steps lie (reports/settle/<run>)")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="the folder in which its steps lie; default: reports/settle/<run>"
+    )
     arguments = parser.parse_args()
     if arguments.approve == "auto" and not arguments.limits:
         parser.error(f"--approve auto needs --limits, such as {EXAMPLE}: nothing moves without them")
