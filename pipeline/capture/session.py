@@ -2,7 +2,8 @@
 
 import math
 import signal
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
@@ -33,10 +34,15 @@ class Asked:
         """So many times."""
         return self.times
 
-    def listen(self) -> None:
-        """From here on signals are counted."""
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, self._ask)
+    @contextmanager
+    def listening(self) -> Iterator[None]:
+        """Within it signals are counted; after it they do what they did before."""
+        before = {number: signal.signal(number, self._ask) for number in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            yield
+        finally:
+            for number, done in before.items():
+                signal.signal(number, done)
 
     def _ask(self, number: int, frame: FrameType | None) -> None:
         self.times += 1
@@ -53,19 +59,20 @@ def capture_lines(
     """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
     asked = Asked()
     check_folder(folder)
-    with Port(name, baud) as port:
-        beginning = await_header(port, name, columns)
-        asked.listen()
-        log = Log(folder, LINES)
-        try:
-            began = datetime.now(UTC)
-            outcome = follow(port, log, asked, columns, beginning, longest_s)
-        except OSError as error:
-            mend = f"make room, then run {command('capture')} --recover {folder}"
-            raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
-        finally:
-            log.close()
-    return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
+    with ExitStack() as until_committed:
+        with Port(name, baud) as port:
+            beginning = await_header(port, name, columns)
+            until_committed.enter_context(asked.listening())
+            log = Log(folder, LINES)
+            try:
+                began = datetime.now(UTC)
+                outcome = follow(port, log, asked, columns, beginning, longest_s)
+            except OSError as error:
+                mend = f"make room, then run {command('capture')} --recover {folder}"
+                raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
+            finally:
+                log.close()
+        return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
 
 
 def capture(
@@ -77,26 +84,28 @@ def capture(
     """
     asked = Asked()
     check_folder(folder)
-    with Port(name, baud) as port:
-        hello, beginning = greet(port, name, baud)
-        check_rate(hello, baud, name)
-        channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
-        print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
-        if any(channel.name == CLOCK for channel in hello.channels):
-            print(
-                f"{CLOCK} is the device's clock, t_us; its channel of that name is kept as device_{CLOCK}", flush=True
-            )
-        if legs:
-            load(port, hello, legs, name)
-        asked.listen()
-        log = Log(folder)
-        try:
-            log.append(beginning)
-            began = datetime.now(UTC)
-            outcome = record(port, log, hello, asked, longest_s, beats=bool(legs))
-        except OSError as error:
-            mend = f"make room, then run {command('capture')} --recover {folder}"
-            raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
-        finally:
-            log.close()
-    return commit(folder, began, datetime.now(UTC), outcome)
+    with ExitStack() as until_committed:
+        with Port(name, baud) as port:
+            hello, beginning = greet(port, name, baud)
+            check_rate(hello, baud, name)
+            channels = ", ".join(f"{channel.name} [{channel.unit}]" for channel in hello.channels)
+            print(plain(f"{hello.device}, firmware {hello.firmware}: {hello.rate_hz:g} Hz, {channels}"), flush=True)
+            if any(channel.name == CLOCK for channel in hello.channels):
+                print(
+                    f"{CLOCK} is the device's clock, t_us; its channel of that name is kept as device_{CLOCK}",
+                    flush=True,
+                )
+            if legs:
+                load(port, hello, legs, name)
+            until_committed.enter_context(asked.listening())
+            log = Log(folder)
+            try:
+                log.append(beginning)
+                began = datetime.now(UTC)
+                outcome = record(port, log, hello, asked, longest_s, beats=bool(legs))
+            except OSError as error:
+                mend = f"make room, then run {command('capture')} --recover {folder}"
+                raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
+            finally:
+                log.close()
+        return commit(folder, began, datetime.now(UTC), outcome)

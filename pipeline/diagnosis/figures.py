@@ -4,12 +4,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from ..ground.files import whole
+from ..ground.page import write_page
 from . import panels
 from .bounds import at_bound
 from .mismatch_map import map_of, mismatch_map
@@ -62,12 +60,7 @@ def warning(content: dict[str, Any], words: Vocabulary) -> str:
 
 def page(found: Study, content: dict[str, Any], path: Path) -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
-    figure = drawn(found, content)
-    with whole(path.with_name(f"{path.name}.png")) as temporary:  # each canvas draws once, savefig twice
-        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
-    figure.set_layout_engine("none")  # what is laid out stays as it is
-    with whole(path.with_name(f"{path.name}.pdf")) as temporary:
-        FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})
+    write_page(drawn(found, content), path)
 
 
 def drawn(found: Study, content: dict[str, Any]) -> Figure:

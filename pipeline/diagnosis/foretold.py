@@ -1,14 +1,12 @@
 """Each run that could be made next, with what each explanation that ties foretells of it."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ..ground.kinematics import Array
 from ..run.description import Run
-from .drivers import drivers_of
-from .nextrun import Proposal, appended, options
+from .nextrun import Proposal, appended, lengthened, options
 from .outcome import Study
 from .verdict import tidy
 from .words.worth import decides
@@ -34,8 +32,7 @@ def curves(found: Study, run: Run, proposal: Proposal) -> dict[str, Any]:
     """Time in s, motion and load of a proposed run, and each reading, as lists of at most POINTS numbers."""
     problem, before = found.problem, len(found.problem.record)
     record = appended(problem.record, proposal.legs)
-    drivers = drivers_of(problem.system, record, run)
-    longer = replace(problem, record=record, drivers=drivers, measured=record.measured, rows=len(record), _terms={})
+    longer = lengthened(problem, run, record)
     which = np.unique(np.linspace(before, len(record) - 1, POINTS).astype(int))
 
     def thin(values: Array) -> list[float]:

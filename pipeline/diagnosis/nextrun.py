@@ -74,12 +74,17 @@ def appended(record: Record, legs: list[Leg]) -> Record:
     return Record(**{name: longer(getattr(record, name), new.get(name)) for name in Record.__dataclass_fields__})  # type: ignore[arg-type]
 
 
+def lengthened(problem: Problem, run: Run, record: Record) -> Problem:
+    """The problem as if the recording had gone on like `record`."""
+    drivers = drivers_of(problem.system, record, run)
+    return replace(problem, record=record, drivers=drivers, measured=record.measured, rows=len(record), _terms={})
+
+
 def separation(
     problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation], record: Record
 ) -> Gap:
     """Smallest expected gap between two explanations that tie, if the recording went on like `record`; which two."""
-    drivers = drivers_of(problem.system, record, run)
-    longer = replace(problem, record=record, drivers=drivers, measured=record.measured, rows=len(record), _terms={})
+    longer = lengthened(problem, run, record)
     catalogue: dict[str, list] = {}
     chosen: list[tuple[Key, ...]] = []
     for one in sets:

@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
 
+from ..ground.modules import holding
 from .c_text import Body
 from .inputs import Inputs
 
@@ -34,9 +35,7 @@ class Exporter(Protocol):
 @cache
 def names() -> tuple[str, ...]:
     """Names of the models that can be exported, sorted."""
-    return tuple(
-        sorted(path.stem for path in FOLDER.glob("*.py") if path.stem.isidentifier() and path.stem != "__init__")
-    )
+    return holding(FOLDER, r"READS\b")
 
 
 def exporter(name: str) -> Exporter:

@@ -1,7 +1,6 @@
 """What a kinematic model is: fitted on points, it maps twist to contraction and back."""
 
 import importlib
-import re
 from functools import cache
 from pathlib import Path
 from typing import Protocol
@@ -9,6 +8,7 @@ from typing import Protocol
 import pandas as pd
 
 from ..ground.kinematics import Array
+from ..ground.modules import holding
 from .about import About
 
 
@@ -37,8 +37,7 @@ class Model(Protocol):
 @cache
 def names() -> tuple[str, ...]:
     """Names of all models: of the files beside this one that hold a MODEL."""
-    holding = (path for path in Path(__file__).parent.glob("*.py") if path.stem.isidentifier())
-    return tuple(sorted(path.stem for path in holding if re.search(r"^MODEL\b", path.read_text("utf-8"), re.M)))
+    return holding(Path(__file__).parent, r"MODEL\b")
 
 
 def settings_of(name: str) -> type | None:

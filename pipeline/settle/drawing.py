@@ -4,12 +4,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.figure import Figure
 
-from ..ground.files import whole
 from ..ground.kinematics import Array
+from ..ground.page import write_page
 from ..run.samples import read_samples
 
 SIZE_INCHES, DOTS = (8.0, 7.0), 150
@@ -43,11 +41,7 @@ def draw(entry: dict[str, Any], path: Path, title: str, came: Path | None = None
     apart.set_ylabel("beyond the simulator\nwithout a mechanism (mm)")
     apart.set_xlabel("time (s)")
     apart.legend(fontsize=8, frameon=False)
-    with whole(path.with_name(f"{path.name}.png")) as temporary:
-        FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
-    figure.set_layout_engine("none")
-    with whole(path.with_name(f"{path.name}.pdf")) as temporary:
-        FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})
+    write_page(figure, path)
 
 
 def zero_mm(turns: Array, reading_mm: Array) -> float:

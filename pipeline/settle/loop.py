@@ -141,8 +141,9 @@ class Loop:
             if not move.mended(folder):  # it was approved, and nothing moved
                 return self.place.write(step.at("approved", run_dir=str(move.free_dir(self.runs[0])))), DONE
             return self.place.write(move.came(step)[0]), DONE
-        if self._rig() is not None:
-            self._move(step)
+        rig = self._rig()
+        if rig is not None:
+            self._move(step, rig)
         else:
             why = "the rig's HELLO declares no limits of a program" if self.port else "no --port was given"
             text = sheet(step, self.runs[-1], why)
@@ -156,9 +157,9 @@ class Loop:
         print(f"step {step.number}: {folder}: {found.ended}; what came is kept. Started again it goes on from here")
         return found, STOPPED if by_person else FAULT
 
-    def _move(self, step: Step) -> None:
+    def _move(self, step: Step, rig: Limits) -> None:
         """Make an approved run; raises BadInput where the limits of now forbid it."""
-        why = beyond(as_legs(step.legs), self._limits())
+        why = beyond(as_legs(step.legs), self.allowed.within(rig))
         if why is not None:
             mend = (
                 f"widen --limits if that is safe, or remove {self.place.folder(step.number)} to have another proposed"

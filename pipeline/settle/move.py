@@ -1,7 +1,5 @@
 """A run is made: its folder, then the rig moves and is recorded by the capture program's own code."""
 
-import contextlib
-import signal
 import time
 from pathlib import Path
 from typing import Any
@@ -65,12 +63,7 @@ def mended(folder: Path) -> bool:
 
 def record(step: Step, port: str, baud: int) -> None:
     """Move the rig and record it. Raises BadInput."""
-    try:
-        capture(port, Path(step.run_dir or ""), baud, LONGER * step.seconds + AND_S, as_legs(step.legs))
-    finally:
-        for number in (signal.SIGINT, signal.SIGTERM):  # the capture listened to them; from here they end the program
-            with contextlib.suppress(ValueError):
-                signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
+    capture(port, Path(step.run_dir or ""), baud, LONGER * step.seconds + AND_S, as_legs(step.legs))
 
 
 def wait_for(folder: Path) -> None:

@@ -94,11 +94,9 @@ class Limits:
     def way_s(self, turns: float) -> float:
         """The shortest time for a way of so many turns, in s."""
         way = abs(turns)
-        fast_s = way / self.turns_per_s + self.turns_per_s / self.turns_per_s2
-        return max(2.0 * math.sqrt(way / self.turns_per_s2), fast_s if self._reaches(way) else 0.0)
-
-    def _reaches(self, way: float) -> bool:
-        return way > self.turns_per_s**2 / self.turns_per_s2
+        if way > self.turns_per_s**2 / self.turns_per_s2:  # far enough to reach full speed
+            return way / self.turns_per_s + self.turns_per_s / self.turns_per_s2
+        return 2.0 * math.sqrt(way / self.turns_per_s2)
 
 
 def _number(content: dict[str, Any], key: str, least: float, most: float) -> float:

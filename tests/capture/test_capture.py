@@ -11,17 +11,20 @@ import sys
 import threading
 import time
 import tty
+from contextlib import ExitStack
 from dataclasses import replace
 from datetime import UTC, datetime
+from itertools import count
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scripted_rig import synthetic_rig
 
 from pipeline.capture.__main__ import tell_frames
 from pipeline.capture.commit import Read, account
 from pipeline.capture.handshake import check_rate
-from pipeline.capture.session import plain
+from pipeline.capture.session import capture, plain
 from pipeline.capture.stream import Outcome
 from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device
@@ -65,21 +68,11 @@ def info(folder: Path) -> dict:
 @pytest.fixture
 def rig(tmp_path):
     """Start rigs by their options; each returns its port."""
-    rigs = []
-
-    def serve(*options) -> Path:
-        link = tmp_path / f"port{len(rigs)}"
-        rigs.append(start("pipeline.rig", "small", "--link", link, "--seed", SEED, *options))
-        while not link.is_symlink():
-            assert rigs[-1].poll() is None, rigs[-1].stdout.read()
-            time.sleep(0.01)
-        return link
-
-    yield serve
-    for one in rigs:
-        one.terminate()
-        one.wait()
-        one.stdout.close()
+    numbers = count()
+    with ExitStack() as rigs:
+        yield lambda *options: rigs.enter_context(
+            synthetic_rig(tmp_path / f"port{next(numbers)}", "small", "--seed", SEED, *options)
+        )
 
 
 @pytest.fixture
@@ -232,6 +225,17 @@ def test_ctrl_c_ends_a_recording_in_good_order(rig, tmp_path):
     assert f"{folder}: ended by person; what had come is kept" in said
     assert info(folder)["samples"]["sent"] == info(folder)["samples"]["received"] == len(recording.time_s) > 10
     assert recording.account.end.reason == 1
+
+
+def test_after_a_recording_signals_do_what_they_did_before(rig, tmp_path):
+    numbers = (signal.SIGINT, signal.SIGTERM)
+    before = [signal.getsignal(number) for number in numbers]
+    try:
+        assert capture(str(rig("--pace", "inf")), tmp_path / "run-1", 1_000_000)["exit_status"] == "complete"
+        assert [signal.getsignal(number) for number in numbers] == before
+    finally:
+        for number, done in zip(numbers, before, strict=True):
+            signal.signal(number, done)
 
 
 def test_a_killed_capture_loses_nothing_and_can_be_recovered(rig, tmp_path):

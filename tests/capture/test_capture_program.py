@@ -1,60 +1,26 @@
 """A device that answers a program late, oddly or not at all: a sentence, no run begun, and nothing moved."""
 
 import json
-import os
-import pty
-import threading
-import time
-import tty
 from pathlib import Path
 
 import pytest
 from programs import run
+from scripted_rig import CHANNELS, ScriptedRig
 
 from pipeline.capture.motion import load
 from pipeline.capture.port import Port
 from pipeline.ground.errors import BadInput
-from pipeline.wire import Channel, Decoder, Hello, Kind, encode
-from pipeline.wire.motion import PROGRAM, TAKEN, Answer, Leg, Limits
+from pipeline.wire import Hello, Kind
+from pipeline.wire.motion import TAKEN, Answer, Leg, Limits
 
 LIMITS = Limits(10, (0.0, 20.0), 5.0, 50.0, 100.0, 1.5, 0.0)
-CHANNELS = (Channel("motor_turns", "turns", "i32", 0.001), Channel("displacement_mm", "mm", "i32", 0.001))
 HELLO = Hello("a rig", "1", "1", 50.0, 0, CHANNELS, program=LIMITS)
 LEGS = [Leg(4.0, 10.0), Leg(4.0, 0.0)]
 
 
-class Rig(threading.Thread):
-    """Answers GREET, and a program as a test says; notes what it hears."""
-
-    def __init__(self, answers: list[tuple[float, bytes]], hello: Hello = HELLO) -> None:
-        super().__init__(daemon=True)
-        self.ours, self.theirs = pty.openpty()
-        tty.setraw(self.theirs)
-        self.port, self.answers, self.hello = os.ttyname(self.theirs), answers, hello
-        self.heard: list[int] = []
-
-    def run(self) -> None:
-        decoder = Decoder(2)
-        while True:
-            try:
-                frames = decoder.feed(os.read(self.ours, 4096))
-            except OSError:
-                return
-            for one in frames:
-                self.heard.append(one.frame.kind)
-                if one.frame.kind == Kind.GREET:
-                    os.write(self.ours, encode(Kind.HELLO, 0, self.hello.pack()))
-                if one.frame.kind == Kind.PROGRAM and self.answers:
-                    wait_s, payload = self.answers.pop(0)
-                    count, crc = PROGRAM.unpack(one.frame.payload)
-                    time.sleep(wait_s)
-                    os.write(self.ours, encode(Kind.TAKEN, 0, payload or TAKEN.pack(count, crc, Answer.TAKEN, 0)))
-
-
-def asked(*answers: tuple[float, bytes]) -> Rig:
+def asked(*answers: tuple[float, bytes]) -> ScriptedRig:
     """What a rig heard that was handed a program; raises BadInput as that does."""
-    rig = Rig(list(answers))
-    rig.start()
+    rig = ScriptedRig(HELLO, list(answers))
     with Port(rig.port, 1_000_000) as port:
         load(port, HELLO, LEGS, "the rig")
     return rig
@@ -100,18 +66,18 @@ def test_limits_that_are_none_are_refused_before_anything_is_written(program, li
     content["program"] = content["program"] | program if isinstance(program, dict) else program
 
     class Odd:
+        protocol = HELLO.protocol
+
         def pack(self) -> bytes:
             return json.dumps(content).encode()
 
-    rig = Rig([], Odd())  # type: ignore[arg-type]
-    rig.start()
+    rig = ScriptedRig(Odd())  # type: ignore[arg-type]
     done = run("pipeline.capture", rig.port, tmp_path / "run-1")
     assert done.returncode == 2 and said in done.stderr and not (tmp_path / "run-1").exists()
 
 
 def test_a_rig_without_limits_takes_no_program(tmp_path: Path):
-    rig = Rig([], Hello("a rig", "1", "1", 50.0, 0, CHANNELS))
-    rig.start()
+    rig = ScriptedRig(Hello("a rig", "1", "1", 50.0, 0, CHANNELS))
     path = tmp_path / "program.json"
     path.write_text(json.dumps([{"seconds": 4, "motor_turns": 10}]))
     done = run("pipeline.capture", rig.port, tmp_path / "run-1", "--program", path)

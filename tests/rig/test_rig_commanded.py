@@ -7,10 +7,13 @@ import subprocess
 import sys
 import time
 import zlib
+from contextlib import ExitStack
+from itertools import count
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scripted_rig import synthetic_rig
 
 from pipeline.capture.motion import as_legs
 from pipeline.rig.commanded import Commanded
@@ -130,21 +133,11 @@ def start(module: str, *arguments: object) -> subprocess.Popen:
 
 @pytest.fixture
 def rig(tmp_path):
-    rigs = []
-
-    def serve(*options) -> Path:
-        link = tmp_path / "port"
-        rigs.append(start("pipeline.rig", "small", "--link", link, "--standing", *options))
-        while not link.is_symlink():
-            assert rigs[-1].poll() is None, rigs[-1].stdout.read()
-            time.sleep(0.01)
-        return link
-
-    yield serve
-    for one in rigs:
-        one.terminate()
-        one.wait()
-        one.stdout.close()
+    numbers = count()
+    with ExitStack() as rigs:
+        yield lambda *options: rigs.enter_context(
+            synthetic_rig(tmp_path / f"port{next(numbers)}", "small", "--standing", *options)
+        )
 
 
 def entries(legs: list[Leg]) -> list[dict]:

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import yaml
+from scripted_rig import synthetic_rig
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMITS = "{turns: [0, 21], turns_per_s: 9, load_n: [8, 45], seconds: 300}"
@@ -28,16 +29,8 @@ def set_up(folder: Path) -> None:
 @contextmanager
 def rig(place: Path, *options: object) -> Iterator[str]:
     """A standing rig at the link `port` in a folder."""
-    command = [sys.executable, "-m", "pipeline.rig", "rig.yaml", "--standing", "--link", "port", *map(str, options)]
-    with subprocess.Popen(command, cwd=place, stdout=subprocess.DEVNULL) as one:
-        try:
-            while not (place / "port").is_symlink():
-                assert one.poll() is None
-                time.sleep(0.01)
-            yield "port"
-        finally:
-            one.terminate()
-            one.wait()
+    with synthetic_rig(place / "port", place / "rig.yaml", "--standing", *options):
+        yield "port"
 
 
 def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:

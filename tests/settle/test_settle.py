@@ -1,21 +1,18 @@
 """The loop on the real programs: a concealed effect behind a pseudo-terminal, a poor recording first."""
 
 import json
-import os
-import pty
 import shutil
 import signal
 import subprocess
 import sys
-import threading
-import tty
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from settle_bench import auto, begun, copied, ended, rig, settled, started, state, until
+from scripted_rig import CHANNELS, ScriptedRig
+from settle_bench import LIMITS, auto, begun, copied, ended, rig, settled, started, state, until
 
-from pipeline.wire import Channel, Decoder, Hello, Kind, Reason, encode, read_recording
+from pipeline.wire import Hello, Kind, Reason, read_recording
 
 
 @pytest.fixture(scope="module")
@@ -97,6 +94,15 @@ def test_a_stall_is_the_end_of_the_program_and_of_the_motion(place):
     assert step["state"] == "recorded" and step["ended"] == "the device reported a fault" and not step["used"]
 
 
+def test_a_run_that_was_approved_is_not_made_beyond_the_limits_of_now(place):
+    path = place / "out" / "step-1" / "state.json"
+    path.write_text(json.dumps(state(place) | {"state": "approved", "approved_by": "a person, asked"}))
+    with rig(place, "--pace", "inf"):
+        done = auto(place, limits=LIMITS.replace("load_n: [8, 45]", "load_n: [8, 30]"))
+    assert done.returncode == 2 and "approved run" in done.stdout and "the rig hangs 8 to 30 N" in done.stdout
+    assert state(place)["state"] == "approved" and not (place / "raw" / "poor-1-s1" / "recording.frames").exists()
+
+
 def test_ctrl_c_stops_the_motor_first(place):
     with rig(place, "--pace", 1):
         one = started(place)
@@ -109,39 +115,14 @@ def test_ctrl_c_stops_the_motor_first(place):
     assert state(place)["ended"] == "ended by person"
 
 
-class Old(threading.Thread):
-    """A device of version 1 on a pseudo-terminal: it answers GREET, and takes no program."""
-
-    def __init__(self) -> None:
-        super().__init__(daemon=True)
-        self.ours, self.theirs = pty.openpty()
-        tty.setraw(self.theirs)
-        self.name_of_port, self.heard = os.ttyname(self.theirs), []
-        channels = (Channel("motor_turns", "turns", "i32", 0.001), Channel("displacement_mm", "mm", "i32", 0.001))
-        self.hello = replace(Hello("an old rig", "1", "1", 50.0, 9, channels), protocol=1).pack()
-
-    def run(self) -> None:
-        decoder = Decoder(1)
-        while True:
-            try:
-                frames = decoder.feed(os.read(self.ours, 4096))
-            except OSError:
-                return
-            for one in frames:
-                self.heard.append(one.frame.kind)
-                if one.frame.kind == Kind.GREET:
-                    os.write(self.ours, encode(Kind.HELLO, 0, self.hello, 1))
-
-
 def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_for(place):
     with rig(place, "--pace", "inf") as port:  # somebody else moves it, as the sheet says
         program = place / "program.json"
         program.write_text((place / "out" / "step-0" / "diagnosis.json").read_text())
         made = ended(place, "capture", port, "by-hand", "--program", program)
         assert made.returncode == 0, made.stdout
-    old = Old()
-    old.start()
-    words = ["raw/poor-1", "--port", old.name_of_port, "--out", "out"]
+    old = ScriptedRig(replace(Hello("an old rig", "1", "1", 50.0, 9, CHANNELS), protocol=1))
+    words = ["raw/poor-1", "--port", old.port, "--out", "out"]
     command = [sys.executable, "-m", "pipeline.settle", *words]
     one = subprocess.Popen(command, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     until(one, place / "out" / "step-1" / "sheet.txt")

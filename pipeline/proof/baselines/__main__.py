@@ -3,7 +3,6 @@
 import argparse
 import importlib
 import json
-import re
 import time
 from functools import cache
 from pathlib import Path
@@ -13,6 +12,7 @@ from threadpoolctl import threadpool_limits
 from ...diagnosis import engine, own_rate
 from ...ground.errors import program
 from ...ground.files import write_text
+from ...ground.modules import holding
 from ...run.folder import read_run
 from ...run.samples import read_samples
 from .learnt import Method, Said, calibrated, held_out_mm
@@ -21,8 +21,7 @@ from .learnt import Method, Said, calibrated, held_out_mm
 @cache
 def names() -> tuple[str, ...]:
     """Names of all methods, sorted: of the files beside this one that hold a function `learn`."""
-    holding = (path for path in Path(__file__).parent.glob("*.py") if path.stem.isidentifier())
-    return tuple(sorted(path.stem for path in holding if re.search(r"^def learn\(", path.read_text("utf-8"), re.M)))
+    return holding(Path(__file__).parent, r"def learn\(")
 
 
 def method(name: str) -> Method:

@@ -1,0 +1,65 @@
+"""Rigs at a pseudo-terminal: one whose every answer a test says, and the synthetic one as a program of its own."""
+
+import os
+import pty
+import subprocess
+import sys
+import threading
+import time
+import tty
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pipeline.wire import Channel, Decoder, Hello, Kind, encode
+from pipeline.wire.motion import PROGRAM, TAKEN, Answer
+
+CHANNELS = (Channel("motor_turns", "turns", "i32", 0.001), Channel("displacement_mm", "mm", "i32", 0.001))
+
+
+class ScriptedRig(threading.Thread):
+    """Answers GREET with its `hello`, and programs by `answers`; notes what it hears.
+
+    An answer is how long it waits, in s, and the payload, empty where the program is taken.
+    """
+
+    def __init__(self, hello: Hello, answers: list[tuple[float, bytes]] | None = None) -> None:
+        super().__init__(daemon=True)
+        self.ours, self.theirs = pty.openpty()
+        tty.setraw(self.theirs)
+        self.port, self.answers, self.hello = os.ttyname(self.theirs), answers or [], hello
+        self.heard: list[int] = []
+        self.start()
+
+    def run(self) -> None:
+        version = self.hello.protocol
+        decoder = Decoder(version)
+        while True:
+            try:
+                frames = decoder.feed(os.read(self.ours, 4096))
+            except OSError:
+                return
+            for one in frames:
+                self.heard.append(one.frame.kind)
+                if one.frame.kind == Kind.GREET:
+                    os.write(self.ours, encode(Kind.HELLO, 0, self.hello.pack(), version))
+                if one.frame.kind == Kind.PROGRAM and self.answers:
+                    wait_s, payload = self.answers.pop(0)
+                    count, crc = PROGRAM.unpack(one.frame.payload)
+                    time.sleep(wait_s)
+                    taken = payload or TAKEN.pack(count, crc, Answer.TAKEN, 0)
+                    os.write(self.ours, encode(Kind.TAKEN, 0, taken, version))
+
+
+@contextmanager
+def synthetic_rig(link: Path, setup: object, *options: object) -> Iterator[Path]:
+    """The synthetic rig of a set-up behind a link, until the end."""
+    command = [sys.executable, "-m", "pipeline.rig", str(setup), "--link", str(link), *map(str, options)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as one:
+        try:
+            while not link.is_symlink():
+                assert one.poll() is None, one.stdout and one.stdout.read()
+                time.sleep(0.01)
+            yield link
+        finally:
+            one.terminate()
