@@ -1,6 +1,7 @@
 """A loop on a synthetic rig whose tie one run can decide: friction or backlash, told apart by the load alone."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -33,11 +34,19 @@ def rig(place: Path, *options: object) -> Iterator[str]:
         yield "port"
 
 
-def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:
-    """A program of ours in a folder, without a terminal."""
+def program(place: Path, module: str, *words: object) -> subprocess.Popen:
+    """A program of ours in a folder, without a terminal and not waited for."""
     command = [sys.executable, "-m", f"pipeline.{module}", *map(str, words)]
-    said = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "timeout": 120}
-    return subprocess.run(command, cwd=place, stdin=subprocess.DEVNULL, **said)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}  # the folder is not the checkout
+    said = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    return subprocess.Popen(command, cwd=place, env=environment, stdin=subprocess.DEVNULL, **said)
+
+
+def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:
+    """The same program at its end, with what it said."""
+    process = program(place, module, *words)
+    said = process.communicate(timeout=120)[0]
+    return subprocess.CompletedProcess(process.args, process.returncode, said)
 
 
 def begun(place: Path) -> str:
@@ -79,8 +88,7 @@ def auto(place: Path, *words: object, limits: str = LIMITS) -> subprocess.Comple
 def started(place: Path, *words: object) -> subprocess.Popen:
     """The loop, unattended and not waited for."""
     fixed = ["raw/poor-1", "--port", "port", "--out", "out", "--approve", "auto", "--limits", LIMITS]
-    command = [sys.executable, "-m", "pipeline.settle", *fixed, *map(str, words)]
-    return subprocess.Popen(command, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return program(place, "settle", *fixed, *words)
 
 
 def until(one: subprocess.Popen, there: Path, least: int = 1) -> None:

@@ -3,14 +3,12 @@
 import json
 import shutil
 import signal
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from scripted_rig import CHANNELS, ScriptedRig
-from settle_bench import LIMITS, auto, begun, copied, ended, rig, settled, started, state, until
+from settle_bench import LIMITS, auto, begun, copied, ended, program, rig, settled, started, state, until
 
 from pipeline.wire import Hello, Kind, Reason, read_recording
 
@@ -117,14 +115,12 @@ def test_ctrl_c_stops_the_motor_first(place):
 
 def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_for(place):
     with rig(place, "--pace", "inf") as port:  # somebody else moves it, as the sheet says
-        program = place / "program.json"
-        program.write_text((place / "out" / "step-0" / "diagnosis.json").read_text())
-        made = ended(place, "capture", port, "by-hand", "--program", program)
+        legs = place / "program.json"
+        legs.write_text((place / "out" / "step-0" / "diagnosis.json").read_text())
+        made = ended(place, "capture", port, "by-hand", "--program", legs)
         assert made.returncode == 0, made.stdout
     old = ScriptedRig(replace(Hello("an old rig", "1", "1", 50.0, 9, CHANNELS), protocol=1))
-    words = ["raw/poor-1", "--port", old.port, "--out", "out"]
-    command = [sys.executable, "-m", "pipeline.settle", *words]
-    one = subprocess.Popen(command, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    one = program(place, "settle", "raw/poor-1", "--port", old.port, "--out", "out")
     until(one, place / "out" / "step-1" / "sheet.txt")
     sheet = (place / "out" / "step-1" / "sheet.txt").read_text()
     assert "go from 0.00 to 20.0" in sheet and "under 40 N" in sheet and "declares no limits" in sheet
