@@ -11,7 +11,7 @@ from .limits import beyond
 from .step import Step
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
-RAISED, PLAIN = 1.2, 3.0  # times the gap so far, and standard deviations: less is not worth a run; by hand
+RAISED, FAINT = 1.05, 1.0  # times the gap so far, and standard deviations: less is no gap at all; by hand
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
 
 
@@ -50,9 +50,9 @@ def reachable(entry: dict[str, Any], limits: Limits | None) -> list[Leg]:
 
 
 def raises(entry: dict[str, Any]) -> bool:
-    """Whether a run is expected to raise the gap between the closest explanations, to what noise does not make."""
+    """Whether a run is expected to raise the gap between the closest explanations, to what can be seen at all."""
     now, then = gaps(entry)
-    return bool(entry["decides"]) or then >= max(RAISED * now, PLAIN)
+    return bool(entry["decides"]) or then >= max(RAISED * now, FAINT)
 
 
 def gaps(entry: dict[str, Any]) -> tuple[float, float]:

@@ -7,9 +7,9 @@ import numpy as np
 from pipeline.rig.authors.interface import Asked, Made
 from pipeline.rig.authors.lattice.catalogue import BY_EFFECT
 from pipeline.rig.authors.lattice.chain import reading_mm
-from pipeline.rig.authors.lattice.instruments import held_out, recorded, sampling
+from pipeline.rig.authors.lattice.instruments import held_out, recorded, sampling, sampling_on
 from pipeline.rig.authors.lattice.law import Law, Params
-from pipeline.rig.authors.lattice.session import session
+from pipeline.rig.authors.lattice.session import session, session_on
 from pipeline.rig.authors.lattice.size import Ruler, strength_for
 from pipeline.rig.authors.lattice.specimen import run_yaml
 
@@ -42,6 +42,13 @@ def made_with(asked: Asked, names: list[str | None]) -> Made:
         rms_mm = _rms(np.interp(taken.time_s, one.world.time_s, alone_mm))
         reached = left_mm(strength) / floor_mm
         effects.append({"id": law.effect, "law": law.name, "parameters": params, "rms_mm": rms_mm, "kappa": reached})
+    protocol_s = float(one.world.time_s[-1])
+    if asked.legs:
+        one = session_on(one, asked.legs)
+        taken = sampling_on(taken, one)
+        for i, (law, params) in enumerate(hidden):
+            shape = law.draw(np.random.default_rng([asked.seed, 20 + i]), one.world)
+            hidden[i] = (law, {**shape, law.strength: params[law.strength]})
     made = recorded(table, one, taken, reading_mm(one.world, hidden), warmth)
     measured = "load_n" in made.table
     content = run_yaml(one.specimen, None if measured else one.specimen.load_n)
@@ -51,6 +58,8 @@ def made_with(asked: Asked, names: list[str | None]) -> Made:
         "noise_floor_mm": _rms(made.noise_mm),
         "heldout_noise_mm": _rms(made.noise_mm[last]),
     }
+    if asked.legs:
+        truth["protocol_s"] = protocol_s
     return Made(content, made.table, truth)
 
 
