@@ -6,10 +6,10 @@ from typing import Any, Literal
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 from scipy.ndimage import uniform_filter1d
 
-from ...ground.kinematics import Array
-
+Array = NDArray[np.float64]
 Protocol = Literal["rich", "usual", "poor"]
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "usual", "poor")
 
@@ -33,7 +33,7 @@ class Asked:
 
     `kappas` has one size for each effect: its rms in noise floors after bounded recalibration, over the protocol. The
     string lives on through `legs`. A law that is written in shares of the session's greatest or mean load, torque or
-    travel takes them from the whole session, so that the legs may change it by a few per cent.
+    travel takes them from the whole session; its size over the protocol is kept, its shape may change a little.
     """
 
     seed: int
@@ -93,3 +93,13 @@ def driven_on(legs: Sequence[Leg], turns: Array, load_n: Array, step_s: float) -
 def carried_on(values: Array, count: int) -> Array:
     """Values of a wandering quantity or of noise with `count` more, which run back through them."""
     return np.asarray(np.pad(values, (0, count), mode="reflect"))
+
+
+def as_large(strength: float, alone_mm: Array, longer_mm: Array) -> float:
+    """Strength with which an effect is as large over the protocol as it was there before legs came after it.
+
+    `alone_mm` and `longer_mm` are what the effect does to the reading without legs and with them, at one strength.
+    """
+    first = longer_mm[: len(alone_mm)] - longer_mm[0]
+    size, now = (float(np.sqrt(np.mean(np.square(values)))) for values in (alone_mm - alone_mm[0], first))
+    return strength * size / now if now > 0.0 else strength

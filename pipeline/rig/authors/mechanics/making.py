@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Asked, Made, driven_on
+from pipeline.rig.authors.interface import Asked, Made, as_large, driven_on
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
 from pipeline.rig.authors.mechanics.motion import driven, planned
 from pipeline.rig.authors.mechanics.reading import noise, noise_on, recorded, sampled
@@ -98,14 +98,16 @@ def make(asked: Asked) -> Made:
     protocol_s, held_s = float(scene.time_s[-1]), _held_out_from(scene, len(plan.heights))
     if asked.legs:
         more_turns, more_n, _ = driven_on(asked.legs, turns, load_n, STEP_S)
-        scene = Scene(geometry, np.append(turns, more_turns), np.append(load_n, more_n))
+        before, scene = scene, Scene(geometry, np.append(turns, more_turns), np.append(load_n, more_n))
         errors = noise_on(errors, len(scene.turns))
         with_load = with_load or bool(np.ptp(scene.load_n) > 0.0)
         told = told | {"rig": {key: value for key, value in told["rig"].items() if key != "load_n" or not with_load}}
-        acting = [
-            (_law(scene, asked.seed, effect)[1], strength)
-            for effect, (_, strength) in zip(asked.effects, acting, strict=True)
-        ]
+        whole_mm = displacement_mm(scene, [])
+        for at, (effect, (law, strength)) in enumerate(zip(asked.effects, acting, strict=True)):
+            longer = _law(scene, asked.seed, effect)[1]
+            alone_mm = displacement_mm(before, [(law, strength)]) - usual_mm
+            longer_mm = displacement_mm(scene, [(longer, strength)]) - whole_mm
+            acting[at] = longer, as_large(strength, alone_mm, longer_mm)
     recording, noise_mm = table(displacement_mm(scene, acting))
     held = recording["time_s"].to_numpy() >= held_s
     truth = {"effects": effects, "noise_floor_mm": _rms(noise_mm), "heldout_noise_mm": _rms(noise_mm[held])}

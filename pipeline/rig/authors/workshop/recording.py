@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Asked, Made, OutOfReach
+from pipeline.rig.authors.interface import Asked, Made, OutOfReach, as_large
 from pipeline.rig.authors.workshop.bench import Bench, Part
 from pipeline.rig.authors.workshop.catalogue import LAWS, part_of, stream_of
 from pipeline.rig.authors.workshop.chain import reading
@@ -79,9 +79,12 @@ def make(asked: Asked) -> Made:
     protocol_s = float(bench.time_s[-1])
     if asked.legs:
         specimen = went_on(specimen, asked.legs)
-        bench, instruments = specimen.bench, working_on(instruments, len(specimen.bench.time_s))
-        laws = [(effect["id"], effect["law"]) for effect in effects]
-        parts = [(again(bench, asked.seed, *law), size) for law, (_, size) in zip(laws, parts, strict=True)]
+        before, bench, instruments = bench, specimen.bench, working_on(instruments, len(specimen.bench.time_s))
+        whole_mm = reading(bench, [])
+        for at, (effect, (part, size)) in enumerate(zip(effects, parts, strict=True)):
+            longer = again(bench, asked.seed, effect["id"], effect["law"])
+            alone_mm = reading(before, [(part, size)]) - clean_mm
+            parts[at] = longer, as_large(size, alone_mm, reading(bench, [(longer, size)]) - whole_mm)
     shown_mm = reading(bench, parts)
     if not np.isfinite(shown_mm).all():
         raise OutOfReach("the effects together drive the string where its geometry ends")
