@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import pandas as pd
 from scipy.stats import binomtest
 
-from pipeline.diagnosis.foretold import foretold
+from pipeline.diagnosis.foretold import foretold, rivals
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.protocol import CANDIDATES, Rig
@@ -32,7 +32,7 @@ from pipeline.proof.size import OutOfReach as NotOnRig
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, Leg, OutOfReach
 from pipeline.run.description import Run, parse_run
-from pipeline.settle.choose import Budget, chosen
+from pipeline.settle.choose import Budget, chosen, firm
 
 RIG = "rig"  # the project's own, which has no judge of its own
 JUDGES = Path(__file__).resolve().parents[1] / "pipeline" / "proof" / "teach" / "judges"
@@ -177,12 +177,14 @@ def gone(case: Case, way: str, first: tuple[dict[str, Any], Study, Run]) -> Ende
     draw = random.Random(f"{case} {way}")
     content, found, run = first
     runs: list[list[Part]] = []
-    while content["verdict"] == "ambiguous" and len(runs) < RUNS:
+    verdicts = [(content["verdict"], [one["id"] for one in content["mechanisms"]])]
+    while len(runs) < RUNS and not firm(verdicts, doubted=way == "settle" and bool(rivals(found))):
         legs = WAYS[way](found, run, draw)
         if not legs:
             break
         runs.append(legs)
         content, found, run = asked(case, recordings(case, runs))
+        verdicts.append((content["verdict"], [one["id"] for one in content["mechanisms"]]))
     names = [one["id"] for one in content["mechanisms"]]
     right = content["verdict"] == "explained" and names == [case.effect]
     counts = [spent(legs) for legs in runs]

@@ -15,6 +15,17 @@ RAISED, FAINT = 1.05, 1.0  # times the gap so far, and standard deviations: less
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
 
 
+def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
+    """Whether the last of the verdicts, each with the ids that it names, ends the loop.
+
+    `doubted`: it holds one explanation, but not surely. Where the loop's own runs led to it, one more run has to name
+    the same.
+    """
+    verdict, names = verdicts[-1]
+    confirmed = len(verdicts) == 1 or (verdicts[-2][0] == verdict and set(verdicts[-2][1]) == set(names))
+    return verdict in FIRM and (confirmed or not doubted)
+
+
 @dataclass(frozen=True)
 class Budget:
     """What may be spent in all."""

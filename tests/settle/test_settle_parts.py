@@ -8,7 +8,7 @@ import pytest
 
 from pipeline.ground.errors import BadInput
 from pipeline.settle.approve import approved
-from pipeline.settle.choose import Budget, chosen, reachable
+from pipeline.settle.choose import Budget, chosen, firm, reachable
 from pipeline.settle.drawing import simulated_mm, zero_mm
 from pipeline.settle.limits import Allowed
 from pipeline.settle.sheet import sheet
@@ -123,3 +123,11 @@ def test_a_motor_that_runs_late_is_no_effect_in_the_figure():
     np.testing.assert_allclose(simulated_mm(curves, time_s, late), late**2, atol=0.05)
     noisy = 5.0 + late**2 + np.where(time_s == 0.0, 1.0, 0.0)
     assert zero_mm(late, noisy) == 5.0
+
+
+def test_a_name_that_is_not_sure_is_firm_when_a_second_run_says_it_again():
+    tie, creep, wear = ("ambiguous", ["creep"]), ("explained", ["creep"]), ("explained", ["wear"])
+    assert not firm([tie], doubted=True) and firm([creep], doubted=True)
+    assert firm([tie, creep], doubted=False) and not firm([tie, creep], doubted=True)
+    assert firm([tie, creep, creep], doubted=True) and not firm([tie, creep, wear], doubted=True)
+    assert firm([tie, ("unknown", [])], doubted=False)
