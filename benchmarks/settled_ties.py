@@ -82,6 +82,8 @@ def recordings(case: Case, runs: Sequence[Sequence[Part]]) -> list[Recording]:
         return by_rig(case, runs)
     legs = tuple(Leg(*leg) for run in runs for leg in run)
     made = authors()[case.author].make(Asked(case.seed, (case.effect,), (case.kappa,), "poor", legs))
+    if not made.table.notna().all(axis=None):
+        raise OutOfReach("the law of this effect ends where the legs lead")
     return cut(made.content, made.table, runs, made.truth.get("protocol_s", float("inf")))
 
 

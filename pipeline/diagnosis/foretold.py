@@ -11,21 +11,23 @@ from .nextrun import Proposal, appended, lengthened, options
 from .outcome import Study
 from .search import Explanation
 from .verdict import tidy
-from .words.worth import decides
+from .words.worth import decides, raises
 
 POINTS = 400  # of a curve
 SURE = 0.9  # probability from which one explanation needs no other run: of five firm wrong names none had more
 
 
 def foretold(found: Study, run: Run, fixed_load: bool) -> list[dict[str, Any]]:
-    """Entries as `next_run` of diagnosis.json has them, best first, with `decides` and `curves`; none without rivals.
+    """Entries as `next_run` of diagnosis.json has them, best first; none without rivals.
 
-    A curve begins at 0 with its run: `calibrated` is the simulator without mechanisms, `rivals` the explanations.
+    Each has `decides`, `raises` and `curves`. A curve begins at 0 with its run: `calibrated` is the simulator without
+    mechanisms, `rivals` the explanations.
     """
     sets, entries = rivals(found), []
     for proposal in options(found.problem, run, found.noise, found.search, sets) if sets else []:
         entry = proposal.entry(run, fixed_load)
-        entries.append({**tidy(entry), "decides": decides(entry), "curves": curves(found, run, proposal, sets)})
+        told = {"decides": decides(entry), "raises": raises(entry)}
+        entries.append({**tidy(entry), **told, "curves": curves(found, run, proposal, sets)})
     return entries
 
 

@@ -11,7 +11,6 @@ from .limits import beyond
 from .step import Step
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
-RAISED, FAINT = 1.05, 1.0  # times the gap so far, and standard deviations: less is no gap at all; by hand
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
 
 
@@ -60,12 +59,6 @@ def reachable(entry: dict[str, Any], limits: Limits | None) -> list[Leg]:
     return legs
 
 
-def raises(entry: dict[str, Any]) -> bool:
-    """Whether a run is expected to raise the gap between the closest explanations, to what can be seen at all."""
-    now, then = gaps(entry)
-    return bool(entry["decides"]) or then >= max(RAISED * now, FAINT)
-
-
 def gaps(entry: dict[str, Any]) -> tuple[float, float]:
     """The gap between the closest explanations without a run and with it, in standard deviations."""
     now, then = (math.sqrt(max(entry[key], 0.0)) for key in ("gap_now", "gap_then"))
@@ -79,7 +72,7 @@ def chosen(
 
     Without such a run None, and the sentence that ends the loop.
     """
-    raising = [entry for entry in options if raises(entry)]
+    raising = [entry for entry in options if entry.get("raises", entry["decides"])]
     if not raising:
         now, then = gaps(options[0])
         said = f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"

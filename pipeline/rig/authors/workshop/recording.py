@@ -81,8 +81,8 @@ def make(asked: Asked) -> Made:
         specimen = went_on(specimen, asked.legs)
         before, bench, instruments = bench, specimen.bench, working_on(instruments, len(specimen.bench.time_s))
         whole_mm = reading(bench, [])
-        for at, (effect, (part, size)) in enumerate(zip(effects, parts, strict=True)):
-            longer = again(bench, asked.seed, effect["id"], effect["law"])
+        for at, (entry, (part, size)) in enumerate(zip(effects, parts, strict=True)):
+            longer = again(bench, asked.seed, str(entry["id"]), str(entry["law"]))
             alone_mm = reading(before, [(part, size)]) - clean_mm
             parts[at] = longer, as_large(size, alone_mm, reading(bench, [(longer, size)]) - whole_mm)
     shown_mm = reading(bench, parts)
