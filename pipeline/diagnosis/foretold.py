@@ -1,4 +1,4 @@
-"""Each run that could be made next, with what each explanation that ties foretells of it."""
+"""Each run that could be made next, with what each explanation that ties, or nearly does, foretells of it."""
 
 from typing import Any
 
@@ -6,29 +6,43 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from ..run.description import Run
+from .interface import physics
 from .nextrun import Proposal, appended, lengthened, options
 from .outcome import Study
+from .search import Explanation
 from .verdict import tidy
-from .words.worth import decides
+from .words.worth import decides, raises
 
 POINTS = 400  # of a curve
+SURE = 0.9  # probability from which one explanation needs no other run: of five firm wrong names none had more
 
 
 def foretold(found: Study, run: Run, fixed_load: bool) -> list[dict[str, Any]]:
-    """Entries as `next_run` of diagnosis.json has them, best first, with `decides` and `curves`; none without a tie.
+    """Entries as `next_run` of diagnosis.json has them, best first; none without rivals.
 
-    A curve begins at 0 with its run: `calibrated` is the simulator without mechanisms, `rivals` those that tie.
+    Each has `decides`, `raises` and `curves`. A curve begins at 0 with its run: `calibrated` is the simulator without
+    mechanisms, `rivals` the explanations.
     """
-    if found.verdict != "ambiguous":
-        return []
-    entries = []
-    for proposal in options(found.problem, run, found.noise, found.search, found.sets):
+    sets, entries = rivals(found), []
+    for proposal in options(found.problem, run, found.noise, found.search, sets) if sets else []:
         entry = proposal.entry(run, fixed_load)
-        entries.append({**tidy(entry), "decides": decides(entry), "curves": curves(found, run, proposal)})
+        told = {"decides": decides(entry), "raises": raises(entry)}
+        entries.append({**tidy(entry), **told, "curves": curves(found, run, proposal, sets)})
     return entries
 
 
-def curves(found: Study, run: Run, proposal: Proposal) -> dict[str, Any]:
+def rivals(found: Study) -> list[Explanation]:
+    """The explanations that tie; of one that is not sure, it and the likeliest other; else none."""
+    if found.verdict == "ambiguous":
+        return found.sets
+    likely = {ids: share for ids, share in found.judged.likely.items() if physics(ids)}
+    if found.verdict != "explained" or likely.get(found.sets[0].ids, 1.0) >= SURE or len(likely) < 2:
+        return []
+    others = [ids for ids in likely if ids != found.sets[0].ids]
+    return [found.sets[0], found.search.explain(max(others, key=lambda ids: likely[ids]))]
+
+
+def curves(found: Study, run: Run, proposal: Proposal, sets: list[Explanation]) -> dict[str, Any]:
     """Time in s, motion and load of a proposed run, and each reading, as lists of at most POINTS numbers."""
     problem, before = found.problem, len(found.problem.record)
     record = appended(problem.record, proposal.legs)
@@ -41,14 +55,13 @@ def curves(found: Study, run: Run, proposal: Proposal) -> dict[str, Any]:
     def since(values: Array) -> list[float]:
         return thin(values - values[before])
 
-    rivals = {
-        " + ".join(one.ids): since(longer.simulate(found.search.linear.state_of(one.fit, one.keys)))
-        for one in found.sets
+    foretelling = {
+        " + ".join(one.ids): since(longer.simulate(found.search.linear.state_of(one.fit, one.keys))) for one in sets
     }
     return {
         "time_s": thin(record.time_s - record.time_s[before]),
         problem.system.driver: thin(record.motion),
         "load": thin(record.load),
         "calibrated": since(longer.simulate(found.base)),
-        "rivals": rivals,
+        "rivals": foretelling,
     }

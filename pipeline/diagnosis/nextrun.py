@@ -1,4 +1,4 @@
-"""Which run to add: candidates appended to the recording, scored by how far they part what ties."""
+"""Which run to add: what is built for a tie, and candidates, scored by how far they part what ties."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -7,6 +7,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from ..run.description import Run
+from . import design
 from .drivers import drivers_of
 from .linear import Fit, Key, Linear
 from .noise import Noise
@@ -108,20 +109,32 @@ def separation(
 
 
 def options(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> list[Proposal]:
-    """Every candidate, the one first that parts the closest pair of the explanations most."""
-    rig = Rig(problem.record)
-    possible = {name: legs for name, legs in CANDIDATES.items() if problem.record.load.any() or "load" not in name}
+    """Runs that could be made, best first: those that are built for this tie, then every candidate by its gap.
+
+    The first may use every load and speed; it is followed by what is built without other loads, and without a higher
+    speed as well, for rigs that cannot have them.
+    """
+    rig, changes = Rig(problem.record), bool(problem.record.load.any())
+    possible = {name: legs(rig) for name, legs in CANDIDATES.items() if changes or "load" not in name}
+
+    def parted(legs: list[Leg]) -> Gap:
+        return separation(problem, run, noise, search, sets[:4], appended(problem.record, legs))
+
     now = separation(problem, run, noise, search, sets[:4], problem.record)
-    found = []
-    for name, legs in possible.items():
-        whole = [rig.home(), *legs(rig)]
-        then = separation(problem, run, noise, search, sets[:4], appended(problem.record, whole))
-        found.append(Proposal(name, whole, rig, now, then))
-    return sorted(found, key=lambda one: -one.then[0] if one.then else 0.0)
+    built: dict[str, list[Leg]] = {}
+    for loads, faster in ((changes, True), (False, True), (False, False)):
+        name, whole = design.designed(rig, lambda legs: parted(legs)[0], now[0], loads, faster)
+        built.setdefault(name, whole)
+    candidates = {name: [rig.home(), *legs] for name, legs in possible.items()}
+
+    def proposals(runs: dict[str, list[Leg]]) -> list[Proposal]:
+        return [Proposal(name, whole, rig, now, parted(whole)) for name, whole in runs.items()]
+
+    return [*proposals(built), *sorted(proposals(candidates), key=lambda one: -one.then[0] if one.then else 0.0)]
 
 
 def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:
-    """The candidate that parts the closest pair of the explanations most."""
+    """The run that is built for this tie."""
     return options(problem, run, noise, search, sets)[0]
 
 

@@ -11,8 +11,18 @@ from .limits import beyond
 from .step import Step
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
-RAISED, PLAIN = 1.2, 3.0  # times the gap so far, and standard deviations: less is not worth a run; by hand
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
+
+
+def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
+    """Whether the last of the verdicts, each with the ids that it names, ends the loop.
+
+    `doubted`: it holds one explanation, but not surely. Where the loop's own runs led to it, one more run has to name
+    the same.
+    """
+    verdict, names = verdicts[-1]
+    confirmed = len(verdicts) == 1 or (verdicts[-2][0] == verdict and set(verdicts[-2][1]) == set(names))
+    return verdict in FIRM and (confirmed or not doubted)
 
 
 @dataclass(frozen=True)
@@ -49,12 +59,6 @@ def reachable(entry: dict[str, Any], limits: Limits | None) -> list[Leg]:
     return legs
 
 
-def raises(entry: dict[str, Any]) -> bool:
-    """Whether a run is expected to raise the gap between the closest explanations, to what noise does not make."""
-    now, then = gaps(entry)
-    return bool(entry["decides"]) or then >= max(RAISED * now, PLAIN)
-
-
 def gaps(entry: dict[str, Any]) -> tuple[float, float]:
     """The gap between the closest explanations without a run and with it, in standard deviations."""
     now, then = (math.sqrt(max(entry[key], 0.0)) for key in ("gap_now", "gap_then"))
@@ -68,7 +72,7 @@ def chosen(
 
     Without such a run None, and the sentence that ends the loop.
     """
-    raising = [entry for entry in options if raises(entry)]
+    raising = [entry for entry in options if entry.get("raises", entry["decides"])]
     if not raising:
         now, then = gaps(options[0])
         said = f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"

@@ -11,7 +11,7 @@ from ..ground.files import write_text
 from ..wire.motion import Limits
 from . import move
 from .approve import approved, told
-from .choose import FIRM, Budget, chosen
+from .choose import Budget, chosen, firm
 from .drawing import draw
 from .limits import Allowed, beyond
 from .sheet import sheet
@@ -90,14 +90,21 @@ class Loop:
     def _proposed(self, steps: list[Step]) -> Step | None:
         """The next run, drawn before it is made; None, and settled.json, where there is none."""
         last = steps[-1]
-        if last.verdict in FIRM:
+        options = self.place.next_runs(last.number)
+        said = [self.place.diagnosis(step.number) for step in steps]
+        if firm([(one["verdict"], [each["id"] for each in one["mechanisms"]]) for one in said], bool(options)):
             self._settled(steps, "verdict", f"the verdict is {last.verdict}")
             return None
         left = self.budget.left(steps)
-        step, why = chosen(self.place.next_runs(last.number), last.number + 1, self._limits(), left)
+        step, why = chosen(options, last.number + 1, self._limits(), left)
+        if step is None and last.verdict == "explained":
+            self._settled(steps, "verdict", f"the verdict is explained; no other run confirms it: {why}")
+            return None
         if step is None:
             self._settled(steps, "no run", why)
             return None
+        if last.verdict == "explained":
+            print(f"step {step.number}: is to confirm what is explained, but not surely")
         if why:
             print(f"step {step.number}: passed over: {why}")
         step = step.at("proposed", run_dir=str(move.free_dir(self.runs[0])))

@@ -16,7 +16,17 @@ from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
-from pipeline.diagnosis.words import certainty, dimensions, effects, experiment, level, quantity, seen, tolerances
+from pipeline.diagnosis.words import (
+    certainty,
+    dimensions,
+    effects,
+    experiment,
+    level,
+    quantity,
+    seen,
+    tolerances,
+    worth,
+)
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -153,7 +163,7 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
 
 
 def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_it_is_worth_it():
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_then=16.0)
+    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_now=16.0, next_run__gap_then=16.0)
     made["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
     text = told(made)
     pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
@@ -615,6 +625,8 @@ def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
     gaps = "So far the closest two predictions differ by 53 standard deviations; with the run by 69."
     assert f"{gaps} A formula that is wrong by a few per cent can make as much." in " ".join(text.split())
+    assert "it may not decide; in tests such runs often did." in " ".join(text.split()) and "Worth a try if" in text
+    text = told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0))
     assert "so none decides." in text and "Hardly worth making" in text
     text = told(content(next_run__gap_now=900.0))
     more = "2.4 times as much"
@@ -899,7 +911,7 @@ def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_propo
 
 
 def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
-    made = spoken(content(next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
+    made = spoken(content(next_run__gap_now=9.0, next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
     assert "Hardly worth making" in made
     text = second(next_experiment=made)
     assert "found no run that decides between them" in text and "pipeline.new_run" not in text
@@ -1330,3 +1342,10 @@ def test_the_pattern_that_the_best_explanation_leaves_is_told_with_place_and_dri
         "What is left holds a pattern of 0.021 mm rms beside the noise. It lies mostly at 20 to 26 turns, in strokes 1 "
     )
     assert (f"{line}to 2, while winding, and follows the time." in " ".join(told(made).split())) is said
+
+
+@pytest.mark.parametrize(
+    ("now", "then", "said"), [(4.0, 4.2, False), (4.0, 4.9, True), (0.1, 0.9, False), (0.1, 1.1, True)]
+)
+def test_a_run_raises_the_gap_where_more_than_a_standard_deviation_is_seen_after_it(now, then, said):
+    assert worth.raises({"gap_now": now, "gap_then": then}) is said

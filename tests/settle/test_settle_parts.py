@@ -8,7 +8,7 @@ import pytest
 
 from pipeline.ground.errors import BadInput
 from pipeline.settle.approve import approved
-from pipeline.settle.choose import Budget, chosen, reachable
+from pipeline.settle.choose import Budget, chosen, firm, reachable
 from pipeline.settle.drawing import simulated_mm, zero_mm
 from pipeline.settle.limits import Allowed
 from pipeline.settle.sheet import sheet
@@ -26,7 +26,7 @@ def entry(title: str, top: float = 20.0, load_n: float = 20.0, decides: bool = T
         {"seconds": 5.0, "motor_turns": 0.0, "load_n": load_n},
     ]
     return (
-        {"title": title, "legs": legs, "from": 0.0, "load": 20.0, "decides": decides, "curves": {}}
+        {"title": title, "legs": legs, "from": 0.0, "load": 20.0, "decides": decides, "raises": decides, "curves": {}}
         | {
             "gap_now": 4.0,
             "gap_then": 400.0 if decides else 4.1,
@@ -65,10 +65,8 @@ def test_the_best_run_that_is_allowed_is_chosen_and_what_is_passed_over_is_said(
 def test_without_a_run_that_decides_the_tie_is_said_to_be_one_by_construction():
     step, why = chosen([entry("one", decides=False)], 1, RIG, Budget(2, 10.0, 10))
     assert step is None and "2 standard deviations so far, 2 with the best" in why and "tie by construction" in why
-    step, _ = chosen([entry("one", decides=False, gap_then=9.5)], 1, RIG, Budget(2, 10.0, 10))
+    step, _ = chosen([entry("one", decides=False, raises=True, gap_then=9.5)], 1, RIG, Budget(2, 10.0, 10))
     assert step is not None  # it decides nothing by itself, and raises the gap
-    step, _ = chosen([entry("one", decides=False, gap_now=1.0, gap_then=8.0)], 1, RIG, Budget(2, 10.0, 10))
-    assert step is None  # as much is noise
 
 
 @pytest.mark.parametrize(
@@ -123,3 +121,11 @@ def test_a_motor_that_runs_late_is_no_effect_in_the_figure():
     np.testing.assert_allclose(simulated_mm(curves, time_s, late), late**2, atol=0.05)
     noisy = 5.0 + late**2 + np.where(time_s == 0.0, 1.0, 0.0)
     assert zero_mm(late, noisy) == 5.0
+
+
+def test_a_name_that_is_not_sure_is_firm_when_a_second_run_says_it_again():
+    tie, creep, wear = ("ambiguous", ["creep"]), ("explained", ["creep"]), ("explained", ["wear"])
+    assert not firm([tie], doubted=True) and firm([creep], doubted=True)
+    assert firm([tie, creep], doubted=False) and not firm([tie, creep], doubted=True)
+    assert firm([tie, creep, creep], doubted=True) and not firm([tie, creep, wear], doubted=True)
+    assert firm([tie, ("unknown", [])], doubted=False)

@@ -24,7 +24,9 @@ FIRST = "Take out what was adopted first, for it is not weighed again. Later ado
 STEP = re.compile(r" (?=\d+\. [A-Z])")  # where a step begins
 END = re.compile(r"(?<=[.:]) (?=[A-Z])")  # where a sentence ends
 LOAD = re.compile(r"change the load from \S+ to ([0-9.,]+) N\b")
-AFTER = re.compile(r" (?=(?:Only if|If your|Worth making|Hardly worth|This run is|It shows|Record it|Record each) )")
+AFTER = re.compile(
+    r" (?=(?:Only if|If your|Worth making|Worth a try|Hardly worth|This run is|It shows|Record (?:it|each)) )"
+)
 TOGETHER = "Record "  # how the sentence begins that the commands replace
 
 

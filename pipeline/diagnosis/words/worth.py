@@ -10,6 +10,7 @@ from .vocabulary import Vocabulary
 
 PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
 LITTLE = 2.0  # times further apart, expected: less may not decide
+RAISED, FAINT = 1.05, 1.0  # times further apart, and standard deviations: less is no difference; by hand
 COMPARED = 4  # explanations that a proposed run is to part
 CARE = {
     "twice the speed": "Only if the motor can go so fast.",
@@ -21,7 +22,7 @@ WRONG = "That is no noise, but a formula that is wrong by a few per cent can mak
 
 def first(run: dict[str, Any]) -> list[str]:
     """What to know before the steps of a run that decides nothing."""
-    return [] if "parts" not in run or decides(run) else [f"{NO_USE}: you can skip it."]
+    return [] if "parts" not in run or raises(run) else [f"{NO_USE}: you can skip it."]
 
 
 def purpose(content: dict[str, Any], words: Vocabulary, whether: bool = True) -> str:
@@ -29,8 +30,9 @@ def purpose(content: dict[str, Any], words: Vocabulary, whether: bool = True) ->
     run = content["next_run"]
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
-    asked = f"Worth making if you need to know {question(content)}; otherwise {otherwise(content, words)}."
-    value = (asked if decides(run) else first(run)[0]) + " " if whether else ""
+    worth = "Worth making" if decides(run) else "Worth a try"
+    asked = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
+    value = (asked if raises(run) else first(run)[0]) + " " if whether else ""
     one, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
@@ -44,7 +46,8 @@ def gaps(run: dict[str, Any]) -> str:
     if not decides(run):
         who = "A formula that is wrong by a few per cent" if then > PLAIN else "Noise alone"
         best = "No other run that was tried in simulation does better"
-        return f"{so_far}; with the run by {number(then)}. {who} can make as much. {best}, so none decides."
+        end = f"{best}, so none decides." if not raises(run) else "So it may not decide; in tests such runs often did."
+        return f"{so_far}; with the run by {number(then)}. {who} can make as much. {end}"
     if now <= PLAIN:
         return f"{so_far}; with the run it should be {number(then)}."
     more = f"{times(then / now)} times as much"
@@ -87,6 +90,12 @@ def decides(run: dict[str, Any]) -> bool:
     """Whether a run parts two explanations by so much more, and so far, that it can be expected to decide."""
     now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
     return then >= max(LITTLE * now, PLAIN)
+
+
+def raises(run: dict[str, Any]) -> bool:
+    """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
+    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
+    return decides(run) or then >= max(RAISED * now, FAINT)
 
 
 def care(content: dict[str, Any], words: Vocabulary) -> str:

@@ -1,10 +1,15 @@
 """What is asked of an author of concealed physics, and what the author gives back."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
+from scipy.ndimage import uniform_filter1d
 
+Array = NDArray[np.float64]
 Protocol = Literal["rich", "usual", "poor"]
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "usual", "poor")
 
@@ -14,16 +19,28 @@ class OutOfReach(Exception):
 
 
 @dataclass(frozen=True)
-class Asked:
-    """One recording to make: from which seed, with which effects, how large, on which protocol.
+class Leg:
+    """Motion after the protocol's: in so many seconds evenly to a twist in turns, under a load in N."""
 
-    `kappas` has one size for each effect: its rms in noise floors after bounded recalibration.
+    seconds: float
+    turns: float
+    load_n: float
+
+
+@dataclass(frozen=True)
+class Asked:
+    """One recording to make: from which seed, with which effects, how large, on which protocol, with what after it.
+
+    `kappas` has one size for each effect: its rms in noise floors after bounded recalibration, over the protocol. The
+    string lives on through `legs`. A law that is written in shares of the session's greatest or mean load, torque or
+    travel takes them from the whole session; its size over the protocol is kept, its shape may change a little.
     """
 
     seed: int
     effects: tuple[str, ...]
     kappas: tuple[float, ...]
     protocol: Protocol
+    legs: tuple[Leg, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.effects) != len(self.kappas):
@@ -41,9 +58,48 @@ class Made:
     """One recording: the content of its run.yaml without `run`, its table, and the answer that stays sealed.
 
     `truth` holds `effects`, a list with one entry for each effect asked, in that order: `id`, `law`, `parameters`,
-    `rms_mm` (of the effect on the reading), `kappa` (reached); and `noise_floor_mm` and `heldout_noise_mm`.
+    `rms_mm` (of the effect on the reading), `kappa` (reached); and `noise_floor_mm` and `heldout_noise_mm`. Where legs
+    were asked, `protocol_s` is the time in s at which they begin.
     """
 
     content: dict[str, Any]
     table: pd.DataFrame
     truth: dict[str, Any]
+
+
+def driven_on(legs: Sequence[Leg], turns: Array, load_n: Array, step_s: float) -> tuple[Array, Array, Array]:
+    """Twist in turns, load in N and strokes begun, a value a step of the legs, after a motion that ends like this.
+
+    Motor and weights need a moment for each change: a tenth of a second and a quarter of one.
+    """
+    at, way, hangs, begun = float(turns[-1]), [], [], []
+    for leg in legs:
+        steps = max(1, round(leg.seconds / step_s))
+        way.append(np.linspace(at, leg.turns, steps + 1)[1:])
+        hangs.append(np.full(steps, leg.load_n))
+        begun.append(np.zeros(steps))
+        begun[-1][0] = leg.turns > at
+        at = leg.turns
+
+    def eased(values: list[Array], before: float, seconds: float) -> Array:
+        width = max(1, round(seconds / step_s))
+        return np.asarray(uniform_filter1d(np.concatenate([np.full(width, before), *values]), width, mode="nearest"))[
+            width:
+        ]
+
+    return eased(way, turns[-1], 0.1), eased(hangs, load_n[-1], 0.25), np.cumsum(np.concatenate(begun))
+
+
+def carried_on(values: Array, count: int) -> Array:
+    """Values of a wandering quantity or of noise with `count` more, which run back through them."""
+    return np.asarray(np.pad(values, (0, count), mode="reflect"))
+
+
+def as_large(strength: float, alone_mm: Array, longer_mm: Array) -> float:
+    """Strength with which an effect is as large over the protocol as it was there before legs came after it.
+
+    `alone_mm` and `longer_mm` are what the effect does to the reading without legs and with them, at one strength.
+    """
+    first = longer_mm[: len(alone_mm)] - longer_mm[0]
+    size, now = (float(np.sqrt(np.mean(np.square(values)))) for values in (alone_mm - alone_mm[0], first))
+    return strength * size / now if now > 0.0 else strength

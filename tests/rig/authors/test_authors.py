@@ -7,7 +7,7 @@ import programs
 import pytest
 
 from pipeline.rig.authors import authors, names
-from pipeline.rig.authors.interface import Asked
+from pipeline.rig.authors.interface import Asked, Leg
 from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parents[3]
@@ -98,3 +98,25 @@ def test_the_answer_never_lies_beside_the_runs(tmp_path):
 def test_nonsense_cannot_be_asked(wrong):
     with pytest.raises(ValueError, match=r"give|ask|use"):
         Asked(1, *wrong)
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_string_lives_on_through_legs(name):
+    """Its first part is what is recorded without them, but for what laws take from the whole session."""
+    author = authors()[name]
+    alone = author.make(Asked(8, ("friction_hysteresis",), (3.0,), "poor"))
+    low, top = (float(alone.table["motor_turns"].quantile(share)) for share in (0.005, 0.995))
+    load_n = alone.content["rig"].get("load_n") or float(alone.table["load_n"].median())
+    legs = (Leg(5.0, low, load_n), Leg(12.0, top, 2.0 * load_n), Leg(6.0, top, 2.0 * load_n), Leg(12.0, low, load_n))
+    longer = author.make(Asked(8, ("friction_hysteresis",), (3.0,), "poor", legs))
+    begins_s, time_s = longer.truth["protocol_s"], longer.table["time_s"]
+    assert time_s.iloc[-1] == pytest.approx(begins_s + 35.0, abs=1.0) and "protocol_s" not in alone.truth
+    assert longer.content["string"] == alone.content["string"] and "load_n" not in longer.content["rig"]
+    rows = min(len(alone.table), int((time_s <= begins_s).sum()))
+    parted = (longer.table["displacement_mm"] - alone.table["displacement_mm"])[:rows]
+    assert (parted - parted.median()).abs().median() < 0.1 * alone.truth["noise_floor_mm"]
+    after = longer.table[time_s > begins_s + 8.0]
+    assert after["motor_turns"].max() == pytest.approx(top, abs=0.3)  # the encoder has its own zero
+    assert after["load_n"].max() == pytest.approx(2.0 * load_n, rel=0.05)
+    laws = [[(one["id"], one["law"]) for one in made.truth["effects"]] for made in (alone, longer)]
+    assert laws[0] == laws[1]

@@ -1,10 +1,11 @@
 """The logger: when it takes its rows, what noise it adds, how finely it counts, which rows it loses."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pipeline.ground.kinematics import Array
+from pipeline.rig.authors.interface import carried_on
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.populations import wandering
 
@@ -58,6 +59,14 @@ def logger(chance: np.random.Generator, bench: Bench) -> Logger:
     return Logger(
         at, noise_mm, step_mm, counts, float(chance.uniform(-5.0, 30.0)), has_load, bool(chance.uniform() < 0.4)
     )
+
+
+def logging_on(log: Logger, bench: Bench) -> Logger:
+    """The same logger until the end of a longer run."""
+    period = float(np.median(np.diff(log.at)))
+    more = np.arange(log.at[-1] + period, len(bench.turns) - 1.0, period)
+    noise_mm = carried_on(log.noise_mm, len(more))
+    return replace(log, at=np.append(log.at, more), noise_mm=noise_mm, has_load=log.has_load or bench.load_swings)
 
 
 def with_outliers(chance: np.random.Generator, reading_mm: Array, floor_mm: float) -> Array:

@@ -1,10 +1,13 @@
 """The protocol: how the motor winds and unwinds, how the load changes, how warm the air is."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from scipy.signal.windows import hann
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Protocol
+from pipeline.rig.authors.interface import Leg, Protocol, carried_on, driven_on
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.populations import wandering
 from pipeline.rig.authors.kinetics.specimen import Specimen
@@ -82,3 +85,16 @@ def run(chance: np.random.Generator, one: Specimen, protocol: Protocol) -> Bench
     air_c = chance.uniform(18.0, 27.0) + slow + heater
     swings = len(np.unique(plan["load"])) > 1
     return Bench(one.geometry, turns, load_n, air_c, stroke, swings)
+
+
+def run_on(bench: Bench, legs: Sequence[Leg]) -> Bench:
+    """A bench whose motion goes on by legs."""
+    turns, load_n, begun = driven_on(legs, bench.turns, bench.load_n, STEP_S)
+    return replace(
+        bench,
+        turns=np.append(bench.turns, turns),
+        load_n=np.append(bench.load_n, load_n),
+        air_c=carried_on(bench.air_c, len(turns)),
+        stroke=np.append(bench.stroke, bench.stroke[-1] + begun),
+        load_swings=bench.load_swings or len({leg.load_n for leg in legs}) > 1,
+    )

@@ -10,8 +10,8 @@ import pandas as pd
 from pipeline.ground.kinematics import Array
 from pipeline.rig.authors.interface import PROTOCOLS, Asked, Made, OutOfReach
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
-from pipeline.rig.authors.kinetics.logger import Logger, logger, with_outliers
-from pipeline.rig.authors.kinetics.motion import run
+from pipeline.rig.authors.kinetics.logger import Logger, logger, logging_on, with_outliers
+from pipeline.rig.authors.kinetics.motion import run, run_on
 from pipeline.rig.authors.kinetics.reading import Hidden, displacement
 from pipeline.rig.authors.kinetics.register import BY_EFFECT
 from pipeline.rig.authors.kinetics.sizing import Recalibration, sized
@@ -101,7 +101,11 @@ def recorded(asked: Asked, chosen: Mapping[str, str]) -> Made:
                 "kappa": left_mm / floor_mm,
             }
         )
+    truth = {"effects": told, "noise_floor_mm": floor_mm, "heldout_noise_mm": heldout_mm}
+    if asked.legs:
+        truth["protocol_s"] = float(bench.time_s[-1])
+        bench = run_on(bench, asked.legs)
+        log = logging_on(log, bench)
     chance = _chance(asked, OUTLIERS)
     reading_mm = with_outliers(chance, log.read(log.taken(displacement(bench, effects)) * one.scale), floor_mm)
-    truth = {"effects": told, "noise_floor_mm": floor_mm, "heldout_noise_mm": heldout_mm}
     return Made(_content(one, log), _table(chance, one, bench, log, reading_mm), truth)

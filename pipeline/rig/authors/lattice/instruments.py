@@ -1,11 +1,12 @@
 """The instruments: a clock that jitters, counts of an encoder, a noisy quantised sensor, lost rows and outliers."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from pipeline.rig.authors.interface import carried_on
 from pipeline.rig.authors.lattice.kernels import wandering
 from pipeline.rig.authors.lattice.session import Session
 
@@ -51,6 +52,20 @@ def sampling(rng: Rng, one: Session) -> Sampling:
         float(rng.choice([0.001, 0.005, 0.01, 0.02])),
         int(rng.choice([360, 1024, 2000, 4096])),
         outlier_mm,
+    )
+
+
+def sampling_on(taken: Sampling, one: Session) -> Sampling:
+    """The same clock and noise until the end of a longer session."""
+    period_s = 1.0 / one.rate_hz
+    more_s = np.arange(taken.time_s[-1] + period_s, one.world.time_s[-1] - period_s, period_s)
+    count = len(more_s)
+    return replace(
+        taken,
+        time_s=np.append(taken.time_s, more_s),
+        stamped_s=np.append(taken.stamped_s, np.round(more_s, 6)),
+        noise_mm=carried_on(taken.noise_mm, count),
+        outlier_mm=np.append(taken.outlier_mm, np.zeros(count)),
     )
 
 

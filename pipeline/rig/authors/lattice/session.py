@@ -1,9 +1,11 @@
 """One session at the bench: specimen, motion, room and what real effects wander by, on the fine clock."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pipeline.rig.authors.interface import Leg, carried_on, driven_on
 from pipeline.rig.authors.lattice.kernels import wandering
 from pipeline.rig.authors.lattice.motion import carried_out, plan
 from pipeline.rig.authors.lattice.specimen import Specimen, specimen
@@ -47,3 +49,20 @@ def session(rng: np.random.Generator, protocol: str) -> Session:
         moved.stroke,
     )
     return Session(one, world, rate_hz, bool(np.ptp(moved.load_n) > 0.0))
+
+
+def session_on(one: Session, legs: Sequence[Leg]) -> Session:
+    """A session that goes on by legs."""
+    world = one.world
+    turns, load_n, begun = driven_on(legs, world.turns, world.load_n, world.step_s)
+    count = len(turns)
+    longer = replace(
+        world,
+        time_s=np.arange(len(world.turns) + count, dtype=float) * world.step_s,
+        turns=np.append(world.turns, turns),
+        load_n=np.append(world.load_n, load_n),
+        ambient_k=carried_on(world.ambient_k, count),
+        wander=carried_on(world.wander, count),
+        stroke=np.append(world.stroke, world.stroke[-1] + begun.astype(np.int64)),
+    )
+    return replace(one, world=longer, two_loads=bool(np.ptp(longer.load_n) > 0.0))

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Asked, Made
+from pipeline.rig.authors.interface import Asked, Made, as_large, driven_on
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
 from pipeline.rig.authors.mechanics.motion import driven, planned
-from pipeline.rig.authors.mechanics.reading import noise, recorded, sampled
-from pipeline.rig.authors.mechanics.scene import Law, Scene, displacement_mm
+from pipeline.rig.authors.mechanics.reading import noise, noise_on, recorded, sampled
+from pipeline.rig.authors.mechanics.scene import STEP_S, Law, Scene, displacement_mm
 from pipeline.rig.authors.mechanics.sizing import Calibration, strength_for
 from pipeline.rig.authors.mechanics.specimen import drawn, measured
 
@@ -43,6 +43,13 @@ def _held_out_from(scene: Scene, strokes: int) -> float:
     return float(begins[-held])
 
 
+def _law(scene: Scene, seed: int, effect: str) -> tuple[str, Law]:
+    """The law of an effect that a seed draws for a scene, and its name."""
+    own = np.random.default_rng([seed, 5, zlib.crc32(effect.encode())])
+    writer = WRITERS[effect][int(own.integers(len(WRITERS[effect])))]
+    return writer.__name__, _wandering(writer(scene, own), _wander(scene, own))
+
+
 def make(asked: Asked) -> Made:
     """The recording that is asked, its run.yaml and its answer; raises OutOfReach, or NotInstalled without MuJoCo."""
     draw = np.random.default_rng([asked.seed, 5])
@@ -67,9 +74,7 @@ def make(asked: Asked) -> Made:
     calibration = Calibration(geometry, *(sampled(one, errors) for one in (turns, load_n)))
     acting, effects = [], []
     for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
-        own = np.random.default_rng([asked.seed, 5, zlib.crc32(effect.encode())])
-        writer = WRITERS[effect][int(own.integers(len(WRITERS[effect])))]
-        law = _wandering(writer(scene, own), _wander(scene, own))
+        name, law = _law(scene, asked.seed, effect)
 
         def alone(strength: float, law: Law = law) -> Array:
             change = displacement_mm(scene, [(law, strength)]) - usual_mm
@@ -84,13 +89,28 @@ def make(asked: Asked) -> Made:
         effects.append(
             {
                 "id": effect,
-                "law": writer.__name__,
+                "law": name,
                 "parameters": parameters,
                 "rms_mm": _rms(alone(strength)),
                 "kappa": reached,
             }
         )
+    protocol_s, held_s = float(scene.time_s[-1]), _held_out_from(scene, len(plan.heights))
+    if asked.legs:
+        more_turns, more_n, _ = driven_on(asked.legs, turns, load_n, STEP_S)
+        before, scene = scene, Scene(geometry, np.append(turns, more_turns), np.append(load_n, more_n))
+        errors = noise_on(errors, len(scene.turns))
+        with_load = with_load or bool(np.ptp(scene.load_n) > 0.0)
+        told = told | {"rig": {key: value for key, value in told["rig"].items() if key != "load_n" or not with_load}}
+        whole_mm = displacement_mm(scene, [])
+        for at, (effect, (law, strength)) in enumerate(zip(asked.effects, acting, strict=True)):
+            longer = _law(scene, asked.seed, effect)[1]
+            alone_mm = displacement_mm(before, [(law, strength)]) - usual_mm
+            longer_mm = displacement_mm(scene, [(longer, strength)]) - whole_mm
+            acting[at] = longer, as_large(strength, alone_mm, longer_mm)
     recording, noise_mm = table(displacement_mm(scene, acting))
-    held = recording["time_s"].to_numpy() >= _held_out_from(scene, len(plan.heights))
+    held = recording["time_s"].to_numpy() >= held_s
     truth = {"effects": effects, "noise_floor_mm": _rms(noise_mm), "heldout_noise_mm": _rms(noise_mm[held])}
+    if asked.legs:
+        truth["protocol_s"] = protocol_s
     return Made(told, recording, truth)

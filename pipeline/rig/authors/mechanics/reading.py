@@ -1,11 +1,12 @@
 """From what happened to what was written down: the clock, the encoder, the sensor's noise, lost rows and outliers."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pandas as pd
 
 from pipeline.ground.kinematics import Array
+from pipeline.rig.authors.interface import carried_on
 from pipeline.rig.authors.mechanics.scene import STEP_S, Scene
 
 MOST_ROWS = 24_000
@@ -58,6 +59,20 @@ def noise(steps: int, draw: np.random.Generator) -> Noise:
         float(np.clip(draw.normal(0.0, 0.05), -0.12, 0.12)),
         1.0 + float(np.clip(draw.normal(0.0, 0.005), -0.012, 0.012)),
         float(draw.normal(0.0, 0.5)),
+    )
+
+
+def noise_on(errors: Noise, steps: int) -> Noise:
+    """The same clock and errors until the end of a longer motion of so many steps."""
+    period_s = float(np.median(np.diff(errors.time_s)))
+    more_s = np.arange(errors.time_s[-1] + period_s, (steps - 2) * STEP_S, period_s)
+    count = len(more_s)
+    return replace(
+        errors,
+        time_s=np.append(errors.time_s, more_s),
+        reading_mm=carried_on(errors.reading_mm, count),
+        outliers_mm=np.append(errors.outliers_mm, np.zeros(count)),
+        kept=np.append(errors.kept, np.ones(count, bool)),
     )
 
 

@@ -1,12 +1,13 @@
 """What the instruments make of the truth: noise, counts, a clock that jitters, lost rows, outliers."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pandas as pd
 from scipy.signal import lfilter
 
 from pipeline.ground.kinematics import Array
+from pipeline.rig.authors.interface import carried_on
 from pipeline.rig.authors.workshop.specimen import Specimen
 
 
@@ -48,6 +49,17 @@ def drawn_instruments(seed: int, specimen: Specimen) -> Instruments:
         outliers[where] = rng.choice([-1.0, 1.0], len(where)) * rng.uniform(8.0, 60.0, len(where)) * sigma
     step, zero = sigma * rng.uniform(0.1, 0.9), rng.uniform(-5.0, 20.0)
     return Instruments(noise, step, zero, kept, outliers, int(rng.integers(2**31)))
+
+
+def working_on(instruments: Instruments, ticks: int) -> Instruments:
+    """The same instruments until the end of a longer recording of so many ticks."""
+    count = ticks - len(instruments.noise_mm)
+    return replace(
+        instruments,
+        noise_mm=carried_on(instruments.noise_mm, count),
+        kept=np.append(instruments.kept, np.ones(count, bool)),
+        outliers_mm=np.append(instruments.outliers_mm, np.zeros(count)),
+    )
 
 
 def rounded(values: Array, step: float) -> Array:

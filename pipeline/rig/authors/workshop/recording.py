@@ -5,13 +5,13 @@ from typing import Any
 import numpy as np
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Asked, Made, OutOfReach
+from pipeline.rig.authors.interface import Asked, Made, OutOfReach, as_large
 from pipeline.rig.authors.workshop.bench import Bench, Part
 from pipeline.rig.authors.workshop.catalogue import LAWS, part_of, stream_of
 from pipeline.rig.authors.workshop.chain import reading
-from pipeline.rig.authors.workshop.instruments import drawn_instruments, recorded
+from pipeline.rig.authors.workshop.instruments import drawn_instruments, recorded, working_on
 from pipeline.rig.authors.workshop.sizing import kappa_of, sized
-from pipeline.rig.authors.workshop.specimen import drawn_specimen
+from pipeline.rig.authors.workshop.specimen import drawn_specimen, went_on
 
 HELD_OUT = 0.3
 
@@ -30,6 +30,19 @@ def drawn_part(bench: Bench, seed: int, effect: str, kappa: float, floor_mm: flo
         except OutOfReach as error:
             why = error
     raise why
+
+
+def again(bench: Bench, seed: int, effect: str, law: str) -> Part:
+    """The law that was taken for an effect, its shape drawn as then, for a longer bench."""
+    rng = stream_of(seed, effect)
+    for tried in rng.permutation(LAWS[effect]).tolist():
+        try:
+            part = part_of(bench, effect, tried, rng)
+        except OutOfReach:  # as then
+            continue
+        if tried == law:
+            return part
+    raise ValueError(f"{effect} has no law {law}")
 
 
 def _rms(values: Array) -> float:
@@ -63,6 +76,15 @@ def make(asked: Asked) -> Made:
         reached = kappa_of(bench, part, size, floor_mm)
         rms_mm = _rms(alone_mm - alone_mm[0])
         effects.append({"id": effect, "law": law, "parameters": told, "rms_mm": rms_mm, "kappa": reached})
+    protocol_s = float(bench.time_s[-1])
+    if asked.legs:
+        specimen = went_on(specimen, asked.legs)
+        before, bench, instruments = bench, specimen.bench, working_on(instruments, len(specimen.bench.time_s))
+        whole_mm = reading(bench, [])
+        for at, (entry, (part, size)) in enumerate(zip(effects, parts, strict=True)):
+            longer = again(bench, asked.seed, str(entry["id"]), str(entry["law"]))
+            alone_mm = reading(before, [(part, size)]) - clean_mm
+            parts[at] = longer, as_large(size, alone_mm, reading(bench, [(longer, size)]) - whole_mm)
     shown_mm = reading(bench, parts)
     if not np.isfinite(shown_mm).all():
         raise OutOfReach("the effects together drive the string where its geometry ends")
@@ -70,4 +92,6 @@ def make(asked: Asked) -> Made:
     stroke = bench.stroke[instruments.kept]
     late = stroke > stroke.max() - max(1, round(HELD_OUT * stroke.max()))
     truth = {"effects": effects, "noise_floor_mm": floor_mm, "heldout_noise_mm": _rms(noise_mm[late])}
+    if asked.legs:
+        truth["protocol_s"] = protocol_s
     return Made(specimen.content, table, truth)

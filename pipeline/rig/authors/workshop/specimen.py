@@ -1,12 +1,13 @@
 """One specimen from one seed: the string, its rig, the motion, and what was written down about them."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Array, Geometry, usual_stiffness
-from pipeline.rig.authors.interface import Protocol
+from pipeline.rig.authors.interface import Leg, Protocol, carried_on, driven_on
 from pipeline.rig.authors.workshop.bench import Bench
 from pipeline.rig.authors.workshop.motion import cam_sheet, laid_out, least_moving_s
 
@@ -97,3 +98,20 @@ def drawn_specimen(seed: int, protocol: Protocol) -> Specimen:
     bench = Bench(course.time_s, turns, load_n, temperature, course.stroke, geometry, thermometer)
     content = written_down(rng, geometry, None if load_cell else float(load_n[0]))
     return Specimen(bench, content, load_cell, 1.0 + _off(rng, 0.003), _off(rng, 0.02))
+
+
+def went_on(specimen: Specimen, legs: Sequence[Leg]) -> Specimen:
+    """A specimen whose motion goes on by legs."""
+    bench = specimen.bench
+    turns, load_n, begun = driven_on(legs, bench.turns, bench.load_n, bench.tick_s)
+    longer = replace(
+        bench,
+        time_s=np.append(bench.time_s, bench.time_s[-1] + bench.tick_s * np.arange(1, len(turns) + 1)),
+        turns=np.append(bench.turns, turns),
+        load_n=np.append(bench.load_n, load_n),
+        temperature_c=carried_on(bench.temperature_c, len(turns)),
+        stroke=np.append(bench.stroke, bench.stroke[-1] + begun),
+    )
+    load_cell = specimen.load_cell or bool(np.ptp(longer.load_n) > 1e-6)
+    rig = {name: value for name, value in specimen.content["rig"].items() if name != "load_n" or not load_cell}
+    return replace(specimen, bench=longer, content=specimen.content | {"rig": rig}, load_cell=load_cell)

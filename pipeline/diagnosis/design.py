@@ -1,0 +1,62 @@
+"""A run built for a tie: parts of motion, one after the other, each the one that parts the rivals most for its cost."""
+
+from collections.abc import Callable
+
+from .protocol import CANDIDATES, Leg, Rig
+
+MOST_PARTS = 4
+KEPT = 8  # parts, the best alone, that are tried in every later place
+STROKE_MIN, PART_MIN = 0.5, 0.2  # minutes that the wear of a stroke and the trouble of a part count as; by hand
+ENOUGH, FURTHER = 25.0, 4.0  # the gap, as a square, and its growth, beyond which a run decides: nothing is added to it
+HELD_S = 20.0
+SPEEDS = {0.5: " at twice the speed", 1.0: "", 2.0: " at half the speed", 4.0: " at a quarter of the speed"}
+LOADS = {0.5: " under half the load", 1.0: "", 2.0: " under twice the load"}
+HOLDS = {0.2: "", HELD_S: " with a hold"}
+RESTS_S = (30.0, 120.0)
+
+Parts = dict[str, list[Leg]]
+Gap = Callable[[list[Leg]], float]  # of legs after the recording: the closest rivals' expected misfit
+
+
+def parts(rig: Rig, loads: bool, faster: bool) -> Parts:
+    """Parts by their words: strokes by speed, load and hold, rests, partial strokes.
+
+    `loads` and `faster`: whether other loads and a higher speed than before are asked.
+    """
+    found = {
+        f"one stroke{speed}{load}{hold}": rig.stroke(slower=slower, load=times, dwell_s=dwell_s)
+        for slower, speed in SPEEDS.items()
+        for times, load in LOADS.items()
+        for dwell_s, hold in HOLDS.items()
+        if (faster or slower >= 1.0) and (loads or times == 1.0)
+    }
+    found |= {f"a rest of {seconds:.0f} s": rig.rest(seconds) for seconds in RESTS_S}
+    partial = (name for name in CANDIDATES if name.startswith(("two", "four")))
+    return found | {name: CANDIDATES[name](rig) for name in partial}
+
+
+def cost_min(legs: list[Leg], at: float) -> float:
+    """Minutes that a part costs from a motion on: its time, its strokes' wear, and its trouble."""
+    ups, seconds = 0, 0.0
+    for lasts_s, to, _ in legs:
+        ups, seconds, at = ups + (to > at), seconds + lasts_s, to
+    return seconds / 60.0 + STROKE_MIN * ups + PART_MIN
+
+
+def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple[str, list[Leg]]:
+    """The words and the legs of a run that is built part by part, until it decides or has MOST_PARTS.
+
+    `now` is the gap without a run.
+    """
+    known, names, whole = parts(rig, loads, faster), list[str](), [rig.home()]
+    reached = gap(whole)
+    while len(names) < MOST_PARTS and not (reached >= ENOUGH and reached >= FURTHER * now):
+        gained = {name: gap([*whole, *legs]) - reached for name, legs in known.items()}
+        worth = {name: gained[name] / cost_min(known[name], whole[-1][1]) for name in known}
+        best = max(worth, key=lambda name: worth[name])
+        whole, reached = [*whole, *known[best]], reached + gained[best]
+        names.append(best)
+        # each part once: rivals differ in more than one way
+        likely = sorted(set(worth) - {best}, key=lambda name: -worth[name])
+        known = {name: known[name] for name in likely[:KEPT]}
+    return "; ".join(names), whole
