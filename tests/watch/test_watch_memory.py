@@ -46,3 +46,4 @@ def test_memory_and_what_is_sent_stay_flat(tmp_path: Path):
     assert followed.samples == 60_000 and os.path.getsize(path) > 900_000
     assert held[-1] - held[19] < 150_000, "60 kB of curves are kept, 1.4 MB came"
     assert max(sent) < 400_000
+    assert not followed.source._ledger._runs, "nothing is kept for each piece"
