@@ -12,6 +12,7 @@ PROGRAMS = {  # in the order of the work
     "new-run": "make a run folder: what was measured, and the recording if there is one",
     "import-run": "make a run folder of a file of another program",
     "capture": "record a rig at a serial port",
+    "watch": "show a recording on a page of this machine while it grows",
     "rig": "be a synthetic rig behind a pseudo-terminal",
     "diagnose": "say where simulation and recording part, and which physics is missing",
     "settle": "make the runs that decide what a diagnosis left open, one after the other",

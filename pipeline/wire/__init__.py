@@ -4,6 +4,7 @@ from .account import Account, End, Gap
 from .check import PROTOCOL
 from .frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
 from .hello import Channel, Hello
+from .ledger import Ledger
 from .recording import Recording, read_account, read_recording
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "Heard",
     "Hello",
     "Kind",
+    "Ledger",
     "Reason",
     "Recording",
     "encode",

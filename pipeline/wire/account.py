@@ -34,6 +34,16 @@ class Gap:
 
 
 @dataclass(frozen=True)
+class Tally:
+    """Frames of a recording that still grows; of each event the frame's number, its code and its value."""
+
+    received: int
+    lost: int
+    bad: int
+    events: tuple[tuple[int, int, int], ...]
+
+
+@dataclass(frozen=True)
 class Account:
     """Frames of one recording. `sent` = `received` + `lost`: up to END, or without one up to the last frame seen.
 

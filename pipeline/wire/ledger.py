@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from .account import Account, End
+from .account import Account, End, Tally
 from .batch import Batch, read_batch, samples_of
 from .belief import LATE, Numbers
 from .counters import Whole, from_one, steps_of
@@ -25,6 +25,7 @@ class Ledger:
     """
 
     hello: Hello | None = None
+    counts_only: bool = False  # then nothing grows with the pieces, and there is a tally and no account
     _rest: bytes = b""  # after the last zero, no more than it takes to see that it is no frame
     _cut: int = 0  # bytes that hang over beyond that
     _bad: int = 0
@@ -156,8 +157,15 @@ class Ledger:
         passed = np.cumsum(steps_of(stamps, int(stamps[0])))
         first_us, last_us = stamps[begins].astype(np.int64), stamps[lasts].astype(np.int64)
         runs = np.stack([numbers[begins], count, first_us, last_us, passed[lasts] - passed[begins]], axis=1)
-        self._runs.append(runs[count > 0])
+        if not self.counts_only:
+            self._runs.append(runs[count > 0])
         return np.stack([numbers[begins], numbers[ends]], axis=1)
+
+    def tally(self) -> Tally:
+        """Counts so far, cheap however long the recording is."""
+        received = int((self._high - self._low + 1).sum())
+        lost = int(self._high[-1]) + 1 - received if received else 0
+        return Tally(received, lost, self._bad, tuple(sorted((one[0], *one[2:]) for one in self._events)))
 
     def account(self) -> Account:
         """All that was entered so far."""

@@ -60,6 +60,7 @@ ROOMS = {
     "export": "ground models stages",
     "notebook": "ground systems run string diagnosis models stages",
     "lifespan": "ground run string",
+    "watch": "ground wire run capture",
     "settle": "ground wire run capture diagnose new_run",
     "campaign": "ground run string models stages",
     "proof": "ground systems run rig diagnosis",

@@ -1,0 +1,42 @@
+"""The displacement that the simulator of run.yaml gives at a recorded twist, its zero that of the recording."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from ..ground.kinematics import Array
+from ..run.description import Run
+
+
+class Nominal:
+    """A simulator without memory; `usable` says whether the recording's columns are enough for it."""
+
+    def __init__(self, run: Run | None, columns: tuple[str, ...]) -> None:
+        self._run, self._zero = run, float("nan")
+        system = run.system if run else None
+        self.usable = bool(
+            system
+            and not system.remembers
+            and not system.differentiates
+            and {system.driver, system.channel} <= {*columns}
+        )
+        self._columns = columns
+
+    def at(self, rows: Array) -> Array:
+        """Displacement at samples of shape (samples, 1 + channels), shape (samples,); the first call sets the zero."""
+        assert self._run is not None
+        system = self._run.system
+        motion = rows[:, 1 + self._columns.index(system.driver)]
+        nothing = np.zeros_like(motion)
+        load = nothing + self._run.rig.get("load_n", 0.0)
+        if system.load in self._columns:
+            load = rows[:, 1 + self._columns.index(system.load)]
+        inputs = SimpleNamespace(
+            time_s=rows[:, 0], motion=motion, rate=nothing, acceleration=nothing, load=load / system.load_unit
+        )
+        values = np.array([one.nominal for one in system.parameters(self._run)])
+        found = system.simulate(values, inputs, {})
+        if np.isnan(self._zero):
+            reading = rows[:, 1 + self._columns.index(system.channel)]
+            self._zero = float(np.median(reading[:50] - found[:50])) if system.free_zero else 0.0
+        return np.asarray(found + self._zero)

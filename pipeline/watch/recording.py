@@ -1,0 +1,134 @@
+"""A recording that another program writes, followed by reading only what was appended to it."""
+
+import os
+import shutil
+import time
+from collections import deque
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..run.description import Run
+from ..run.folder import CAPTURED, capture_info, read_run
+from .envelope import Envelope
+from .nominal import Nominal
+from .source import Frames, Printed, Source
+
+PIECE = 1 << 20  # bytes that are read at once
+BUDGET_S = 0.4  # a long recording is caught up with in steps of this
+WHOLE, STROKE = 1200, 600  # parts that are kept of all, and of a stroke
+KEPT = 3  # strokes
+CUT_S = 20.0  # what counts as a stroke where nothing tells of strokes
+
+
+class Followed:
+    """Counts, curves and state of a run folder; memory is bounded, and the files are opened for reading alone."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._forget(None)
+        self.replaced = 0
+
+    def _forget(self, identity: tuple[int, int] | None, name: str = CAPTURED[0]) -> None:
+        self._identity, self._at, self.behind = identity, 0, 0
+        self.source: Source = Printed() if name == CAPTURED[1] else Frames()
+        self.samples = 0
+        self.last: Array = np.zeros(0)
+        self.whole: Envelope | None = None
+        self.strokes: deque[Envelope] = deque(maxlen=KEPT)
+        self._cut_s, self._told = 0.0, False
+        self._nominal: Nominal | None = None
+        self._new_s: float | None = None
+
+    def poll(self) -> None:
+        """Read what was appended; a recording that was replaced or cut is begun anew."""
+        path = next((self.folder / name for name in CAPTURED if (self.folder / name).is_file()), None)
+        if path is None:
+            if self._identity is not None:
+                self.replaced += 1
+                self._forget(None)
+            return
+        with open(path, "rb") as file:
+            stat = os.fstat(file.fileno())
+            identity = (stat.st_dev, stat.st_ino)
+            if identity != self._identity or stat.st_size < self._at:
+                self.replaced += self._identity is not None
+                self._forget(identity, path.name)
+                self._new_s = time.monotonic() - max(0.0, time.time() - stat.st_mtime)
+            file.seek(self._at)
+            began_s = time.monotonic()
+            while time.monotonic() - began_s < BUDGET_S and (chunk := file.read(PIECE)):
+                self._at += len(chunk)
+                self._take(chunk)
+            self.behind = max(0, os.fstat(file.fileno()).st_size - self._at)
+
+    def _take(self, chunk: bytes) -> None:
+        piece = self.source.feed(chunk)
+        if piece is None:
+            return
+        if self.samples:
+            self._new_s = time.monotonic()
+        rows = piece.rows
+        if self.whole is None or self.last.shape != rows[-1].shape:
+            self.whole = Envelope(rows.shape[1], WHOLE)
+            self.strokes.clear()
+            self.strokes.append(Envelope(rows.shape[1], STROKE))
+            self._nominal = Nominal(self.run(), self.source.columns)
+            if self._nominal.usable:
+                self._nominal.at(rows)
+        self.samples, self.last = self.samples + len(rows), rows[-1]
+        self.whole.add(rows)
+        self._told |= bool(piece.strokes)
+        begins = piece.strokes
+        if not self._told and rows[-1, 0] - self._cut_s > CUT_S:
+            begins, self._cut_s = [0], float(rows[-1, 0])
+        self._cut(rows, begins)
+
+    def _cut(self, rows: Array, begins: list[int]) -> None:
+        """Add samples to the last stroke, and begin another before each of `begins`."""
+        at = 0
+        for begin in begins:
+            self.strokes[-1].add(rows[at:begin])
+            self.strokes.append(Envelope(rows.shape[1], STROKE))
+            at = begin
+        self.strokes[-1].add(rows[at:])
+
+    def run(self) -> Run | None:
+        """What run.yaml says, or None where it is missing or cannot be read."""
+        try:
+            return read_run(self.folder)
+        except (BadInput, OSError):
+            return None
+
+    def simulated(self, rows: Array) -> Array | None:
+        """Nominal displacement at samples, shape (samples,), or None where the simulator cannot give it."""
+        return self._nominal.at(rows) if self._nominal and self._nominal.usable and len(rows) else None
+
+    def state(self) -> dict[str, Any]:
+        """How it stands, in words and numbers."""
+        counts = self.source.counts()
+        try:
+            info = capture_info(self.folder)
+        except (BadInput, OSError):
+            info = {}
+        status = info.get("exit_status")
+        waiting = "no recording yet" if self._identity is None else "no end was written"
+        return {
+            "state": str(status) if status else waiting,
+            "ended": bool(status),
+            "device": self.source.device,
+            "samples": self.samples,
+            "rate_hz": self.source.rate_hz,
+            "lost": counts.lost,
+            "bad": counts.bad,
+            "jumps": counts.jumps,
+            "replaced": self.replaced,
+            "behind_bytes": self.behind,
+            "age_s": None if self._new_s is None else max(0.0, time.monotonic() - self._new_s),
+            "free_bytes": shutil.disk_usage(self.folder).free,
+            "strokes": counts.strokes,
+            "planned": counts.planned,
+        }

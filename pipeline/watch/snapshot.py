@@ -1,0 +1,52 @@
+"""What the page is told each half second: state, curves that a screen can show, and what reports/ say, as JSON."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+from ..ground.kinematics import Array
+from .beside import strokes_left, verdicts
+from .envelope import Envelope
+from .recording import Followed
+
+
+def numbers(values: Array) -> list[float | None]:
+    """Values with six digits, None for what is no number."""
+    return [float(f"{one:.6g}") if math.isfinite(one) else None for one in values.tolist()]
+
+
+def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> dict[str, Any]:
+    """One stroke: displacement over twist, and the simulator at the same twist."""
+    simulated = followed.simulated(part.first)
+    return {
+        "motor_turns": numbers(part.first[:, turns]),
+        "low_mm": numbers(part.low[:, mm]),
+        "high_mm": numbers(part.high[:, mm]),
+        "simulated_mm": [] if simulated is None else numbers(simulated),
+    }
+
+
+def snapshot(followed: Followed, reports: Path) -> bytes:
+    """All that the page shows, as JSON; never more than a few hundred kB, however long the recording is."""
+    columns, whole = followed.source.columns, followed.whole
+    run = followed.run()
+    content: dict[str, Any] = {**followed.state(), "run": followed.folder.name, "columns": list(columns)}
+    content["string"] = run.string_id if run else None
+    content["material"] = run.string.material if run and run.string else None
+    content["last"] = numbers(followed.last)
+    content["channels"] = []
+    if whole is not None and len(whole.first):
+        content["time_s"] = numbers(whole.first[:, 0])
+        for at, name in enumerate(columns, 1):
+            low, high = numbers(whole.low[:, at]), numbers(whole.high[:, at])
+            content["channels"].append({"name": name, "low": low, "high": high})
+    content["loops"] = []
+    if {"motor_turns", "displacement_mm"} <= {*columns}:
+        turns, mm = 1 + columns.index("motor_turns"), 1 + columns.index("displacement_mm")
+        content["loops"] = [_loop(followed, part, turns, mm) for part in followed.strokes if len(part.first)]
+    content["verdicts"] = verdicts(reports)
+    content["verdict"] = next((one["verdict"] for one in content["verdicts"] if one["run"] == content["run"]), None)
+    content["index"] = (reports / "index.html").is_file()
+    content["left"] = strokes_left(reports, run.string_id) if run else None
+    return json.dumps(content, separators=(",", ":")).encode()

@@ -1,0 +1,138 @@
+"""The samples that were appended to a recording since it was read last, as frames or as printed lines."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..capture.lines import Lines, Splitter
+from ..ground.kinematics import Array
+from ..wire import Event, Ledger
+from ..wire.counters import Whole, steps_of
+
+LONGEST_STEP_US = 60_000_000  # a clock that goes on by more was set anew
+SECONDS = {"time_s": 1.0, "time_ms": 1e-3, "time_us": 1e-6, "t_us": 1e-6}
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Samples in the order in which they were read; `strokes` say before which of them a stroke begins."""
+
+    rows: Array  # (samples, 1 + channels): time in s, then the channels
+    strokes: list[int]
+
+
+@dataclass(frozen=True)
+class Counts:
+    """What a page says of losses; `lost` is None where the rig does not number what it sends."""
+
+    bad: int
+    lost: int | None
+    jumps: int
+    strokes: int | None
+    planned: int
+
+
+class Source(Protocol):
+    """Bytes in, samples out; memory does not go by how much came."""
+
+    columns: tuple[str, ...]
+    rate_hz: float | None
+    device: str
+
+    def feed(self, chunk: bytes) -> Piece | None:
+        """Samples that end in a chunk."""
+
+    def counts(self) -> Counts:
+        """What was lost so far."""
+
+
+class Frames:
+    """`recording.frames`."""
+
+    def __init__(self) -> None:
+        self.columns: tuple[str, ...] = ()
+        self.rate_hz: float | None = None
+        self.device = ""
+        self._ledger = Ledger(counts_only=True)
+        self._stamp, self._time_us, self._jumps = -1, 0.0, 0
+        self._event = -1
+
+    def feed(self, chunk: bytes) -> Piece | None:
+        """Samples whose frames end in a chunk, scaled as the device's HELLO says."""
+        found, hello = self._ledger.feed(chunk), self._ledger.hello
+        if hello is None:
+            return None
+        self.columns, self.rate_hz = tuple(c.name for c in hello.channels), hello.rate_hz
+        self.device = f"{hello.device}, firmware {hello.firmware}"
+        if found is None or not len(found[0]):
+            return None
+        numbers, raw = found
+        rows = np.empty((len(raw), 1 + len(hello.channels)))
+        rows[:, 0] = self._clock(raw["t_us"], 1e6 / hello.rate_hz)
+        for at, channel in enumerate(hello.channels, 1):
+            rows[:, at] = raw[channel.name] * channel.scale + channel.offset
+        return Piece(rows, self._begins(numbers))
+
+    def _clock(self, t_us: NDArray[np.uint32], usual_us: float) -> Array:
+        """Time in s since the first sample; a step that cannot be counts as a usual one."""
+        before = int(t_us[0]) if self._stamp < 0 else self._stamp
+        steps = steps_of(t_us, before).astype(np.float64)
+        wrong = (steps < 0) | (steps > LONGEST_STEP_US)
+        self._jumps += int(wrong.sum())
+        steps[wrong] = usual_us
+        time_us = self._time_us + np.cumsum(steps)
+        self._stamp, self._time_us = int(t_us[-1]), float(time_us[-1])
+        return np.asarray(time_us * 1e-6)
+
+    def _begins(self, numbers: Whole) -> list[int]:
+        """Before which samples strokes begin that had not been told of."""
+        new = [(number, code) for number, code, _ in self._ledger.tally().events if number > self._event]
+        self._event = new[-1][0] if new else self._event
+        return [int(np.searchsorted(numbers, number)) for number, code in new if code == Event.STROKE_START]
+
+    def counts(self) -> Counts:
+        """Frames that are missing, and stretches that were none."""
+        tally, hello = self._ledger.tally(), self._ledger.hello
+        done = sum(code == Event.STROKE_END for _, code, _ in tally.events)
+        return Counts(tally.bad, tally.lost, self._jumps, done, hello.strokes if hello else 0)
+
+
+class Printed:
+    """`recording.lines`."""
+
+    def __init__(self) -> None:
+        self.columns: tuple[str, ...] = ()
+        self.rate_hz: float | None = None
+        self.device = "a rig that prints lines"
+        self._splitter, self._lines = Splitter(), Lines()
+        self._time_s, self._clock_s, self._jumps = 0.0, float("nan"), 0
+
+    def feed(self, chunk: bytes) -> Piece | None:
+        """Samples whose lines end in a chunk, as they were printed."""
+        found = [row for line in self._splitter.feed(chunk) if (row := self._lines.take(line)) is not None]
+        if not found:
+            return None
+        at = self._lines.time_at
+        values = np.array(found, dtype=np.float64)
+        self.columns = tuple(name for place, name in enumerate(self._lines.columns) if place != at)
+        time_s = np.array([self._next(row[at] if at >= 0 else float("nan")) for row in values])
+        return Piece(np.column_stack([time_s, np.delete(values, at, axis=1) if at >= 0 else values]), [])
+
+    def _next(self, stamp: float) -> float:
+        """Time in s since the first sample; without a clock the number of the sample."""
+        at = self._lines.time_at
+        step = 1.0
+        if at >= 0:
+            clock_s = stamp * SECONDS.get(self._lines.columns[at], 1.0)
+            step = clock_s - self._clock_s if self._clock_s == self._clock_s else 0.0
+            self._clock_s = clock_s
+            if not 0.0 <= step <= LONGEST_STEP_US * 1e-6:
+                self._jumps, step = self._jumps + 1, 0.0
+        self._time_s += step
+        return self._time_s
+
+    def counts(self) -> Counts:
+        """Lines that are no samples."""
+        return Counts(self._lines.bad, None, self._jumps, None, 0)

@@ -1,0 +1,220 @@
+"""The page against the capture program and the synthetic rig, over HTTP and in a real browser."""
+
+import contextlib
+import http.client
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+from made_recording import content
+from scripted_rig import synthetic_rig
+
+from pipeline.wire import Channel, Event, Hello, Kind, encode, read_recording
+from pipeline.wire.frames import EVENT
+
+ROOT = Path(__file__).resolve().parents[2]
+HOSTILE = '<img src=x onerror="document.title=1">'
+HELLO = Hello(
+    HOSTILE, "1", "1", 1000.0, 0,
+    (Channel("motor_turns", "turns", "i32", 0.001), Channel("displacement_mm", "mm", "i32", 0.001)),
+)  # fmt: skip
+SAMPLE = np.dtype(HELLO.sample_type)
+
+
+def samples(first: int, count: int) -> bytes:
+    """So many frames from number `first`, one a ms, the twist a slow sine."""
+    rows = np.zeros(count, SAMPLE)
+    at = np.arange(first, first + count)
+    rows["t_us"] = (at * 1000) % 2**32
+    rows["motor_turns"] = np.rint(10_000 * (1 - np.cos(at / 3000)))
+    rows["displacement_mm"] = rows["motor_turns"] // 2
+    return b"".join(encode(Kind.SAMPLE, int(n), row.tobytes()) for n, row in zip(at, rows, strict=True))
+
+
+def folder(place: Path, name: str = "run-1", **changes: object) -> Path:
+    """A run folder without a recording."""
+    made = place / "raw" / name
+    made.mkdir(parents=True)
+    (made / "run.yaml").write_text(yaml.safe_dump(content(name, **changes)))
+    return made
+
+
+@contextlib.contextmanager
+def watched(run: Path, *options: object):
+    """The program on a free port; its port, and the address that it printed."""
+    command = [sys.executable, "-m", "pipeline.watch", run, "--port", 0, "--reports", run.parents[1] / "reports"]
+    with subprocess.Popen([*map(str, [*command, *options])], cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            printed = process.stdout.readline().strip()
+            yield int(re.search(r":(\d+)/", printed)[1]), printed
+            assert process.poll() is None, "the program ended by itself"
+        finally:
+            process.terminate()
+
+
+def get(port: int, path: str, **headers: str) -> tuple[int, bytes, http.client.HTTPMessage]:
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=10)
+    try:
+        connection.putrequest("GET", path, skip_host="Host" in headers)
+        for name, value in headers.items():
+            connection.putheader(name, value)
+        connection.endheaders()
+        answer = connection.getresponse()
+        return answer.status, answer.read(), answer.headers
+    finally:
+        connection.close()
+
+
+def told(port: int, until=lambda found: True, seconds: float = 20.0) -> dict:
+    """What the page is told, as soon as that holds."""
+    end_s = time.monotonic() + seconds
+    while True:
+        found = json.loads(get(port, "/data.json")[1])
+        if "run" in found and until(found):
+            return found
+        assert time.monotonic() < end_s, found
+        time.sleep(0.1)
+
+
+def test_what_the_page_is_told_is_what_the_capture_program_recorded(tmp_path: Path):
+    run = folder(tmp_path)
+    with synthetic_rig(tmp_path / "port", ROOT / "pipeline/rig/setups/small.yaml", "--pace", 20), watched(run) as at:
+        capture = [sys.executable, "-m", "pipeline.capture", str(tmp_path / "port"), str(run)]
+        with subprocess.Popen(capture, cwd=ROOT, stdout=subprocess.DEVNULL) as process:
+            live = told(at[0], lambda found: found["samples"] > 0)
+            assert process.poll() is None and not live["ended"], "it is shown while it is recorded"
+        found = told(at[0], lambda found: found["ended"])
+    recorded = read_recording((run / "recording.frames").read_bytes())
+    info = json.loads((run / "capture.json").read_text())
+    assert found["state"] == "complete" and found["samples"] == info["samples"]["received"]
+    assert (found["lost"], found["bad"]) == (info["frames"]["lost"], info["frames"]["bad"])
+    assert found["strokes"] == found["planned"] == 5
+    one = {channel["name"]: channel for channel in found["channels"]}
+    for name, values in recorded.channels.items():
+        assert min(one[name]["low"]) == pytest.approx(values.min(), rel=1e-5, abs=1e-9)
+        assert max(one[name]["high"]) == pytest.approx(values.max(), rel=1e-5)
+    assert found["time_s"][-1] <= recorded.time_s[-1] < found["time_s"][-1] + 2.0
+    loop = found["loops"][-1]
+    assert len(found["loops"]) == 3 and max(loop["motor_turns"]) == pytest.approx(16, abs=0.1)
+    off = np.array(loop["simulated_mm"]) - np.array(loop["low_mm"])
+    assert 0.0 < np.abs(off).max() < 10.0, "the simulator is near, and not the recording itself"
+
+
+def test_losses_are_counted_and_a_clock_that_jumps_moves_nothing(tmp_path: Path):
+    run = folder(tmp_path)
+    jumped = np.zeros(1, SAMPLE)
+    jumped["t_us"] = 2_000_000_000
+    frames = encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 500) + samples(511, 500) + b"\x05\x05\0"
+    (run / "recording.frames").write_bytes(frames + encode(Kind.SAMPLE, 1011, jumped.tobytes()) + samples(1012, 9))
+    with watched(run) as (port, _):
+        found = told(port, lambda found: found["samples"] == 1010)
+    assert (found["lost"], found["bad"], found["jumps"]) == (10, 1, 2)
+    assert max(found["time_s"]) == found["time_s"][-1] == pytest.approx(1.02, abs=0.01)
+
+
+def test_a_recording_that_grows_is_replaced_and_is_recovered(tmp_path: Path):
+    run, place = folder(tmp_path), tmp_path / "raw" / "run-1" / "recording.frames"
+    with watched(run) as (port, _):
+        assert told(port)["state"] == "no recording yet"
+        place.write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 300)[:-5])
+        assert told(port, lambda found: found["samples"] == 299)
+        with open(place, "ab") as file:
+            file.write(samples(1, 300)[-5:] + encode(Kind.EVENT, 301, EVENT.pack(0, Event.STROKE_END, 1)))
+        found = told(port, lambda found: found["samples"] == 300)
+        assert found["lost"] == 0
+        other = tmp_path / "other"
+        other.write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 40))
+        other.replace(place)
+        found = told(port, lambda found: found["samples"] == 40)
+        assert found["replaced"] == 1
+        done = [sys.executable, "-m", "pipeline.capture", "--recover", str(run)]
+        assert subprocess.run(done, cwd=ROOT, capture_output=True).returncode == 0
+        assert told(port, lambda found: found["ended"])["state"] == "recovered"
+
+
+def test_printed_lines_are_shown_too(tmp_path: Path):
+    run = folder(tmp_path)
+    lines = "".join(f"{at * 10},{at / 100},{at / 200}\n" for at in range(1, 900))
+    (run / "recording.lines").write_text("time_ms,motor_turns,displacement_mm\n" + lines)
+    with watched(run) as (port, _):
+        found = told(port, lambda found: found["samples"] == 899)
+    assert found["lost"] is None and found["columns"] == ["motor_turns", "displacement_mm"]
+    assert found["time_s"][-1] == pytest.approx(8.98, abs=0.02)
+
+
+def test_nothing_outside_reports_is_served_and_nothing_is_taken(tmp_path: Path):
+    run, reports = folder(tmp_path), tmp_path / "reports"
+    (reports / "diagnosis" / "run-1").mkdir(parents=True)
+    (reports / "diagnosis" / "run-1" / "verdict.txt").write_text("explained: creep\nmore\n")
+    (tmp_path / "secret.txt").write_text("secret")
+    (reports / ".hidden").write_text("secret")
+    (reports / "link.txt").symlink_to(tmp_path / "secret.txt")
+    with watched(run) as (port, _):
+        status, body, headers = get(port, "/reports/diagnosis/run-1/verdict.txt")
+        assert status == 200 and body == b"explained: creep\nmore\n"
+        assert "script-src" not in headers["Content-Security-Policy"] and "default-src 'none'" in str(headers)
+        absolute = f"/reports/{tmp_path}/secret.txt"
+        for path in ("../secret.txt", "%2e%2e/secret.txt", "..%2fsecret.txt", "link.txt", ".hidden", "a%00b", ""):
+            status, body, _ = get(port, f"/reports/{path}")
+            assert status == 404 and b"secret" not in body, path
+        assert get(port, absolute)[0] == get(port, "/reports//etc/passwd")[0] == get(port, "/nothing")[0] == 404
+        assert get(port, "/data.json", Host="elsewhere.example")[0] == 403
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=10)
+        connection.request("POST", "/", body="x")
+        assert connection.getresponse().status == 501
+        found = told(port)
+    assert found["verdict"] == "explained: creep" and found["verdicts"][0]["page"].endswith("verdict.txt")
+
+
+def test_another_host_needs_the_token(tmp_path: Path):
+    with watched(folder(tmp_path), "--host", "0.0.0.0") as (port, printed):
+        token = printed.partition("?token=")[2]
+        assert len(token) >= 32
+        for path in ("/", "/data.json", "/watch.js", "/reports/x", "/data.json?token=", "/data.json?token=%C3%A9"):
+            assert get(port, path)[0] == 403, path
+        status, _, headers = get(port, f"/?token={token}")
+        assert status == 200 and "HttpOnly; SameSite=Strict" in headers["Set-Cookie"]
+        assert get(port, "/data.json", Cookie=headers["Set-Cookie"].partition(";")[0])[0] == 200
+
+
+def test_a_second_client_and_one_that_goes_away_change_nothing(tmp_path: Path):
+    run = folder(tmp_path)
+    (run / "recording.frames").write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 3000))
+    with watched(run) as (port, _):
+        for said in (b"", b"GET /da", b"\xff\0\r\n\r\n", b"GET /data.json HTTP/1.1\r\nHost: localhost\r\n\r\n"):
+            with socket.create_connection(("127.0.0.1", port)) as client:
+                client.sendall(said)
+        told(port, lambda found: found["samples"] == 3000)
+        assert [get(port, "/data.json")[0] for _ in range(40)] == [200] * 40
+        with contextlib.ExitStack() as idle:  # more than there is room for
+            for _ in range(30):
+                idle.enter_context(socket.create_connection(("127.0.0.1", port)))
+        assert told(port)["samples"] == 3000
+
+
+@pytest.mark.skipif(not shutil.which("chromium"), reason="there is no chromium here")
+def test_a_browser_shows_the_recording_and_no_hostile_text_acts(tmp_path: Path):
+    string = content("run-1")["string"] | {"id": HOSTILE}
+    run, reports = folder(tmp_path, string=string), tmp_path / "reports" / "diagnosis" / "run-1"
+    reports.mkdir(parents=True)
+    (reports / "verdict.txt").write_text(f"explained: {HOSTILE}\n")
+    (run / "recording.frames").write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 3000) + samples(3011, 9))
+    with watched(run) as (port, _):
+        told(port, lambda found: found["samples"] == 3009)
+        browser = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'home'}"]
+        page = [*browser, "--virtual-time-budget=4000", "--dump-dom", f"http://127.0.0.1:{port}/"]
+        home = {**os.environ, "HOME": str(tmp_path)}
+        shown = subprocess.run(page, capture_output=True, text=True, timeout=120, env=home).stdout
+    values = dict(re.findall(r'<b id="([a-z]+)"[^>]*>([^<]*)<', shown))
+    assert (values["samples"], values["lost"]) == ("3,009", "10, 0"), values
+    assert "<title>run-1</title>" in shown and "<img" not in shown and shown.count("&lt;img src=x") >= 2
+    assert shown.count("<canvas") == 3 and re.search(r'id="link"[^>]*>live<', shown)

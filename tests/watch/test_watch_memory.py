@@ -1,0 +1,49 @@
+"""A recording of any length is followed in memory that does not grow, and nothing of its extent is lost."""
+
+import os
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+from test_watch import HELLO, folder, samples
+
+from pipeline.watch.envelope import Envelope
+from pipeline.watch.recording import Followed
+from pipeline.watch.snapshot import snapshot
+from pipeline.wire import Kind, encode
+
+
+@pytest.mark.parametrize("pieces", [[1] * 5000, [4999, 1], [7, 1000, 3993], [5000]])
+def test_an_envelope_holds_the_least_and_the_greatest_whatever_the_pieces(pieces):
+    rows = np.random.default_rng(1).normal(size=(5000, 2))
+    found, at = Envelope(2, 64), 0
+    for count in pieces:
+        found.add(rows[at : at + count])
+        at += count
+    assert len(found.first) <= 64 and found.each == 128
+    begins = np.arange(0, 5000, found.each)
+    assert np.array_equal(found.first, rows[begins])
+    assert np.array_equal(found.low, np.minimum.reduceat(rows, begins))
+    assert np.array_equal(found.high, np.maximum.reduceat(rows, begins))
+
+
+def test_memory_and_what_is_sent_stay_flat(tmp_path: Path):
+    run = folder(tmp_path)
+    path, held, sent = run / "recording.frames", [], []
+    path.write_bytes(encode(Kind.HELLO, 0, HELLO.pack()))
+    followed = Followed(run)
+    tracemalloc.start()
+    try:
+        for at in range(60):  # a second each: the file is cut off before, as a day's would not fit
+            with open(path, "ab") as file:
+                file.write(samples(1 + 1000 * at, 1000))
+            followed.poll()
+            sent.append(len(snapshot(followed, tmp_path / "reports")))
+            held.append(tracemalloc.get_traced_memory()[0])
+    finally:
+        tracemalloc.stop()
+    assert followed.samples == 60_000 and os.path.getsize(path) > 900_000
+    assert held[-1] - held[19] < 150_000, "60 kB of curves are kept, 1.4 MB came"
+    assert max(sent) < 400_000
+    assert not followed.source._ledger._runs, "nothing is kept for each piece"
