@@ -36,8 +36,8 @@ def main() -> None:
     parser.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR", help="served for reading")
     arguments = parser.parse_args()
     folder: Path = arguments.run_dir
-    if not folder.is_dir():
-        raise BadInput(folder, "RUN_DIR", "is no folder", f"make it with {command('new_run')}")
+    if not (folder / "run.yaml").is_file():
+        raise BadInput(folder, "run.yaml", "is missing", f"make the run's folder with {command('new_run')}")
     if not 0 <= arguments.port <= 65535:
         parser.error("--port must be from 0 to 65535")
     token = None if arguments.host in LOCAL else secrets.token_urlsafe(24)

@@ -56,8 +56,8 @@ def _ambiguous(content: dict[str, Any], words: Vocabulary) -> str:
         return f"Make the run below: it can decide {worth.question(content)}. If you do not make it, {without}."
     use = "" if unseen.harmful(content, words) else ", and predict with the first command under To use it"
     if _far(content):
-        return f"No run that was tried decides. If measuring changed nothing, {without}{use}."
-    return f"No run that was tried decides: {without}{use}."
+        return f"{worth.undecided(run)}. If measuring changed nothing, {without}{use}."
+    return f"{worth.undecided(run)}: {without}{use}."
 
 
 def _tests(content: dict[str, Any]) -> list[str]:
@@ -70,7 +70,7 @@ def _tests(content: dict[str, Any]) -> list[str]:
         id_ for id_ in dict.fromkeys(id_ for ids in sets for id_ in sorted(ids)) if not all(id_ in one for one in sets)
     ]
     tests = ". ".join(f"{id_}: {mechanisms()[id_].told_apart_by}" for id_ in open_)
-    tried = "other loads and speeds were tried in simulation, and do not here"
+    tried = "other loads and speeds were tried in simulation, and need not here"
     return [f"In general these tell the open effects ({tried}): {tests}."] if tests else []
 
 

@@ -46,7 +46,9 @@ def gaps(run: dict[str, Any]) -> str:
     if not decides(run):
         who = "A formula that is wrong by a few per cent" if then > PLAIN else "Noise alone"
         best = "No other run that was tried in simulation does better"
-        end = f"{best}, so none decides." if not raises(run) else "So it may not decide; in tests such runs often did."
+        end = f"{best}, so none decides."
+        if raises(run):
+            end = "So it need not decide; in tests about half of such runs did."
         return f"{so_far}; with the run by {number(then)}. {who} can make as much. {end}"
     if now <= PLAIN:
         return f"{so_far}; with the run it should be {number(then)}."
@@ -98,6 +100,13 @@ def raises(run: dict[str, Any]) -> bool:
     return decides(run) or then >= max(RAISED * now, FAINT)
 
 
+def undecided(run: dict[str, Any]) -> str:
+    """That no run can be expected to decide, and whether the one that is proposed is worth a try all the same."""
+    if raises(run):
+        return "No run that was tried is sure to decide; the one below is worth a try"
+    return "No run that was tried decides"
+
+
 def care(content: dict[str, Any], words: Vocabulary) -> str:
     """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
     run = content["next_run"]
@@ -109,7 +118,7 @@ def care(content: dict[str, Any], words: Vocabulary) -> str:
     else:
         return ""
     if "parts" in run:
-        lost = "the likelier explanations stay tied" if decides(run) else "little is lost"
+        lost = "the likelier explanations stay tied" if decides(run) else "less is learnt"
         cannot += f"leave this run out: {lost}."
     else:
         cannot += (
