@@ -167,7 +167,9 @@ def test_killed_in_every_state_it_goes_on_to_the_same_end(place):
         done = auto(place)
     assert done.returncode == 0, done.stdout
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and settled(place)["verdict"] == "explained"
-    assert settled(place)["spent"]["runs"] == 2 and not (place / "raw" / "poor-1-s3").exists()
+    runs = settled(place)["runs"]  # the two, and where the name is not sure of what was cut off, one that confirms it
+    assert runs[:3] == ["raw/poor-1", "raw/poor-1-s1", "raw/poor-1-s2"] and len(set(runs)) == len(runs) <= 4
+    assert settled(place)["spent"]["runs"] == len(runs) - 1
 
 
 def test_each_run_that_could_be_next_has_a_curve_of_every_explanation(waiting):
