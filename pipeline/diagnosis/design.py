@@ -1,5 +1,6 @@
 """A run built for a tie: parts of motion, one after the other, each the one that parts the rivals most for its cost."""
 
+import math
 from collections.abc import Callable
 
 from .protocol import CANDIDATES, Leg, Rig
@@ -7,7 +8,9 @@ from .protocol import CANDIDATES, Leg, Rig
 MOST_PARTS = 4
 KEPT = 8  # parts, the best alone, that are tried in every later place
 STROKE_MIN, PART_MIN = 0.5, 0.2  # minutes that the wear of a stroke and the trouble of a part count as; by hand
-ENOUGH, FURTHER = 25.0, 4.0  # the gap, as a square, and its growth, beyond which a run decides: nothing is added to it
+PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
+LITTLE = 2.0  # times further apart, expected: less may not decide
+RAISED, FAINT = 1.05, 1.0  # times further apart, and standard deviations: less is no difference; by hand
 HELD_S = 20.0
 SPEEDS = {0.5: " at twice the speed", 1.0: "", 2.0: " at half the speed", 4.0: " at a quarter of the speed"}
 LOADS = {0.5: " under half the load", 1.0: "", 2.0: " under twice the load"}
@@ -16,6 +19,21 @@ RESTS_S = (30.0, 120.0)
 
 Parts = dict[str, list[Leg]]
 Gap = Callable[[list[Leg]], float]  # of legs after the recording: the closest rivals' expected misfit
+
+
+def deviations(gap: float) -> float:
+    """An expected misfit in standard deviations."""
+    return math.sqrt(max(gap, 0.0))
+
+
+def decides(now: float, then: float) -> bool:
+    """Whether a run is expected to part two explanations by so much more, and so far, that it can decide."""
+    return deviations(then) >= max(LITTLE * deviations(now), PLAIN)
+
+
+def raises(now: float, then: float) -> bool:
+    """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
+    return decides(now, then) or deviations(then) >= max(RAISED * deviations(now), FAINT)
 
 
 def parts(rig: Rig, loads: bool, faster: bool) -> Parts:
@@ -50,7 +68,7 @@ def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple
     """
     known, names, whole = parts(rig, loads, faster), list[str](), [rig.home()]
     reached = gap(whole)
-    while len(names) < MOST_PARTS and not (reached >= ENOUGH and reached >= FURTHER * now):
+    while len(names) < MOST_PARTS and not decides(now, reached):
         gained = {name: gap([*whole, *legs]) - reached for name, legs in known.items()}
         worth = {name: gained[name] / cost_min(known[name], whole[-1][1]) for name in known}
         best = max(worth, key=lambda name: worth[name])

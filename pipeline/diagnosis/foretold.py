@@ -6,12 +6,12 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from ..run.description import Run
+from .design import decides, raises
 from .interface import physics
 from .nextrun import Proposal, appended, lengthened, options
 from .outcome import Study
 from .search import Explanation
 from .verdict import tidy
-from .words.worth import decides, raises
 
 POINTS = 400  # of a curve
 SURE = 0.9  # probability from which one explanation needs no other run: of five firm wrong names none had more
@@ -26,7 +26,8 @@ def foretold(found: Study, run: Run, fixed_load: bool) -> list[dict[str, Any]]:
     sets, entries = rivals(found), []
     for proposal in options(found.problem, run, found.noise, found.search, sets) if sets else []:
         entry = proposal.entry(run, fixed_load)
-        told = {"decides": decides(entry), "raises": raises(entry)}
+        gaps = entry["gap_now"], entry["gap_then"]
+        told = {"decides": decides(*gaps), "raises": raises(*gaps)}
         entries.append({**tidy(entry), **told, "curves": curves(found, run, proposal, sets)})
     return entries
 

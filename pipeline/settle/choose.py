@@ -15,7 +15,7 @@ SLOWER = 1.1  # times the shortest time for the way to where the proposed run be
 
 
 def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
-    """Whether the last of the verdicts, each with the ids that it names, ends the loop.
+    """Whether the last verdict ends the loop; `verdicts` are it and the one before, each with the ids that it names.
 
     `doubted`: it holds one explanation, but not surely. Where the loop's own runs led to it, one more run has to name
     the same.

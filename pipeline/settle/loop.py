@@ -91,7 +91,7 @@ class Loop:
         """The next run, drawn before it is made; None, and settled.json, where there is none."""
         last = steps[-1]
         options = self.place.next_runs(last.number)
-        said = [self.place.diagnosis(step.number) for step in steps]
+        said = [self.place.diagnosis(step.number) for step in steps[-2:]]
         if firm([(one["verdict"], [each["id"] for each in one["mechanisms"]]) for one in said], bool(options)):
             self._settled(steps, "verdict", f"the verdict is {last.verdict}")
             return None

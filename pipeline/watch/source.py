@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from ..capture.lines import Lines, Splitter
 from ..ground.kinematics import Array
+from ..ground.units import conversion
+from ..run.named_units import TIMES
 from ..wire import Event, Ledger
 from ..wire.counters import Whole, steps_of
 
 LONGEST_STEP_US = 60_000_000  # a clock that goes on by more was set anew
-SECONDS = {"time_s": 1.0, "time_ms": 1e-3, "time_us": 1e-6, "t_us": 1e-6}
 
 
 @dataclass(frozen=True)
@@ -125,7 +126,7 @@ class Printed:
         at = self._lines.time_at
         step = 1.0
         if at >= 0:
-            clock_s = stamp * SECONDS.get(self._lines.columns[at], 1.0)
+            clock_s = stamp * conversion("time_s", TIMES.get(self._lines.columns[at]))[0]
             step = clock_s - self._clock_s if self._clock_s == self._clock_s else 0.0
             self._clock_s = clock_s
             if not 0.0 <= step <= LONGEST_STEP_US * 1e-6:

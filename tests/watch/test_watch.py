@@ -18,6 +18,7 @@ import yaml
 from made_recording import content
 from scripted_rig import synthetic_rig
 
+from pipeline.watch.source import Printed
 from pipeline.wire import Channel, Event, Hello, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
 
@@ -218,3 +219,12 @@ def test_a_browser_shows_the_recording_and_no_hostile_text_acts(tmp_path: Path):
     assert (values["samples"], values["lost"]) == ("3,009", "10, 0"), values
     assert "<title>run-1</title>" in shown and "<img" not in shown and shown.count("&lt;img src=x") >= 2
     assert shown.count("<canvas") == 3 and re.search(r'id="link"[^>]*>live<', shown)
+
+
+@pytest.mark.parametrize(("name", "stamps"), [("time_s", "0 2"), ("t_ms", "0 2000"), ("micros", "0 2000000")])
+def test_printed_time_is_read_in_the_unit_of_its_name(name, stamps):
+    lines = "".join(f"{stamp},0.5,1.5\n" for stamp in stamps.split())
+    source = Printed()
+    piece = source.feed(f"{name},motor_turns,displacement_mm\n{lines}".encode())
+    assert piece is not None and source.columns == ("motor_turns", "displacement_mm")
+    assert piece.rows[:, 0].tolist() == pytest.approx([0.0, 2.0])

@@ -1,16 +1,14 @@
 """What a proposed run is expected to tell, and whether it is worth making, in words."""
 
-import math
 from typing import Any
 
+from .. import design
 from ..adopt import NO_USE
+from ..design import PLAIN, deviations
 from . import probability, rivals, unseen
 from .quantity import listing, number, times
 from .vocabulary import Vocabulary
 
-PLAIN = 5.0  # standard deviations, from which chance alone makes no tie
-LITTLE = 2.0  # times further apart, expected: less may not decide
-RAISED, FAINT = 1.05, 1.0  # times further apart, and standard deviations: less is no difference; by hand
 COMPARED = 4  # explanations that a proposed run is to part
 CARE = {
     "twice the speed": "Only if the motor can go so fast.",
@@ -41,7 +39,7 @@ def purpose(content: dict[str, Any], words: Vocabulary, whether: bool = True) ->
 
 def gaps(run: dict[str, Any]) -> str:
     """How far the closest two predictions are apart without the run and with it, and what that is worth."""
-    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
+    now, then = deviations(run["gap_now"]), deviations(run["gap_then"])
     so_far = f"So far the closest two predictions differ by {number(now)} standard deviations"
     if not decides(run):
         who = "A formula that is wrong by a few per cent" if then > PLAIN else "Noise alone"
@@ -90,14 +88,12 @@ def otherwise(content: dict[str, Any], words: Vocabulary) -> str:
 
 def decides(run: dict[str, Any]) -> bool:
     """Whether a run parts two explanations by so much more, and so far, that it can be expected to decide."""
-    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
-    return then >= max(LITTLE * now, PLAIN)
+    return design.decides(run["gap_now"], run["gap_then"])
 
 
 def raises(run: dict[str, Any]) -> bool:
     """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
-    now, then = (math.sqrt(max(run[key], 0.0)) for key in ("gap_now", "gap_then"))
-    return decides(run) or then >= max(RAISED * now, FAINT)
+    return design.raises(run["gap_now"], run["gap_then"])
 
 
 def undecided(run: dict[str, Any]) -> str:
