@@ -98,7 +98,8 @@ class Installer:
         if torch and sys.platform == "linux" and platform.machine() == "x86_64" and not has_nvidia_gpu():
             self.cpu_torch(torch[0])
         say(f"installing {len(locked(lock))} packages; a hundred take a few minutes")
-        if not self.pip("install", "--quiet", "-r", str(lock)):
+        # By PEP 517, else a pip before 23.1 leaves no record of what has a setup.py alone, and nothing can be checked.
+        if not self.pip("install", "--quiet", "--use-pep517", "-r", str(lock)):
             sys.exit("env: installing failed, see above; run the same command again, nothing half-made is used")
 
 

@@ -49,6 +49,15 @@ def test_the_cpu_build_of_torch_is_preferred_without_a_gpu(
     assert asked[-1][-2] == "-r"  # the lock comes last, and finds torch there
 
 
+def test_a_package_with_a_setup_py_alone_gets_a_record_from_an_old_pip_too(install, tmp_path, monkeypatch):
+    lock = tmp_path / "requirements.lock"
+    lock.write_text("six==1.16.0\n")
+    asked = []
+    monkeypatch.setattr(install.Installer, "pip", lambda self, *words, quiet=False: asked.append(words) or True)
+    install.Installer(tmp_path, None).packages(lock)
+    assert ["--use-pep517" in words for words in asked] == [True]
+
+
 @pytest.mark.parametrize("pip_too", [True, False])
 def test_without_python3_venv_it_takes_virtualenv_or_says_what_to_install(install, tmp_path, monkeypatch, pip_too):
     missing = {"ensurepip"} if pip_too else {"ensurepip", "pip"}
