@@ -18,7 +18,7 @@ SYNTHETIC = "synthetic"  # the material of the runs that the synthetic rig makes
 SYNTHETIC_DEVICE = "twistbench synthetic rig"  # what its hello calls itself
 # Folders and files under reports/ and processed/ that are made for something else than a material or a run.
 TAKEN = {"blind", "campaign", "diagnosis", "docs", "index", "leak", "lifespan", "logs", "metrics", "processed", "proof"}
-TAKEN |= {"raw", "readme", "real", "recordings", "reports", "together"}
+TAKEN |= {"pages", "raw", "readme", "real", "recordings", "reports", "together"}
 DEVICES = frozenset(["con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))])
 NOT_IN_TEXT = frozenset('/\\:*?"<>|$`{}')  # no file name on some system, or something to a shell or a rule
 

@@ -1,6 +1,7 @@
-"""Verdicts of the diagnosis → their part of index.html: a table of all runs, then each run's words and figures."""
+"""What a diagnosis wrote → a cell, a line, a run's part of the pages: its verdict in words, its figure, its files."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -8,39 +9,38 @@ from markupsafe import Markup
 
 from ..ground.schemas import unit_of
 from .web.glossary import word
-from .web.page import Text, anchor, folded, link, paragraph, picture, together
-from .web.table import table
+from .web.page import Text, link, paragraph, picture, together
 
-HEAD = ("Run", "Mismatch", "Nominal", "Calibrated", "Explained", "Noise")
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
 UNDECIDED = "not decided"
+SIZES = ("mismatch", "nominal", "calibrated", "explained", "noise")
+FILES = {"verdict.txt": "the words", "diagnosis.json": "all numbers", "diagnosis.pdf": "the figure to print"}
 TIES = 2  # of the explanations that fit alike: a line names so many
+Content = Mapping[str, Any]
 
 
-def content_of(folder: Path) -> dict[str, Any] | None:
+def content_of(folder: Path) -> Content | None:
     """What a diagnosis wrote, or None where the recording was refused."""
     path = folder / "diagnosis.json"
-    content: dict[str, Any] | None = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    content: Content | None = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
     return content
 
 
-def verdict_of(folder: Path) -> str:
+def verdict_of(content: Content | None) -> str:
     """The verdict in a word."""
-    content = content_of(folder)
     return UNDECIDED if content is None else str(content["verdict"])
 
 
-def explanations(folder: Path) -> list[list[str]]:
+def explanations(content: Content | None) -> list[list[str]]:
     """What the best explanation names, then each that ties with it."""
-    content = content_of(folder)
     if content is None or not content["mechanisms"]:
         return []
     return [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
 
 
-def named_of(folder: Path) -> Markup:
+def named_of(content: Content | None) -> Markup:
     """What a verdict names, each id with its meaning, and how many other explanations tie with it."""
-    sets = explanations(folder)
+    sets = explanations(content)
     best = Markup(" + ").join(word(id_) for id_ in sets[0]) if sets else Markup("")
     others = len(sets) - 1
     return best + (f", or {others} other explanation{'s' * (others > 1)}" if others > 0 else "")
@@ -52,11 +52,10 @@ def tag(verdict: str) -> Markup:
     return Markup('<span class="verdict {}">{}</span>').format(of, word(verdict))
 
 
-def sizes(folder: Path) -> list[str]:
-    """The mismatch, the error on strokes that no fit has seen, and the noise floor, each with its unit."""
-    content = content_of(folder)
+def sizes(content: Content | None) -> list[str]:
+    """`SIZES`: the mismatch, the error on strokes that no fit has seen, and the noise floor, each with its unit."""
     if content is None:
-        return [""] * (len(HEAD) - 1)
+        return [""] * len(SIZES)
     unit = next(key for key in content["fit"] if key.startswith("noise_floor_")).removeprefix("noise_floor_")
     held = content["fit"]["heldout"] or {}
     found = [(content["mismatch"] or {}).get(f"rms_{unit}")]
@@ -71,29 +70,21 @@ def words_of(folder: Path) -> str:
     return path.read_text(encoding="utf-8") if path.is_file() else f"{folder.name}: no verdict was written"
 
 
-def one_run(reports: Path, run: str) -> Markup:
-    """One run's words and figure, folded."""
+def part(reports: Path, run: str, up: str = "") -> Markup:
+    """One run's first words, its figure, the other words and its files; `up` leads from the page to `reports/`."""
     folder = reports / "diagnosis" / run
-    parts: list[Text] = [Markup("<pre>{}</pre>").format(words_of(folder))]
+    headline, _, rest = words_of(folder).partition("\n\n")
+    parts: list[Text] = [Markup("<pre>{}</pre>").format(headline)]
     if (folder / "diagnosis.png").is_file():
-        better = "diagnosis.pdf" if (folder / "diagnosis.pdf").is_file() else "diagnosis.png"
-        source, target = link("diagnosis", run, "diagnosis.png"), link("diagnosis", run, better)
-        parts.append(picture(source, f"Diagnosis of {run}", target))
-    return folded(anchor("run", run), run, tag(verdict_of(folder)), together(parts), level=3)
-
-
-def section(reports: Path, runs: list[str]) -> Markup:
-    """HTML of the verdicts on runs, whose folders lie in `reports/diagnosis/`."""
-    numbers: list[list[Text]] = []
-    for run in runs:
-        name = Markup('<a href="#{}">{}</a>').format(anchor("run", run), run)
-        numbers.append([name, *sizes(reports / "diagnosis" / run)])
-    parts: list[Text] = [
-        paragraph("Nominal, calibrated and explained: the error on the last strokes, which no fit has seen."),
-        table(HEAD, numbers),
-        *(one_run(reports, run) for run in runs),
+        parts.append(picture(up + link("diagnosis", run, "diagnosis.png"), f"Diagnosis of {run}"))
+    parts.append(Markup("<pre>{}</pre>").format(rest) if rest.strip() else "")
+    there = [
+        Markup('<a href="{}">{}</a> ({})').format(up + link("diagnosis", run, name), name, words)
+        for name, words in FILES.items()
+        if (folder / name).is_file()
     ]
-    return folded("diagnosis", "What the simulator leaves out", "each run's verdict, errors, figures", together(parts))
+    parts.append(paragraph(Markup("Files: {}.").format(Markup(", ").join(there))) if there else "")
+    return together(filter(None, parts))
 
 
 def bracketed(ids: list[str]) -> str:
@@ -106,7 +97,7 @@ def verdicts(folders: list[Path]) -> str:
     lines = []
     for folder in folders:
         if (folder / "verdict.txt").is_file():
-            sets = [bracketed(ids) for ids in explanations(folder)]
+            sets = [bracketed(ids) for ids in explanations(content_of(folder))]
             more = [f"{len(sets) - 1 - TIES} more"] if len(sets) > 1 + TIES else []
             named = " or ".join([*sets[: 1 + TIES], *more])
             headline = " ".join(words_of(folder).partition("\n\n")[0].split())

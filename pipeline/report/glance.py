@@ -1,16 +1,20 @@
-"""The index's first lines: each material's best model beside the floor, each run's verdict and the run to make next."""
+"""The index's first lines: how many runs ended how, each material's best model beside the floor, each run's verdict."""
 
 import csv
+from collections import Counter
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from markupsafe import Markup
 
-from .diagnoses import content_of, named_of, tag, verdict_of
-from .web.page import Text, anchor, paragraph, together
+from .diagnoses import SIZES, UNDECIDED, VERDICTS, Content, content_of, named_of, sizes, tag, verdict_of
+from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
 FLOORS = ("floor", "floor_blind")
 LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict
+UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
+Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
 
 
 def best(models: Path, way: str) -> list[str]:
@@ -29,16 +33,15 @@ def best(models: Path, way: str) -> list[str]:
     return [least["title"], f"{float(least['median']):.3f}", f"{float(least['ratio']):.2f}" if least["ratio"] else ""]
 
 
-def materials_table(reports: Path, materials: list[str]) -> Markup:
+def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
     """Each material's best model, its error and how many times the floor that is, both ways."""
     rows: list[list[Text]] = []
     for material in materials:
-        name = Markup('<a href="#{}">{}</a>').format(anchor("material", material), material)
-        rows.append([name, *best(reports / material / "models.csv", "forward")])
+        rows.append([name(material), *best(reports / material / "models.csv", "forward")])
         rows[-1] += best(reports / material / "models.csv", "inverse")
     head = ["Material", "best model", "RMSE (mm)", "× floor", "best model", "RMSE (turns)", "× floor"]
     over = [("", 1), ("forward, within strokes", 3), ("inverse, within strokes", 3)]
-    return table(head, rows, texts=(0, 1, 4), over=over)
+    return table(head, rows, texts=(0, 1, 4), over=over, paged=True)
 
 
 def shortened(text: str) -> str:
@@ -49,29 +52,46 @@ def shortened(text: str) -> str:
     return first[:LONGEST].rsplit(" ", 1)[0] + " …"
 
 
-def next_run(folder: Path) -> str:
+def next_run(content: Content | None) -> str:
     """The run that a diagnosis asks for, in a few words; empty where it asks for none."""
-    content = content_of(folder) or {}
-    return shortened(str(content.get("next_experiment") or ""))
+    return shortened(str((content or {}).get("next_experiment") or ""))
 
 
-def runs_table(reports: Path, runs: list[str]) -> Markup:
-    """Each run's verdict, what it names and the run to make next."""
+def runs_table(found: Mapping[str, Content | None], of: Mapping[str, str], name: Name) -> Markup:
+    """Each run's material, verdict, what it names, its sizes and the run to make next."""
     rows: list[list[Text]] = []
-    for run in runs:
-        folder = reports / "diagnosis" / run
-        name = Markup('<a href="#{}">{}</a>').format(anchor("run", run), run)
-        rows.append([name, tag(verdict_of(folder)), named_of(folder), next_run(folder)])
-    return table(["Run", "Verdict", "Left out of the simulator", "Next run"], rows, texts=(0, 1, 2, 3))
+    for run, content in found.items():
+        rows.append([name(run), of.get(run, ""), tag(verdict_of(content)), named_of(content)])
+        rows[-1] += [*sizes(content), next_run(content)]
+    head = ["Run", "Material", "Verdict", "Left out of the simulator", *SIZES, "Next run"]
+    over = [("", 5), ("error on unseen strokes", UNSEEN), ("", 2)]
+    return table(head, rows, texts=(0, 1, 2, 3, len(head) - 1), over=over, paged=True)
 
 
-def glance(reports: Path, materials: list[str], runs: list[str]) -> Markup:
-    """The opening of the index."""
+def counted(found: Mapping[str, Content | None]) -> Markup:
+    """How many runs ended with which verdict; a click on one shows its runs alone."""
+    counts = Counter(verdict_of(content) for content in found.values())
+    shape = Markup('<a href="#runs" data-only="{0}">{1:,} {2}</a>')
+    return Markup(" · ").join(
+        shape.format(verdict, counts[verdict], tag(verdict)) for verdict in (*VERDICTS, UNDECIDED) if counts[verdict]
+    )
+
+
+def glance(
+    reports: Path, materials: list[str], runs: list[str], of: Mapping[str, str], material_name: Name, run_name: Name
+) -> Markup:
+    """The opening of the index; `of` gives a run's material."""
+    found = {run: content_of(reports / "diagnosis" / run) for run in runs}
     parts: list[Text] = [Markup('<h2 id="glance">At a glance</h2>')]
-    if materials:
-        parts.append(materials_table(reports, materials))
     if runs:
-        parts.append(runs_table(reports, runs))
+        parts.append(paragraph(Markup("Verdicts: {}.").format(counted(found))))
+    if materials:
+        aside = f"{len(materials):,}: the best model of each, and how near it comes to what no model can beat"
+        below = materials_table(reports, materials, material_name)
+        parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
+    if runs:
+        aside = f"{len(runs):,}: what the simulator leaves out of each; mismatch and noise are rms"
+        parts.append(folded("runs", "Runs", aside, runs_table(found, of, run_name), level=3, is_open=True))
     if not materials and not runs:
         parts.append(paragraph("No run lies in raw/ yet."))
     return together(parts)

@@ -1,7 +1,13 @@
-"""Reports → index.html, one page: the short answer first, then every material's and every run's part, folded."""
+"""Reports → index.html, the short answer first, and a page of each material and each run, which it leads to.
+
+What is few it shows itself, folded; of many it shows a line each. No page grows with the figures of all runs.
+"""
 
 import argparse
-from collections.abc import Sequence
+import json
+import os
+import shutil
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -10,18 +16,20 @@ from ..ground.errors import program
 from ..ground.files import write_text
 from ..run.left_out import LeftOut
 from ..string.jump_notes import read_jumps
-from . import diagnoses, jumps, left_out, materials
+from . import diagnoses, jumps, left_out
 from .glance import glance
 from .made_by import MadeBy
 from .marks import add_mark, mark_from
+from .parts import FOLDER, Parts, of_materials, of_runs
 from .web.glossary import glossary
-from .web.page import Text, anchor, document, paragraph, together
+from .web.page import Text, anchor, document, folded, paragraph, together
 
 OTHERS = {
     "campaign/campaign.html": "What a new string teaches a model",
     "proof/proof.html": "The concealed proof",
     "real/index.html": "Recordings of public rigs",
 }
+NUMBERS = 'All numbers: <a href="metrics.csv">metrics.csv</a>, its columns explained in <a href="{0}">{0}</a>.'
 
 
 def others(reports: Path) -> Markup:
@@ -34,51 +42,83 @@ def others(reports: Path) -> Markup:
     return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(there))) if there else Markup("")
 
 
+def verdict_tag(reports: Path, run: str) -> Markup:
+    """A run's verdict in its colour."""
+    return diagnoses.tag(diagnoses.verdict_of(diagnoses.content_of(reports / "diagnosis" / run)))
+
+
 def page(
-    reports: Path, named: list[str], runs: list[str], gone: list[LeftOut], mark: MadeBy, jumped: Sequence[str] = ()
+    reports: Path,
+    materials: Parts,
+    runs: Parts,
+    strings: Mapping[str, Sequence[str]],
+    gone: list[LeftOut],
+    mark: MadeBy,
+    jumped: Sequence[str] = (),
 ) -> str:
-    """The page's HTML; links are relative to the reports' folder, so that it can be moved as a whole."""
-    numbers = Markup(
-        'All numbers: <a href="metrics.csv">metrics.csv</a>, its columns explained in <a href="{}">{}</a>.'
-    )
-    described = "metrics.csv-metadata.json"
-    body: list[Text] = [glance(reports, named, runs)]
+    """The index's HTML; links are relative to the reports' folder, so that it can be moved as a whole.
+
+    `strings` gives the runs of each material.
+    """
+    of = {run: material for material, own in strings.items() for run in own}
+    body: list[Text] = [glance(reports, materials.names, runs.names, of, materials.link, runs.link)]
     places: list[tuple[str, Text]] = [("glance", "At a glance")]
+    places += [(kind, kind.capitalize()) for kind, parts in (("materials", materials), ("runs", runs)) if not parts.few]
     if gone:
         places.append(("left-out", "Left out"))
         body.append(left_out.section(gone))
     if jumped:
         places.append(("jumps", "The zero jumps"))
         body.append(jumps.section(jumped))
-    if named:
-        body.append(paragraph(numbers.format(described, described)))
+    if materials.names:
+        body.append(paragraph(Markup(NUMBERS).format("metrics.csv-metadata.json")))
     body.append(others(reports))
-    for material in named:
-        places.append((anchor("material", material), material))
-        body.append(materials.section(reports, material))
-    if runs:
+    body += materials.here(lambda material: "tables, figures, every model", level=2)
+    places += [(anchor("material", name), name) for name in materials.names if materials.few]
+    shown = runs.here(lambda run: verdict_tag(reports, run), level=3)
+    if shown:
         places.append(("diagnosis", "What the simulator leaves out"))
-        body.append(diagnoses.section(reports, runs))
+        body.append(
+            folded("diagnosis", "What the simulator leaves out", "each run's words and figure", together(shown))
+        )
     places.append(("glossary", "Glossary"))
     body.append(glossary())
     return document("twistbench reports", together(filter(None, body)), mark, places)
 
 
+def write_pages(reports: Path, folder: Path, every: Iterable[Parts], mark: MadeBy) -> None:
+    """Write the pages of all parts in place of those of an earlier time, all of them or none."""
+    temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
+    try:
+        temporary.mkdir(parents=True)
+        for parts in every:
+            heads = {run: verdict_tag(reports, run) for run in parts.names} if parts.kind == "run" else {}
+            parts.write(temporary, mark, heads)
+        shutil.rmtree(folder, ignore_errors=True)
+        os.rename(temporary, folder)
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
 @program
 def main() -> None:
-    """Write `index.html`."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.report.index", description=__doc__)
+    """Write `index.html`, and beside it `pages/`."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.index", description=main.__doc__)
     parser.add_argument("materials", nargs="*")
     parser.add_argument("--runs", nargs="*", default=[], help="runs that are diagnosed")
+    parser.add_argument("--strings", type=json.loads, default={}, metavar="JSON", help="the runs of each material")
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the file of the page, HTML; required")
     add_mark(parser)
     left_out.arguments(parser)
     jumps.arguments(parser)
     arguments = parser.parse_args()
-    mark, gone = mark_from(arguments.made_by), left_out.told(arguments)
-    jumped = read_jumps(arguments.jumps)
-    write_text(arguments.out, page(arguments.reports, arguments.materials, arguments.runs, gone, mark, jumped))
+    mark, gone, reports = mark_from(arguments.made_by), left_out.told(arguments), arguments.reports
+    runs = of_runs(reports, arguments.runs)
+    materials = of_materials(reports, arguments.materials, arguments.strings, runs)
+    text = page(reports, materials, runs, arguments.strings, gone, mark, read_jumps(arguments.jumps))
+    write_text(arguments.out, text)
+    write_pages(reports, arguments.out.with_name(FOLDER), (materials, runs), mark)
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ def section(runs: list[LeftOut]) -> Markup:
     """A part of the page; it is not folded, so that nobody overlooks it."""
     rows = [(one.run if one.run.isprintable() else ascii(one.run), one.material, one.why) for one in runs]
     words = paragraph("These tables, figures and verdicts were made without them.")
-    return together([Markup('<h2 id="left-out">Left out</h2>'), words, table(HEAD, rows, texts=(0, 1, 2))])
+    return together([Markup('<h2 id="left-out">Left out</h2>'), words, table(HEAD, rows, texts=(0, 1, 2), paged=True)])
 
 
 @program

@@ -1,5 +1,6 @@
-"""A material's part of the index, folded: both tables, the figures, and the ways to its other pages."""
+"""A material's part of the pages: its tables, its figures, its runs, and the ways to its other pages."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -7,7 +8,7 @@ from markupsafe import Markup
 from . import paper
 from .strokes_there import NOT_SHOWN
 from .table_forms import from_markdown
-from .web.page import Text, anchor, folded, link, paragraph, picture, together
+from .web.page import Text, link, paragraph, picture, together
 from .web.table import table
 
 FIGURES = {
@@ -23,12 +24,12 @@ PAGES = {
 }
 
 
-def html_table(folder: Path, number: int) -> Markup:
+def html_table(folder: Path, number: int, up: str) -> Markup:
     """Table I or II, the model's name in every row, and where to take it from."""
     stem = f"table_{number}"
     caption, head, rows, notes = from_markdown((folder / f"{stem}.md").read_text(encoding="utf-8"))
     files = Markup(", ").join(
-        Markup('<a href="{}">{}</a>').format(link(folder.name, f"{stem}.{suffix}"), suffix)
+        Markup('<a href="{}">{}</a>').format(up + link(folder.name, f"{stem}.{suffix}"), suffix)
         for suffix in ("csv", "tex", "md")
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
@@ -37,18 +38,24 @@ def html_table(folder: Path, number: int) -> Markup:
     return table(head, rows, words, (0, 1)) + told
 
 
-def section(reports: Path, material: str) -> Markup:
-    """The part of one material; what was not made is not shown."""
+def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") -> Markup:
+    """The part of one material, with the links to its runs; what was not made is not shown.
+
+    `up` leads from the page to `reports/`.
+    """
     folder, parts = reports / material, list[Text]()
-    there = {page: words for page, words in PAGES.items() if (folder / page).is_file()}
-    for page, words in there.items():
-        parts.append(paragraph(Markup('<a href="{}">{}</a>').format(link(material, page), words.capitalize())))
+    for page, words in PAGES.items():
+        if (folder / page).is_file():
+            parts.append(paragraph(Markup('<a href="{}">{}</a>').format(up + link(material, page), words.capitalize())))
     for number in paper.TABLES:
         if (folder / f"table_{number}.md").is_file():
-            parts.append(html_table(folder, number))
+            parts.append(html_table(folder, number, up))
     for stem, words in FIGURES.items():
         if (folder / f"{stem}.png").is_file():
-            source, target = link(material, f"{stem}.png"), link(material, f"{stem}.pdf")
+            source, target = (up + link(material, f"{stem}.{suffix}") for suffix in ("png", "pdf"))
             parts.append(picture(source, f"{stem.replace('_', ' ')} of {material}", target, words))
-    aside = "tables, figures, every model" if parts else "nothing was made of it"
-    return folded(anchor("material", material), material, aside, together(parts))
+    if not parts:
+        parts.append(paragraph("Nothing was made of it."))
+    if runs:
+        parts.append(paragraph(Markup("Runs: {}").format(Markup(" · ").join(runs))))
+    return together(parts)

@@ -9,7 +9,7 @@ from .plain import spoken
 PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
 FIGURES = ("figure_4.png", "figure_5.png")
 WHOLE = {
-    "index.html": "all of it on one page", "campaign/campaign.html": "what a new string teaches a model",
+    "index.html": "the way to all of it", "campaign/campaign.html": "what a new string teaches a model",
     "proof/proof.html": "the concealed proof", "real/index.html": "public rigs",
 }  # fmt: skip
 

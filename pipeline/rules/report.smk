@@ -134,11 +134,13 @@ rule index:
         jumps=expand("processed/{material}/zero_jumps.json", material=MATERIALS),
     output:
         "reports/index.html",
+        directory("reports/pages"),
     log:
         "processed/logs/index.log",
     params:
         materials=MATERIALS,
         runs=DIAGNOSED,
+        strings=json.dumps(PLAN.materials),
         planned=left_out,
         made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
@@ -146,8 +148,8 @@ rule index:
         "write the page that leads to every report"
     shell:
         "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
-        " --left-out {input.left_out:q} --planned {params.planned:q} --jumps {input.jumps:q}"
-        " --made-by {params.made_by:q} --reports reports --out {output:q} > {log:q} 2>&1"
+        " --strings {params.strings:q} --left-out {input.left_out:q} --planned {params.planned:q} --jumps {input.jumps:q}"
+        " --made-by {params.made_by:q} --reports reports --out {output[0]:q} > {log:q} 2>&1"
 
 
 # It fails where a run was refused, after everything else is made, so that this is not overlooked.

@@ -2,7 +2,7 @@
 
 from made_verdict import made_verdict
 
-from pipeline.report.diagnoses import explanations, named_of, section, sizes, verdict_of, verdicts
+from pipeline.report.diagnoses import content_of, explanations, named_of, part, sizes, verdict_of, verdicts
 from pipeline.report.summary import summary
 
 
@@ -25,9 +25,9 @@ FINE = {
 
 
 def test_a_row_says_what_is_left_out_and_what_it_improves(tmp_path):
-    a, b = made(tmp_path, "a", "a: ambiguous", **TIED), made(tmp_path, "b", "b: consistent", **FINE)
-    c = made(tmp_path, "c", "too short")
-    assert [verdict_of(folder) for folder in (a, b, c)] == ["ambiguous", "consistent", "not decided"]
+    made_there = made(tmp_path, "a", "a: ambiguous", **TIED), made(tmp_path, "b", "b: consistent", **FINE)
+    a, b, c = (content_of(folder) for folder in (*made_there, made(tmp_path, "c", "too short")))
+    assert [verdict_of(content) for content in (a, b, c)] == ["ambiguous", "consistent", "not decided"]
     assert sizes(a) == ["0.44 mm", "1.9 mm", "0.81 mm", "0.034 mm", "0.031 mm"]
     assert sizes(b) == ["", "", "", "", "0.2 deg"] and sizes(c) == [""] * 5
     assert explanations(a) == [["creep", "backlash"], ["thermal", "backlash"]] and explanations(c) == []
@@ -35,19 +35,21 @@ def test_a_row_says_what_is_left_out_and_what_it_improves(tmp_path):
     assert named_of(b) == named_of(c) == ""
 
 
-def test_the_page_shows_every_run_and_escapes_what_it_prints(tmp_path):
-    made(tmp_path, "a", "a: ambiguous <here>", **TIED)
+def test_a_part_shows_its_run_and_escapes_what_it_prints(tmp_path):
+    made(tmp_path, "a", "a: ambiguous <here>\n\nThe rest", **TIED)
     made(tmp_path, "c", "raw/c: too short")
-    page = section(tmp_path, ["a", "c", "gone"])
-    assert "a: ambiguous &lt;here&gt;" in page and page.count("<img") == 1 and "raw/c: too short" in page
-    assert "gone: no verdict was written" in page
+    shown = part(tmp_path, "a")
+    assert shown.index("a: ambiguous &lt;here&gt;") < shown.index("<img") < shown.index("The rest")
+    assert shown.count("<img") == 1 and "raw/c: too short" in part(tmp_path, "c") and "<img" not in part(tmp_path, "c")
+    assert "gone: no verdict was written" in part(tmp_path, "gone")
 
 
-def test_the_figure_leads_to_the_pdf_where_there_is_one(tmp_path):
+def test_a_part_leads_to_its_files_from_wherever_its_page_lies(tmp_path):
     folder = made(tmp_path, "a", "a: ambiguous", **TIED)
-    assert 'href="diagnosis/a/diagnosis.pdf"' in section(tmp_path, ["a"])
+    assert 'href="../diagnosis/a/diagnosis.pdf"' in part(tmp_path, "a", "../")
+    assert 'src="diagnosis/a/diagnosis.png"' in part(tmp_path, "a")
     (folder / "diagnosis.pdf").unlink()
-    assert 'href="diagnosis/a/diagnosis.png"' in section(tmp_path, ["a"])
+    assert "diagnosis.pdf" not in part(tmp_path, "a")
 
 
 def test_a_line_names_two_ties_and_counts_the_rest(tmp_path):

@@ -1,4 +1,5 @@
-// Tables sort by a click on a head; a long table has a field that hides other rows; links open what is folded.
+// Tables sort by a click on a head; a long one has a field that hides other rows, and one that is paged shows some at a
+// time; figures enlarge; links open what is folded.
 const number = text => {
   const found = text.trim().replace(/^n=/, "").match(/^[-+−]?\d+(\.\d+)?(e[-+]?\d+)?/i);
   return found ? parseFloat(found[0].replace("−", "-")) : NaN;
@@ -13,6 +14,27 @@ function sort(table, column, head) {
   const order = numeric ? (a, b) => number(text(a)) - number(text(b)) : (a, b) => text(a).localeCompare(text(b));
   filled.sort((a, b) => (falling ? -1 : 1) * order(a, b));
   table.tBodies[0].append(...filled, ...rows.filter(row => !text(row)));
+  show(table, 0);
+}
+
+const LONG = 25, SHOWN = 15; // rows: a longer table has a field; of one that is paged so many are shown
+
+function show(table, first) {
+  const [field, ways] = [table.field, table.ways], rows = [...table.tBodies[0].rows];
+  if (!field) return;
+  const wanted = field.value.toLowerCase(), only = field.only;
+  const fits = row => only ? [...row.cells].some(cell => cell.textContent === only)
+    : row.textContent.toLowerCase().includes(wanted);
+  const found = rows.filter(fits), until = ways && first !== null ? first + SHOWN : found.length, from = first || 0;
+  const shown = new Set(found.slice(from, until));
+  for (const row of rows) row.hidden = !shown.has(row);
+  if (!ways) return;
+  const way = (words, to) => Object.assign(document.createElement("button"), {
+    textContent: words, disabled: to !== null && (to < 0 || to >= found.length), onclick: () => show(table, to) });
+  const said = found.length ? ` ${from + 1} to ${Math.min(until, found.length)} of ${found.length} ` : " none ";
+  const paged = found.length > SHOWN && first !== null;
+  ways.replaceChildren(...(paged ? [way("‹ before", from - SHOWN), said, way("next ›", from + SHOWN), " ", way("show all", null)]
+    : [said, ...(found.length > SHOWN ? [way("show few", 0)] : [])]));
 }
 
 for (const table of document.querySelectorAll("table.sortable")) {
@@ -23,19 +45,37 @@ for (const table of document.querySelectorAll("table.sortable")) {
     button.onclick = () => sort(table, column, head);
     head.append(button);
   });
-}
-
-for (const table of document.querySelectorAll("table.sortable")) {
-  if (table.tBodies[0].rows.length < 25) continue;
-  const field = document.createElement("input");
+  if (table.tBodies[0].rows.length <= (table.classList.contains("paged") ? SHOWN : LONG)) continue;
+  const field = table.field = document.createElement("input");
   field.type = "search";
   field.placeholder = "show only rows with …";
-  field.oninput = () => {
-    const wanted = field.value.toLowerCase();
-    for (const row of table.tBodies[0].rows) row.hidden = !row.textContent.toLowerCase().includes(wanted);
-  };
+  field.oninput = () => { field.only = ""; show(table, 0); };
   table.parentNode.before(field);
+  if (table.classList.contains("paged")) {
+    table.ways = document.createElement("span");
+    table.ways.className = "ways";
+    field.after(table.ways);
+    show(table, 0);
+  }
 }
+
+for (const link of document.querySelectorAll("a[data-only]")) link.onclick = event => {
+  const table = document.querySelector(`${link.getAttribute("href")} table`);
+  event.preventDefault();
+  if (!table.field) return;
+  table.field.value = table.field.only = table.field.only === link.dataset.only ? "" : link.dataset.only;
+  show(table, 0);
+};
+
+const large = document.createElement("dialog");
+large.onclick = () => large.close();
+document.body.append(large);
+for (const link of document.querySelectorAll("a.enlarge")) link.onclick = event => {
+  if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+  event.preventDefault();
+  large.replaceChildren(link.firstElementChild.cloneNode());
+  large.showModal();
+};
 
 function unfold() {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
@@ -44,4 +84,7 @@ function unfold() {
 }
 addEventListener("hashchange", unfold);
 if (location.hash) unfold();
-addEventListener("beforeprint", () => document.querySelectorAll("details").forEach(one => (one.open = true)));
+addEventListener("beforeprint", () => {
+  for (const one of document.querySelectorAll("details")) one.open = true;
+  for (const table of document.querySelectorAll("table.paged")) show(table, null);
+});

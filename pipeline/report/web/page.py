@@ -75,10 +75,11 @@ def folded(at: str, head: Text, aside: Text, body: Text, level: int = 2, is_open
 
 
 def picture(source: str, words: str, target: str = "", caption: Text = "") -> Markup:
-    """A figure with what it shows in words, a link to a file that is better to print, and a caption."""
-    below = Markup("<figcaption>{}</figcaption>").format(caption) if caption else Markup("")
-    shape = Markup('<figure><a href="{}"><img src="{}" alt="{}" loading="lazy"></a>{}</figure>')
-    return shape.format(target or source, source, words, below)
+    """A figure that a click enlarges, with what it shows in words, a caption and a link to a file to print."""
+    better = Markup(' <a href="{}">To print: PDF</a>').format(target) if target else Markup("")
+    below = Markup("<figcaption>{}{}</figcaption>").format(caption, better) if caption or better else Markup("")
+    shape = Markup('<figure><a class="enlarge" href="{}"><img src="{}" alt="{}" loading="lazy"></a>{}</figure>')
+    return shape.format(source, source, words, below)
 
 
 def document(

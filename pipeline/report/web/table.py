@@ -9,9 +9,12 @@ from .page import Text
 
 def table(
     head: Sequence[Text], rows: Sequence[Sequence[Text]], caption: Text = "", texts: Sequence[int] = (0,),
-    over: Sequence[tuple[Text, int]] = (),
+    over: Sequence[tuple[Text, int]] = (), paged: bool = False,
 ) -> Markup:  # fmt: skip
-    """A table; columns `texts` hold words, the others numbers; `over` gives heads above heads, each with its width."""
+    """A table; columns `texts` hold words, the others numbers; `over` gives heads above heads, each with its width.
+
+    A `paged` one shows some of its rows at a time.
+    """
     shape = [Markup(' class="text"') if column in texts else Markup("") for column in range(len(head))]
     names = Markup("").join(Markup("<th{}>{}</th>").format(of, name) for of, name in zip(shape, head, strict=True))
     wide = Markup("").join(Markup('<th class="over" colspan="{}">{}</th>').format(width, name) for name, width in over)
@@ -24,6 +27,6 @@ def table(
     )
     told = Markup("<caption>{}</caption>\n").format(caption) if caption else Markup("")
     return Markup(
-        '<div class="scroll"><table class="sortable">\n{}<thead>\n{}<tr>{}</tr>\n</thead>\n'
+        '<div class="scroll"><table class="{}">\n{}<thead>\n{}<tr>{}</tr>\n</thead>\n'
         "<tbody>\n{}\n</tbody></table></div>"
-    ).format(told, above, names, lines)
+    ).format("sortable paged" if paged else "sortable", told, above, names, lines)

@@ -1,0 +1,104 @@
+"""Many runs: the index shows a line of each, and every run and material is a small page of its own."""
+
+import json
+import shutil
+import subprocess
+
+import programs
+import pytest
+from made_verdict import made_verdict
+from test_diagnoses import FINE, TIED
+from test_index import Seen
+
+from pipeline.report.parts import FEW
+
+MANY = 60
+STRINGS = {f"m-{at}": [f"m-{at}-{run:02d}" for run in range(20)] for at in range(MANY // 20)}
+RUNS = [run for runs in STRINGS.values() for run in runs]
+WORDS = "What is said of a run at length. " * 20
+
+
+def index(reports, strings):
+    runs = [run for own in strings.values() for run in own]
+    done = programs.run(
+        "pipeline.report.index", *strings, "--runs", *runs, "--strings", json.dumps(strings),
+        "--reports", reports, "--out", reports / "index.html",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("many") / "reports"
+    for at, run in enumerate(RUNS):
+        made_verdict(folder / "diagnosis" / run, f"{run}: said\n\n{WORDS}", FINE if at % 3 else TIED)
+    index(folder, STRINGS)
+    return folder
+
+
+def test_the_index_of_many_runs_has_a_line_of_each_and_no_figure(reports):
+    text = (reports / "index.html").read_text()
+    seen = Seen(text)
+    assert WORDS.strip() not in text and "img" not in seen.tags
+    assert all(f'<a href="pages/run-{run}.html">{run}</a>' in text for run in RUNS)
+    assert 'data-only="ambiguous">20 ' in text and 'data-only="consistent">40 ' in text
+    assert '<td class="text">m-1</td>' in text
+
+
+def test_every_part_is_a_page_that_leads_back_and_to_its_neighbours(reports):
+    pages = sorted(path.name for path in (reports / "pages").iterdir())
+    assert pages == sorted([f"run-{run}.html" for run in RUNS] + [f"material-{name}.html" for name in STRINGS])
+    for path in (reports / "pages").iterdir():
+        for address in Seen(path.read_text()).addresses:
+            assert address.startswith("#") or (path.parent / address).is_file(), (path, address)
+    middle = (reports / "pages" / f"run-{RUNS[1]}.html").read_text()
+    for to in ("../index.html", f"../pages/run-{RUNS[0]}.html", f"../pages/run-{RUNS[2]}.html"):
+        assert f'href="{to}"' in middle, to
+    assert WORDS.strip() in middle and f'src="../diagnosis/{RUNS[1]}/diagnosis.png"' in middle
+    material = (reports / "pages" / "material-m-1.html").read_text()
+    assert "pages/run-m-1-00.html" in material and "pages/run-m-0-00.html" not in material
+
+
+def test_few_runs_stand_on_the_index_itself_and_a_page_of_a_run_that_is_gone_goes(reports, tmp_path):
+    place = tmp_path / "reports"
+    shutil.copytree(reports, place)
+    few = {"m-0": STRINGS["m-0"][:FEW]}
+    index(place, few)
+    text = (place / "index.html").read_text()
+    assert text.count("<img") == FEW and 'href="#run-m-0-00"' in text and WORDS.strip() in text
+    assert len(list((place / "pages").iterdir())) == FEW + 1
+    assert not [path.name for path in place.iterdir() if path.name.startswith(".")]
+
+
+def test_an_index_that_fails_leaves_the_pages_of_before(reports, tmp_path):
+    place = tmp_path / "reports"
+    shutil.copytree(reports, place)
+    (place / "diagnosis" / RUNS[-1] / "diagnosis.json").write_text("{}")
+    before = {path.name: path.read_text() for path in (place / "pages").iterdir()}
+    with pytest.raises(KeyError):
+        index(place, STRINGS)
+    assert {path.name: path.read_text() for path in (place / "pages").iterdir()} == before
+
+
+@pytest.mark.skipif(not shutil.which("chromium"), reason="there is no chromium here")
+def test_a_browser_shows_some_rows_sorts_all_of_them_and_shows_one_verdict_alone(reports, tmp_path):
+    click = """<script>
+      const rows = () => [...document.querySelectorAll("#runs tbody tr")].filter(row => !row.hidden);
+      const said = [rows().length, document.querySelector("#runs .ways").textContent];
+      document.querySelectorAll("#runs thead tr:last-child button")[0].click();
+      document.querySelectorAll("#runs thead tr:last-child button")[0].click();
+      said.push(rows()[0].cells[0].textContent);
+      document.querySelector("a[data-only=ambiguous]").click();
+      document.querySelector("#runs .ways button:nth-of-type(2)").click();
+      said.push(rows().length, rows().every(row => row.cells[2].textContent === "ambiguous"));
+      dispatchEvent(new Event("beforeprint"));
+      said.push(rows().length);
+      document.title = said.join("|");
+    </script></body>"""
+    page = reports / "clicked.html"
+    page.write_text((reports / "index.html").read_text().replace("</body>", click))
+    home = f"--user-data-dir={tmp_path / 'home'}"
+    command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", home, "--dump-dom", page.as_uri()]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    title = done.stdout.partition("<title>")[2].partition("</title>")[0]
+    assert title == "15|‹ before 1 to 15 of 60 next › show all|m-2-19|5|true|20", done.stderr[-500:]
