@@ -57,11 +57,7 @@ class _Chain:
 
 
 def coupling(query: Query, source: Source) -> str:
-    """The fitted INN's answer: the paper's, or the conditional one's over eq. 4."""
-    return _conditional(query, source) if source.name == "cinn" else _paper(query, source)
-
-
-def _paper(query: Query, source: Source) -> str:
+    """The answer of the paper's fitted INN."""
     g, model, forward = query.graph, source.model, query.given == "motor_turns"
     mine, other = (model.inputs, model.outputs) if forward else (model.outputs, model.inputs)
     chain = _Chain(g, blocks(model.network), "")
@@ -71,7 +67,8 @@ def _paper(query: Query, source: Source) -> str:
     return query.restored(y, other.mean[0], other.std[0])
 
 
-def _conditional(query: Query, source: Source) -> str:
+def conditional(query: Query, source: Source) -> str:
+    """The fitted conditional INN's answer, over eq. 4."""
     g, model, forward = query.graph, source.model, query.given == "motor_turns"
     mine, other = (model.inputs, model.outputs) if forward else (model.outputs, model.inputs)
     others = query.conditions(source)

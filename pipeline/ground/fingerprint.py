@@ -56,11 +56,21 @@ def _imports(path: Path) -> frozenset[str]:
     return frozenset(".".join(part[:end]) for part in parts for end in range(1, len(part) + 1))
 
 
+def found_by_name(module: str) -> tuple[str, ...]:
+    """What a module of ours says that it finds by name at run time, under FOUND_BY_NAME: imports do not show that."""
+    path = _file(module)
+    body = ast.parse(path.read_text(encoding="utf-8")).body if path else []
+    said = [node for node in body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "FOUND_BY_NAME"]
+    return tuple(ast.literal_eval(said[0].value)) if said else ()
+
+
 def reachable(*modules: str) -> list[Path]:
     """Source files, sorted, of modules and of all of ours that they import, directly or not.
 
     `package.*` stands for every file of a package, data too: what it finds by name at run time, imports do not show.
+    What one of the modules finds so it says itself, under FOUND_BY_NAME.
     """
+    modules = (*modules, *(name for module in modules for name in found_by_name(module)))
     whole = [HOUSE.joinpath(*module.split(".")[1:-1]) for module in modules if module.endswith(".*")]
     files = [path for folder in whole for path in folder.rglob("*") if path.suffix in SOURCES]
     found = {path for path in files if path.suffix != ".py"}

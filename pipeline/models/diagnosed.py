@@ -29,6 +29,7 @@ from .parts.diagnosed_run import Simulator
 from .parts.saved import read_json, write_json
 from .parts.settings import checked
 
+FOUND_BY_NAME = ("pipeline.diagnosis.*", "pipeline.systems.*")  # at run time; for its fingerprint
 FORESEEING = 10  # explanations that are tried, those first that foresee best
 MIDDLE, HELD_BACK = 0.5, 0.12  # of every winding, hold and unwinding: parts that are held back, at its end too
 UNDONE_TURNS = 0.02  # rms by which an inverse may miss what its forward map made

@@ -6,9 +6,10 @@ import numpy as np
 from scipy.optimize import nnls
 
 from ..ground.kinematics import Array
+from ..rig.concealed import Parameters
 from .bench import Bench
 from .case import Case
-from .draws import EITHER_SIGN, NAMED, Parameters, draw_effect
+from .draws import EITHER_SIGN, NAMED, draw_effect
 from .perform import perform
 from .protocol import Protocol
 from .size import calibrated, measure, rms

@@ -6,8 +6,10 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ..rig.concealed import Parameters
+from ..rig.effects import concealed
 from .bench import Bench, draw_bench, mismeasure
-from .draws import NAMED, OPEN_SET, Parameters, draw_effect
+from .draws import NAMED, OPEN_SET, draw_effect
 from .location import location
 from .nuisance import Nuisance, Recorded, draw_nuisance, late_s, record
 from .perform import perform
@@ -63,7 +65,7 @@ def draw_case(
     for name, kappa in zip(names, wanted, strict=True):
         hidden[name], sizes[name], rulings[name] = _pure(name, bench, told, nuisance.floor_mm, kappa, effect_rng)
     always = _always(bench, told, nuisance.floor_mm, names, always_rng)
-    thermocouple |= "room_k" in hidden.get("thermal", {})
+    thermocouple |= any(concealed(name).warms_the_room(parameters) for name, parameters in hidden.items())
     return Case(seed, stratum, bench, told, nuisance, hidden, sizes, rulings, always, load_cell, thermocouple)
 
 

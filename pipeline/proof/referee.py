@@ -12,6 +12,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from ..rig import effects
+from ..rig.concealed import Other
 from ..rig.motion import Commands
 from ..rig.string import String
 from .bench import Bench
@@ -36,7 +37,7 @@ def _pace(times: float) -> Change:
     return lambda told, step_s: (told, step_s / times)
 
 
-CHANGES: Mapping[str, Change] = {
+CHANGES: Mapping[Other, Change] = {
     "in no time": _pace(1e6),
     "infinitely slowly": _pace(0.001),
     "at half speed": _pace(0.5),
@@ -53,60 +54,12 @@ CHANGES: Mapping[str, Change] = {
 
 
 @dataclass(frozen=True)
-class Claim:
-    """What an effect says of itself: its driver, how to freeze that, and what makes no difference."""
-
-    driver: str
-    frozen: str
-    indifferent: tuple[str, ...] = ()
-
-
-CLAIMS: Mapping[str, Claim] = {
-    "axial_elasticity": Claim("load", "under one load", ("at half speed", "never unwound")),
-    "backlash": Claim("reversals of twist", "wound up once", ("at half speed", "under twice the load")),
-    "clamp_slip": Claim("an event", "in no time", ("at rest",)),
-    "count_slip": Claim("an event", "in no time"),
-    "creep": Claim("time under load", "in no time"),
-    "eccentricity": Claim("the angle within a turn", "by whole turns", ("at half speed", "under twice the load")),
-    "end_stop": Claim("large displacement", "half wound", ("at half speed",)),
-    "friction_hysteresis": Claim("reversals of twist under load", "without load", ("at half speed",)),
-    "jam": Claim("large twist", "half wound", ("at half speed", "under twice the load")),
-    "load_swing": Claim("starts and stops", "infinitely slowly", ("under twice the load",)),
-    "overtwist": Claim("large twist", "half wound", ("at half speed", "under twice the load")),
-    "plastic_elongation": Claim("worked strokes", "wound up once", ("at half speed",)),
-    "radius_compaction": Claim("twist under load", "without load", ("at half speed",)),
-    "sensor_drift": Claim("time", "in no time", ("under twice the load", "at rest")),
-    "sensor_lag": Claim("displacement rate", "infinitely slowly", ("under twice the load",)),
-    "shaft_windup": Claim("torque", "without load", ("at half speed",)),
-    "slack": Claim("low twist", "never unwound", ("at half speed", "under twice the load")),
-    "stick_slip": Claim("slow displacement", "a hundred times as fast"),
-    "stiffening": Claim("worked strokes, under load", "without load", ("at half speed",)),
-    "thermal": Claim("temperature", "at rest"),
-    "viscous_loss": Claim("twisting rate", "infinitely slowly", ("under twice the load",)),
-    "wear": Claim("travel", "wound up once", ("at half speed",)),
-    "x_ballooning": Claim("twisting rate squared", "infinitely slowly", ("under twice the load",)),
-    "x_encoder_interpolation": Claim("the angle within a turn", "by whole turns", ("at half speed",)),
-    "x_floor_sway": Claim("time", "in no time", ("under twice the load", "at rest")),
-    "x_humidity": Claim("time", "in no time", ("under twice the load", "at rest")),
-    "x_magnetic_scale": Claim("displacement", "at rest", ("at half speed",)),
-    "x_string_tangling": Claim("a new winding", "never unwound", ("at half speed", "under twice the load")),
-}
-
-
-def claim_of(name: str, parameters: Mapping[str, Any]) -> Claim:
-    """The claim of an effect; heat that comes from the room stands still when time does, not when the string does."""
-    if name == "thermal" and parameters.get("room_k"):
-        return Claim("temperature", "in no time", ("at rest",))
-    return CLAIMS[name]
-
-
-@dataclass(frozen=True)
 class Ruling:
     """What the referee saw."""
 
     driver: str
     carried: float  # share of the effect that goes when its driver stands still
-    changed: dict[str, float]  # share of the effect that changes with what should make no difference
+    changed: dict[Other, float]  # share of the effect that changes with what should make no difference
 
     @property
     def pure(self) -> bool:
@@ -120,9 +73,9 @@ class Ruling:
 
 def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Protocol) -> Ruling:
     """Rerun the rig on a bench as an effect's claim asks, and compare."""
-    claim = claim_of(name, parameters)
+    claim = effects.concealed(name).claims(parameters)
 
-    def does(change: str = "") -> Array:
+    def does(change: Other | None = None) -> Array:
         told, step_s = CHANGES[change](protocol.told, protocol.step_s) if change else (protocol.told, protocol.step_s)
         return _does(name, parameters, bench, told, step_s)
 

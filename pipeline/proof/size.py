@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ground.kinematics import Array
+from ..rig.concealed import Parameters
 from .bench import Bench
 from .calibration import Calibrated, calibrate
-from .draws import Parameters, Strength
+from .draws import Strength
 from .perform import Performed, perform
 from .protocol import Protocol
 

@@ -1,28 +1,10 @@
-"""How far and how slowly the strength of each effect wanders."""
+"""How slowly the strength of an effect wanders; how far, its own file says."""
 
 from typing import Any
 
 import numpy as np
 
 WAVES, PERIODS_S = 4, (10.0, 60.0)
-# How far the strength of an effect wanders, rms: no formula of few numbers, whosever it is, may fit an effect without
-# remainder, and these would be fitted so (`python -m pipeline.proof.twins`). The others leave enough as they are.
-WANDERS = {
-    "backlash": 0.034,
-    "clamp_slip": 0.019,
-    "count_slip": 0.032,
-    "end_stop": 0.035,
-    "jam": 0.036,
-    "overtwist": 0.034,
-    "plastic_elongation": 0.010,
-    "radius_compaction": 0.036,
-    "sensor_drift": 0.017,
-    "sensor_lag": 0.044,
-    "shaft_windup": 0.030,
-    "slack": 0.020,
-    "viscous_loss": 0.015,
-    "wear": 0.030,
-}
 
 
 def wander(rms_share: float, rng: np.random.Generator) -> dict[str, Any]:

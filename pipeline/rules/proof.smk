@@ -171,7 +171,7 @@ rule score:
     params:
         batches=list(BATCHES),
         note=note_of(mark_of("proof")),
-        code=fingerprint("pipeline.proof.score"),
+        code=fingerprint("pipeline.proof.score", "pipeline.rig.effects.*"),
     message:
         "open the answers and score the verdicts"
     shell:

@@ -2,12 +2,8 @@ def settings(wildcards):
     return json.dumps(config["models"][wildcards.model]["settings"], sort_keys=True)
 
 
-FOUND_BY_NAME = {"diagnosed": ("pipeline.diagnosis.*", "pipeline.systems.*")}  # at run time: no import shows it
-
-
 def code_of_model(wildcards):
-    found = FOUND_BY_NAME.get(wildcards.model, ())
-    return fingerprint("pipeline.stages.train", f"pipeline.models.{wildcards.model}", *found)
+    return fingerprint("pipeline.stages.train", f"pipeline.models.{wildcards.model}")
 
 
 rule train:

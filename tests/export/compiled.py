@@ -96,20 +96,20 @@ class Compiled:
 def compiled(source: Source, folder: Path, real: str = "float", *, options: tuple[str, ...] = ("-O1",)) -> Compiled:
     """The source's header under a driver, built as C99 without a warning."""
     need("gcc")
-    fields = source.inputs.fields
+    fields, text = source.inputs.fields, header(source, "tsa")
     assign = "".join(
         f"        at.{field.name} = ({'int' if field.whole else 'tsa_real'})row[{number}];\n"
         for number, field in enumerate(fields, start=1)
     )
-    text = DRIVER % {
+    driver = DRIVER % {
         "columns": len(fields) + 1,
         "untouched": UNTOUCHED,
         "assign": assign,
-        "prepared": PREPARED if source.name == "spline" else "",
+        "prepared": PREPARED if "tsa_prepare(" in text else "",
     }
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "model.h").write_text(header(source, "tsa"))
-    (folder / "driver.c").write_text(text)
+    (folder / "model.h").write_text(text)
+    (folder / "driver.c").write_text(driver)
     program = folder / f"driver-{real}"
     warnings = C99 if real == "float" else [word for word in C99 if word != "-Wdouble-promotion"]
     built(*warnings, *options, f"-DTSA_REAL={real}", folder / "driver.c", "-o", program, "-lm")

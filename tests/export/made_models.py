@@ -16,7 +16,6 @@ QUICK: dict[str, dict[str, Any]] = {
     "cinn": {"blocks": 4, "width": 20, "epochs": 12, "batch": 60},
     "mlp": {"width": 16, "epochs": 12, "batch": 60, "rate": 1e-2},
 }
-NAMES = ("spline", "cinn", "inn", "polynomial", "mlp", "traditional", "calibrated")
 
 
 def campaign() -> pd.DataFrame:

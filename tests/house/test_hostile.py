@@ -8,16 +8,16 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from export.made_models import NAMES as MODELS
 from export.made_models import QUICK
 from hostile import NAMES, NUMBERS, damaged, ended
 from made_recording import content, recording
 from models.made_dataset import made_dataset
 from shares import shares
 
+from pipeline.export.interface import names as exported
 from pipeline.ground import schemas, seal
 from pipeline.ground.errors import BadInput
-from pipeline.models.interface import make_model, settings_of
+from pipeline.models.interface import make_model, names, settings_of
 from pipeline.stages.train import configured
 
 HURTS, COMMANDS, SETTINGS = 130, 170, 900  # of each kind of model, of each program, of all models
@@ -36,7 +36,7 @@ def clean(code: int, complaint: str) -> None:
     assert code == 0 or "error: " in complaint, complaint
 
 
-@pytest.mark.parametrize("model", [name for name in (*MODELS, "diagnosed") if settings_of(name)])
+@pytest.mark.parametrize("model", [name for name in names() if settings_of(name)])
 def test_every_setting_has_its_bounds_and_the_refusal_names_them(model: str) -> None:
     fields = settings_of(model).__dataclass_fields__  # type: ignore[union-attr]
     for name in fields:
@@ -50,10 +50,10 @@ def test_every_setting_has_its_bounds_and_the_refusal_names_them(model: str) -> 
 def test_settings_are_refused_in_words_whatever_they_are() -> None:
     rng = np.random.default_rng(0)
     for _ in range(SETTINGS):
-        model = str(rng.choice([*MODELS, "diagnosed"]))
+        model = str(rng.choice(names()))
         kind = settings_of(model)
-        names = [*(kind.__dataclass_fields__ if kind else []), "depth", ""]
-        told = ", ".join(f'"{rng.choice(names)}": {rng.choice(STRANGE)}' for _ in range(rng.integers(1, 3)))
+        keys = [*(kind.__dataclass_fields__ if kind else []), "depth", ""]
+        told = ", ".join(f'"{rng.choice(keys)}": {rng.choice(STRANGE)}' for _ in range(rng.integers(1, 3)))
         text = rng.choice([f"{{{told}}}", f"{{{told}", told, str(rng.choice(STRANGE))], p=[0.7, 0.1, 0.1, 0.1])
         try:
             configured(model, str(text))
@@ -66,7 +66,7 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a dataset and a small fitted model of every kind that is exported."""
     folder, points = tmp_path_factory.mktemp("saved"), made_dataset(40, 5)
     schemas.write(points, schemas.DATASET, folder / "dataset.parquet")
-    for name in MODELS:
+    for name in exported():
         model = make_model(
             name, **{**QUICK.get(name, {}), **({"epochs": 2} if "epochs" in QUICK.get(name, {}) else {})}
         )
@@ -77,7 +77,7 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @shares
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", exported())
 def test_a_damaged_model_is_refused_and_one_that_is_sealed_again_exported_or_refused(
     saved: Path, tmp_path: Path, name: str, share: float
 ) -> None:

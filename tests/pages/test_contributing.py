@@ -1,4 +1,8 @@
-"""CONTRIBUTING.md, executed: its three files dropped into a copy of the package, named as it says, and asked."""
+"""CONTRIBUTING.md, executed: its four files dropped into a copy of the package, named as it says, and asked.
+
+A model, an exporter, an effect and a compared method are on that page; a mechanism and a system are on docs/new_rig.md,
+which has a test of its own.
+"""
 
 import os
 import re
@@ -68,6 +72,22 @@ learnt = command.method("cubic_fit")(seen)
 left = seen.residual_mm - learnt.adds_mm(seen.problem)
 assert learnt.named is None and engine.rms(left) < engine.rms(seen.residual_mm)
 """
+EFFECT = """
+from pipeline.proof.case import draw_case, performed
+from pipeline.proof.plan import effect_names
+from pipeline.rig import effects
+
+assert "x_mains_hum" in effects.names() and "x_mains_hum" in effect_names(open_set=True)
+case = draw_case(1, "open", "rich", ["x_mains_hum"], [1.0])
+assert case.rulings["x_mains_hum"].pure and abs(case.sizes["x_mains_hum"].kappa - 1.0) < 0.05
+assert len(performed(case).table) > 5000
+"""
+# files of tests that the page names for each of its files, and the id under which they run over it
+RUN_OVER = {
+    "shifted": ["tests/models/test_interface.py", "tests/export/test_export_equality.py"],
+    "x_mains_hum": ["tests/rig/test_rig_string.py", "tests/proof/test_proof_case.py"],
+    "cubic_fit": ["tests/proof/test_proof_baselines.py"],
+}
 
 
 @pytest.fixture(scope="module")
@@ -97,8 +117,24 @@ def test_the_pages_method_corrects_a_recording(house: Path, make_run: object) ->
     run(house, METHOD, make_run("method-01"))  # type: ignore[operator]
 
 
+def test_the_pages_effect_is_concealed(house: Path) -> None:
+    run(house, EFFECT)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", RUN_OVER)
+def test_the_tests_that_the_page_names_run_over_its_files(house: Path, name: str) -> None:
+    if not (house / "tests").exists():
+        shutil.copytree(ROOT / "tests", house / "tests", ignore=shutil.ignore_patterns("__pycache__", "data"))
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *RUN_OVER[name], "-k", name]
+    environment = {**os.environ, "PYTHONPATH": f"{house}{os.pathsep}{house / 'tests'}"}
+    done = subprocess.run(command, cwd=house, env=environment, capture_output=True, text=True)
+    ran = re.search(r"^(\d+) passed", done.stdout.splitlines()[-1])
+    assert done.returncode == 0 and ran and int(ran[1]), done.stdout[-3000:]
+
+
 def test_the_pages_files_keep_the_house_style(house: Path) -> None:
-    assert len(FILES) == 3
+    assert len(FILES) == 4
     command = [sys.executable, "-m", "ruff"]
     for words in (["check"], ["format", "--check"]):
         tried = [*command, *words, "--config", str(ROOT / "pyproject.toml"), *FILES]
@@ -110,6 +146,6 @@ def test_what_the_page_names_is_there() -> None:
     for path in re.findall(r"`((?:pipeline|tests|docs)/[\w/]+\.(?:py|md|yaml))`|\((docs/[\w.]+)", PAGE):
         named = next(filter(None, path))
         assert named in FILES or (ROOT / named).is_file(), named
-    short = re.findall(r"`((?:diagnosis|export|models|parts|proof|ground|config)/[\w/]+\.(?:py|yaml))`", PAGE)
+    short = re.findall(r"`((?:diagnosis|export|models|parts|proof|rig|ground|config)/[\w/]+\.(?:py|yaml))`", PAGE)
     for name in short:
         assert any((ROOT / "pipeline" / room / name).is_file() for room in (".", "models")), name

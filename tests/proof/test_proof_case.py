@@ -10,18 +10,48 @@ from scipy.optimize import lsq_linear
 
 import pipeline.proof
 from pipeline.ground.kinematics import Geometry
-from pipeline.proof import referee
 from pipeline.proof.alike import copies, left_over
 from pipeline.proof.bench import draw_bench, mismeasure
 from pipeline.proof.case import ALWAYS_KAPPA, Case, answer, draw_case, heldout_noise_mm, performed
-from pipeline.proof.draws import NAMED, OPEN_SET
+from pipeline.proof.draws import NAMED, OPEN_SET, draw_effect
 from pipeline.proof.location import location
 from pipeline.proof.perform import perform
 from pipeline.proof.protocol import draw_protocol
-from pipeline.proof.referee import CLAIMS, rule
+from pipeline.proof.referee import CHANGES, rule
 from pipeline.proof.size import OutOfReach, measure
 from pipeline.rig import effects
 from pipeline.run.strokes import label
+
+DRAWN = {  # one number of each at a strength of 1.5, and the draw after it
+    "axial_elasticity": ("late_s", 5.20139240536, 0.635410929793),
+    "backlash": ("firmness", 3.91378359362, 0.205191590552),
+    "clamp_slip": ("lives_s", [234.930847812, 342.686131404], 0.800089717371),
+    "count_slip": ("lives_s", [87.136454616, 110.752852668, 154.466880529], 0.294764464711),
+    "creep": ("yield_mm", 0.224773503608, 0.661204302466),
+    "eccentricity": ("joint", 0.108701831615, 0.635410929793),
+    "end_stop": ("bumper", 319.313505964, 0.205191590552),
+    "friction_hysteresis": ("tail", 1.32708400572, 0.635410929793),
+    "jam": ("spread_turns", 3.38658745437, 0.205191590552),
+    "load_swing": ("damping", 0.0277514107759, 0.635410929793),
+    "overtwist": ("memory_turns", 3.05730117495, 0.205191590552),
+    "plastic_elongation": ("work_n_mm", [101.67308664, 388.690127731, 923.464730045], 0.764856240894),
+    "radius_compaction": ("exponent", 1.80109959001, 0.205191590552),
+    "sensor_drift": ("mm_per_hour", 1.5, 0.935251751807),
+    "sensor_lag": ("lag_s", 0.09, 0.205191590552),
+    "shaft_windup": ("hardening", 0.320381661319, 0.205191590552),
+    "slack": ("bed_mm", 0.158442768098, 0.205191590552),
+    "stick_slip": ("age_s", 0.586728027479, 0.635410929793),
+    "stiffening": ("order", 2.03318412304, 0.635410929793),
+    "thermal": ("string_s", 13.2620024628, 0.783855007146),
+    "viscous_loss": ("settle_s", 0.0255640711352, 0.205191590552),
+    "wear": ("first_m", 0.0586056594254, 0.935251751807),
+    "x_ballooning": ("settle_s", 0.198729126742, 0.635410929793),
+    "x_encoder_interpolation": ("phase_rad", 4.2865769316, 0.635410929793),
+    "x_floor_sway": ("frequency_hz", 0.587262757242, 0.635410929793),
+    "x_humidity": ("period_s", 89.8100880679, 0.635410929793),
+    "x_magnetic_scale": ("pole_mm", 2.35751530328, 0.635410929793),
+    "x_string_tangling": ("seed", 955764981, 0.635410929793),
+}
 
 
 @cache
@@ -50,7 +80,22 @@ def left_mm(case: Case) -> np.ndarray:
 
 
 def test_every_effect_of_the_rig_can_be_concealed_and_has_a_claim():
-    assert {*NAMED, *OPEN_SET} == set(effects.names()) == set(CLAIMS)
+    assert {*NAMED, *OPEN_SET} == set(effects.names())
+    for name in effects.names():
+        claim = effects.concealed(name).claim
+        assert {claim.frozen, *claim.indifferent} <= set(CHANGES) and claim.driver, name
+
+
+def test_what_a_seed_draws_of_an_effect_is_what_it_always_drew():
+    """Published cases came of it: an effect's file that is added changes none of these numbers, nor does its order."""
+    rng = np.random.default_rng(3)
+    bench = mismeasure(draw_bench(rng), rng, (0.0, 1.8))
+    protocol = draw_protocol("rich", bench, rng)
+    for name, (key, wanted, after) in DRAWN.items():
+        rng = np.random.default_rng([3, 7])
+        parameters = draw_effect(name, bench, protocol, rng)(1.5)
+        assert parameters[key] == pytest.approx(wanted, rel=1e-9), name
+        assert rng.random() == pytest.approx(after, rel=1e-9), name  # where the next draw begins
 
 
 @pytest.mark.parametrize("effect", effects.names())
@@ -71,8 +116,7 @@ def test_the_declared_driver_carries_the_effect(effect):
 def test_an_effect_under_a_false_name_is_found_out(monkeypatch):
     """Play whose contact takes time is a lag: that is what the referee is for."""
     case = case_of("sensor_lag")
-    claims = {"sensor_lag": CLAIMS["backlash"]}
-    monkeypatch.setattr(referee, "CLAIMS", claims)
+    monkeypatch.setattr(type(effects.concealed("sensor_lag")), "claim", effects.concealed("backlash").claim)
     assert not rule("sensor_lag", case.effects["sensor_lag"], case.bench, case.protocol).pure
 
 

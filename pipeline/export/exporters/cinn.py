@@ -17,6 +17,6 @@ PRECISION = np.float32
 
 def answer(query: "Query", source: Source) -> str:
     """The model's answer as ONNX nodes; a header needs no onnx, so it is imported here."""
-    from ..onnx_networks import coupling
+    from ..onnx_networks import conditional
 
-    return coupling(query, source)
+    return conditional(query, source)

@@ -4,11 +4,12 @@ from collections.abc import Iterator
 
 import pandas as pd
 
+from ...rig import effects
 from . import intervals
 from .judge import RIGHT
 
 LARGE = 0.5  # noise floors from which on an effect must be named
-CHANCE = ("clamp_slip", "count_slip", "stick_slip")  # random events: no fit knows the next one
+CHANCE = tuple(name for name in effects.names() if effects.concealed(name).by_chance)
 FIRM_WRONG = ("wrong", "extra", "part", "false alarm")
 COLUMNS = ("metric", "stratum", "count", "of", "value", "low", "high")
 Score = tuple[str, str, float, int, float, float, float]

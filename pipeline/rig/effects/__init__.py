@@ -1,4 +1,6 @@
-"""The rig's effects: one file each, named as the contract names the mechanism, each with its class `Model`.
+"""The rig's effects: one file each, named as the contract names the mechanism, found by being there.
+
+Each holds its class `Model`, the machine, and its class `Hidden`, how a bench conceals it.
 
 Their state equations are the rig's own. The library that explains recordings must not share them, so nothing
 here is imported by, or imports, `pipeline.diagnosis` or `pipeline.models`.
@@ -7,8 +9,10 @@ here is imported by, or imports, `pipeline.diagnosis` or `pipeline.models`.
 import importlib
 import pkgutil
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
+from ..concealed import Concealed
 from ..effect import Effect
 from ..unsteady import Unsteady
 
@@ -32,3 +36,10 @@ def make(name: str, parameters: Mapping[str, Any]) -> Effect:
         return Unsteady(effect, **parameters["unsteady"]) if "unsteady" in parameters else effect
     except TypeError as error:
         raise ValueError(f"has other parameters ({error})") from None
+
+
+@cache
+def concealed(name: str) -> Concealed:
+    """How a bench conceals the effect of that name."""
+    hidden: Concealed = importlib.import_module(f"{__name__}.{name}").Hidden()
+    return hidden

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
 
@@ -32,3 +33,19 @@ class Model(Effect):
             self.state[0] = stretch_n[0]
         late_n = settle(stretch_n, -math.expm1(-lived.step_s / self.late_s), self.state)
         return np.asarray(self.compliance_mm_per_n * ((1.0 - self.late) * stretch_n + self.late * late_n))
+
+
+class Hidden(Concealed):
+    """A string as soft as fibres and toe make it."""
+
+    claim = Claim("load", "under one load", ("at half speed", "never unwound"))
+    grows = ("compliance_mm_per_n",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """The toe in shares of the usual load."""
+        return {
+            "compliance_mm_per_n": 0.02,
+            "toe_n": uniform(rng, 1.0, 3.0) * scene.load_n,
+            "late": uniform(rng, 0.08, 0.12),
+            "late_s": uniform(rng, 4.0, 8.0),
+        }

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -46,3 +47,14 @@ def _cross(twist_rad: Array, half_rad: float, firmness: float, state: Array) -> 
             state[0] = min(max(state[0], -half_rad), half_rad)
         out[step] = state[0]
     return out
+
+
+class Hidden(Concealed):
+    """Play of a fifth of a turn, and more."""
+
+    claim = Claim("reversals of twist", "wound up once", ("at half speed", "under twice the load"))
+    grows, most, wanders = ("turns",), 2.0, 0.034
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How firmly the dogs meet."""
+        return {"turns": 0.2, "firmness": uniform(rng, 2.0, 4.0)}

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
 
@@ -46,3 +47,17 @@ def _pull(tired_s: Array, lives_s: Array, slips_mm: Array, glides: float, state:
                 left[slip] /= 1.0 + glides * left[slip]
             out[step] += slips_mm[slip] * (1.0 - left[slip])
     return out
+
+
+class Hidden(Concealed):
+    """A clamp that gives way once or twice."""
+
+    claim = Claim("an event", "in no time", ("at rest",))
+    grows, wanders, by_chance = ("slips_mm",), 0.019, True
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """One or two slips, somewhere in the middle of the recording."""
+        load_n = scene.load_n
+        events = int(rng.integers(1, 3))
+        lives_s = scene.lives((scene.commands.load_n / load_n) ** 2, events, rng)
+        return {"slips_mm": (0.3 * rng.uniform(0.6, 1.4, events)).tolist(), "lives_s": lives_s, "load_n": load_n}

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...ground.kinematics import Array
+from ...ground.kinematics import RAD_PER_TURN, Array
+from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
 
@@ -52,3 +53,21 @@ def _slip(tired_s: Array, lives_s: Array, slips_rad: Array, most_rad: float, sta
         state[1] += min(max(gap_rad, -most_rad), most_rad)
         out[step] = state[1]
     return out
+
+
+class Hidden(Concealed):
+    """A screw that lets go one to three times."""
+
+    claim = Claim("an event", "in no time")
+    grows, most, wanders, by_chance = ("turns",), 2.0, 0.032, True
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """One to three slips, somewhere in the middle of the recording."""
+        commands, true = scene.commands, scene.geometry
+        open_mm = true.separator_mm + commands.motor_turns * RAD_PER_TURN * true.radius_mm
+        sine = open_mm / np.hypot(open_mm, true.torsion_zone_mm)
+        tires = (commands.load_n * true.radius_mm * sine / scene.torque_n_mm) ** 2
+        events = int(rng.integers(1, 4))
+        lives_s = scene.lives(tires, events, rng)
+        turns = (0.3 * rng.uniform(0.6, 1.4, events)).tolist()
+        return {"turns": turns, "lives_s": lives_s, "torque_n_mm": scene.torque_n_mm}

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -46,3 +47,16 @@ def _flow(pull_n: Array, compliance_mm_per_n: Array, kept: Array, yield_mm: floa
             total += flow_mm[branch]
         out[step] = total
     return out
+
+
+class Hidden(Concealed):
+    """A string that gives way in three times."""
+
+    claim = Claim("time under load", "in no time")
+    grows = ("compliance_mm_per_n", "yield_mm")
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """Three branches of seconds, of tens of them and of minutes."""
+        taus = [uniform(rng, 2.0, 5.0), uniform(rng, 12.0, 25.0), uniform(rng, 60.0, 120.0)]
+        compliance = 0.3 * rng.dirichlet([3.0, 4.0, 3.0]) / scene.load_n
+        return {"compliance_mm_per_n": compliance.tolist(), "tau_s": taus, "yield_mm": uniform(rng, 0.05, 0.15)}

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
 
@@ -26,3 +27,14 @@ class Model(Effect):
         level_mm = self.run_out_mm * np.sin(angle)
         straight_mm = np.sqrt(zone_mm**2 + aside_mm**2 + level_mm**2)
         return np.asarray(straight_mm - np.sqrt(2.0) * zone_mm)
+
+
+class Hidden(Concealed):
+    """A hook a tenth of a millimetre out of true, and more."""
+
+    claim = Claim("the angle within a turn", "by whole turns", ("at half speed", "under twice the load"))
+    grows = ("run_out_mm",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """Where the hook stands, and how bent its joint is."""
+        return {"run_out_mm": 0.1, "phase_rad": scene.phase_rad, "joint": uniform(rng, 0.08, 0.2)}

@@ -1,8 +1,12 @@
 """The load runs into a stop: it goes no further, however much is twisted."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -37,3 +41,18 @@ def _dent(past_mm: Array, ratio: float) -> Array:
                 root -= (root**2 + ratio * root**3 - past_mm[step]) / (2.0 * root + 3.0 * ratio * root**2)
             out[step] = root * root
     return out
+
+
+class Hidden(Concealed):
+    """A stop in the last hundredths of the stroke, and further in."""
+
+    claim = Claim("large displacement", "half wound", ("at half speed",))
+    wanders = 0.035
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How hard the rubber is."""
+        return {"bumper": uniform(rng, 100.0, 400.0), "stretch_n_per_mm": scene.geometry.stiffness_n_per_mm}
+
+    def at(self, drawn: Mapping[str, Any], strength: float, scene: Scene) -> Parameters:
+        """The stronger, the sooner it is met."""
+        return {**drawn, "at_mm": scene.stroke_mm * (1.0 - min(0.03 * strength, 0.9))}

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -53,3 +54,15 @@ def _hold_with_tail(limit_rad: Array, moved: Array, tail: float, held_rad: Array
             held_rad[0] = limit_rad[step] - gap
         out[step] = held_rad[0]
     return out
+
+
+class Hidden(Concealed):
+    """A loop of a tenth of a turn under the usual load, and more."""
+
+    claim = Claim("reversals of twist under load", "without load", ("at half speed",))
+    grows = ("turns_per_n",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How soon after a reversal, and how, the loop closes."""
+        reach_turns, tail = uniform(rng, 0.1, 0.5), uniform(rng, 0.7, 1.5)
+        return {"turns_per_n": 0.1 / scene.load_n, "reach_turns": reach_turns, "tail": tail}

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -38,3 +39,16 @@ def _press(past: Array) -> Array:
             pressed = root * root
         out[step] = pressed
     return out
+
+
+class Hidden(Concealed):
+    """Coils that touch in the upper part of the twist."""
+
+    claim = Claim("large twist", "half wound", ("at half speed", "under twice the load"))
+    grows, most, wanders = ("share",), 0.95, 0.036
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """From which twist on, and how softly it begins."""
+        top = scene.top_turns
+        critical_turns, spread_turns = top * uniform(rng, 0.55, 0.8), top * uniform(rng, 0.05, 0.15)
+        return {"critical_turns": critical_turns, "share": 0.3, "spread_turns": spread_turns}

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -49,3 +50,14 @@ def _swing(contraction_mm: Array, steps: tuple[float, ...], state: Array) -> Arr
             state[0] += part_s * state[1]
         out[step] = state[0]
     return out
+
+
+class Hidden(Concealed):
+    """A load of which a third swings, and more."""
+
+    claim = Claim("starts and stops", "infinitely slowly", ("under twice the load",))
+    grows, most = ("share",), 0.95
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How fast it swings, and for how long."""
+        return {"share": 0.3, "frequency_hz": uniform(rng, 0.7, 1.6), "damping": uniform(rng, 0.01, 0.04)}

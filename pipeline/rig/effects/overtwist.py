@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 COILS = 40
@@ -48,3 +49,20 @@ def _coil(turns: Array, nucleates_turns: Array, melts_turns: Array, coiled: Arra
                 coiled[coil] = 0.0
             out[step] += coiled[coil] * (turns[step] - melts_turns[coil])
     return out
+
+
+class Hidden(Concealed):
+    """Coils in the upper part of the twist."""
+
+    claim = Claim("large twist", "half wound", ("at half speed", "under twice the load"))
+    grows, wanders = ("gain_mm_per_turn",), 0.034
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """From which twist on, how softly it begins, and how much later it ends."""
+        top = scene.top_turns
+        return {
+            "critical_turns": top * uniform(rng, 0.6, 0.8),
+            "gain_mm_per_turn": 0.3,
+            "spread_turns": top * uniform(rng, 0.015, 0.03),
+            "memory_turns": top * uniform(rng, 0.08, 0.2),
+        }

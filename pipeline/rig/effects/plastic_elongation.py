@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -42,3 +43,16 @@ def _yield(work_n_mm: Array, capacity_n_mm: Array, left_mm: Array, given_mm: Arr
             given_mm[0] += yielded_mm
         out[step] = given_mm[0]
     return out
+
+
+class Hidden(Concealed):
+    """A string that stretches by four tenths of a millimetre in all, and more."""
+
+    claim = Claim("worked strokes", "wound up once", ("at half speed",))
+    grows, wanders = ("stretch_mm",), 0.010
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """Three populations that are exhausted within a stroke, in one or two, and in many."""
+        shares = rng.dirichlet([3.0, 3.0, 3.0])
+        strokes = np.array([uniform(rng, 0.2, 0.5), uniform(rng, 0.8, 2.0), uniform(rng, 4.0, 10.0)])
+        return {"stretch_mm": (0.4 * shares).tolist(), "work_n_mm": (scene.work_n_mm * strokes).tolist()}

@@ -1,10 +1,13 @@
 """Lateral pressure packs the fibres of a twisted string tighter, so that its radius falls."""
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -50,3 +53,18 @@ def _pack(
         out[step] = state[0] ** -0.5
         state[1] = radius_mm[step] * out[step]
     return out
+
+
+class Hidden(Concealed):
+    """A bundle that is pressed thinner."""
+
+    claim = Claim("twist under load", "without load", ("at half speed",))
+    wanders = 0.036
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How the bed of fibres stiffens."""
+        return {"bed_mpa": 300.0, "exponent": uniform(rng, 1.3, 3.0)}
+
+    def at(self, drawn: Mapping[str, Any], strength: float, scene: Scene) -> Parameters:
+        """The stronger, the softer the bed."""
+        return {**drawn, "bed_mpa": drawn["bed_mpa"] / strength}

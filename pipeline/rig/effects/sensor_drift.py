@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
 
@@ -22,3 +23,14 @@ class Model(Effect):
         zero_mm = self.zero_mm + np.cumsum(rate) * lived.step_s
         self.time_s, self.zero_mm = float(time_s[-1]) + lived.step_s, float(zero_mm[-1])
         return zero_mm
+
+
+class Hidden(Concealed):
+    """A zero that moves by a millimetre an hour, and more, either way."""
+
+    claim = Claim("time", "in no time", ("under twice the load", "at rest"))
+    grows, either_sign, wanders = ("mm_per_hour",), True, 0.017
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How soon it calms down."""
+        return {"mm_per_hour": 1.0, "settle_s": uniform(rng, 80.0, 250.0), "ageing": uniform(rng, 0.3, 0.8)}

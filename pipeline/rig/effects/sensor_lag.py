@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, settle
 
 
@@ -35,3 +36,14 @@ class Model(Effect):
         for pole_s, state in zip(self.poles_s, self.filtered_mm, strict=True):
             late_mm = settle(late_mm, -math.expm1(-lived.step_s / pole_s), state)
         return np.asarray(late_mm - lived.reading_mm)
+
+
+class Hidden(Concealed):
+    """A reading that is late by six hundredths of a second, and more."""
+
+    claim = Claim("displacement rate", "infinitely slowly", ("under twice the load",))
+    grows, most, wanders = ("lag_s",), 0.5, 0.044
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """Nothing is drawn."""
+        return {"lag_s": 0.06}

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
 
@@ -31,3 +32,18 @@ class Model(Effect):
             gives = self.compliance * hard**-self.hardening * (1.0 - self.hardening * (hard - 1.0) / hard)
             wind_up_rad = wind_up_rad - (wind_up_rad - given_rad) / (1.0 - gives * falls)
         return wind_up_rad
+
+
+class Hidden(Concealed):
+    """A coupling that gives way."""
+
+    claim = Claim("torque", "without load", ("at half speed",))
+    grows, wanders = ("compliance_rad_per_n_mm",), 0.030
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """At which torque, and how, it hardens."""
+        return {
+            "compliance_rad_per_n_mm": 0.2,
+            "hardens_n_mm": scene.torque_n_mm * uniform(rng, 0.3, 1.0),
+            "hardening": uniform(rng, 0.3, 0.5),
+        }

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -53,3 +54,14 @@ def _lift(asked_mm: Array, softness_mm: Array, bed_mm: float, hardness: float) -
                 high = rise
         out[step] = 0.5 * (low + high)
     return out
+
+
+class Hidden(Concealed):
+    """A string that is four tenths of a millimetre too long, and more."""
+
+    claim = Claim("low twist", "never unwound", ("at half speed", "under twice the load"))
+    grows, wanders = ("take_up_mm", "bed_mm"), 0.020
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How the load leaves its bed."""
+        return {"take_up_mm": 0.4, "bed_mm": uniform(rng, 0.1, 0.25), "hardness": uniform(rng, 1.2, 2.0)}

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 SPEED_S = 0.02  # over which the speed is taken
@@ -54,3 +55,15 @@ def _stick(contraction_mm: Array, step_s: float, settings: tuple[float, ...], st
             state[0], state[1] = string_mm + rebound * gap_mm, 0.0
         out[step] = string_mm - state[0]
     return out
+
+
+class Hidden(Concealed):
+    """Steps of a tenth of a millimetre, and more."""
+
+    claim = Claim("slow displacement", "a hundred times as fast")
+    grows, by_chance = ("step_mm",), True
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """At which speed the slider floats, and how fast its grip ages."""
+        speed, age_s = scene.stroke_mm / uniform(rng, 4.0, 8.0), uniform(rng, 0.2, 0.6)
+        return {"step_mm": 0.1, "float_mm_per_s": speed, "age_s": age_s}

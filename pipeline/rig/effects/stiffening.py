@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -37,3 +38,19 @@ def _lock(work: Array, order: float, unlocked: Array) -> Array:
         unlocked[0] /= 1.0 + work[step] * unlocked[0] ** (order - 1.0)  # implicit: never below nothing
         out[step] = 1.0 - unlocked[0]
     return out
+
+
+class Hidden(Concealed):
+    """A string that grows up to half as stiff again."""
+
+    claim = Claim("worked strokes, under load", "without load", ("at half speed",))
+    grows = ("compliance_mm_per_n",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """By how much, within how many strokes, and how abruptly."""
+        return {
+            "compliance_mm_per_n": 0.03,
+            "gain": uniform(rng, 0.3, 0.6),
+            "work_n_mm": scene.work_n_mm * uniform(rng, 2.0, 6.0),
+            "order": uniform(rng, 2.0, 3.5),
+        }

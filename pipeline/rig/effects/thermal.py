@@ -1,10 +1,13 @@
 """The string's length follows its temperature: that of the room, and what it warms itself by being worked."""
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -63,3 +66,29 @@ def _warm(warming_k: Array, room_k: Array, rates: tuple[float, ...], state: Arra
         state[2] += (state[0] - state[2]) * to_sensor
         string_k[step], sensor_k[step] = state[0], state[2]
     return string_k, sensor_k
+
+
+class Hidden(Concealed):
+    """A string that lengthens by two hundredths of a millimetre a kelvin, and more, or shrinks."""
+
+    claim = Claim("temperature", "at rest")
+    grows, either_sign = ("expansion_mm_per_k",), True
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """Half of the strings warm themselves, and nobody measures how much; the others are warmed by the room."""
+        if rng.random() < 0.5:
+            heating, string_s = uniform(rng, 1.0, 4.0), uniform(rng, 25.0, 60.0)
+            return {"heating_k_per_j": heating, "string_s": string_s, "expansion_mm_per_k": 0.02}
+        warm_s = (scene.lasts_s * uniform(rng, 0.15, 0.4), scene.lasts_s * uniform(rng, 0.55, 0.8))
+        room = {"heating_k_per_j": 0.0, "room_k": uniform(rng, 4.0, 12.0), "warm_s": warm_s}
+        times = {"string_s": uniform(rng, 8.0, 30.0), "rig_s": uniform(rng, 60.0, 150.0)}
+        return {**room, **times, "expansion_mm_per_k": 0.02}
+
+    def claims(self, parameters: Mapping[str, Any]) -> Claim:
+        """Heat that comes from the room stands still when time does, not when the string does."""
+        warm = self.warms_the_room(parameters)
+        return Claim("temperature", "in no time", ("at rest",)) if warm else self.claim
+
+    def warms_the_room(self, parameters: Mapping[str, Any]) -> bool:
+        """Whether the heat comes from the room, which nobody can know without a thermometer."""
+        return bool(parameters.get("room_k"))

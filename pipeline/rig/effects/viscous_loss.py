@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
 
@@ -25,3 +26,14 @@ class Model(Effect):
         turns_per_s = lived.turned_rad / (2.0 * np.pi) / lived.step_s
         asked = np.sign(turns_per_s) * np.abs(turns_per_s) ** self.thinning
         return self.mm_per_rate * settle(asked, -math.expm1(-lived.step_s / self.settle_s), self.stress)
+
+
+class Hidden(Concealed):
+    """Strands with something between them that resists."""
+
+    claim = Claim("twisting rate", "infinitely slowly", ("under twice the load",))
+    grows, wanders = ("mm_per_rate",), 0.015
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """What kind of fluid it is."""
+        return {"mm_per_rate": 0.03, "thinning": uniform(rng, 0.7, 0.85), "settle_s": uniform(rng, 0.02, 0.06)}

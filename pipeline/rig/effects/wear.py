@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -39,3 +40,14 @@ def _rub(way_mm: Array, share_per_mm: Array, edge: float, first_mm: float, state
         state[0] -= share_per_mm[step] * way_mm[step] * (1.0 + edge * state[1])
         out[step] = state[0]
     return out
+
+
+class Hidden(Concealed):
+    """A radius that falls by three hundredths a metre, and more; worn fibres may fuzz instead."""
+
+    claim = Claim("travel", "wound up once", ("at half speed",))
+    grows, either_sign, wanders = ("share_per_m",), True, 0.030
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How sharp the asperities are, and for how long."""
+        return {"share_per_m": 0.03, "edge": uniform(rng, 0.3, 0.8), "first_m": uniform(rng, 0.05, 0.15)}

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
 
@@ -19,3 +20,14 @@ class Model(Effect):
         """Lengthening in mm, which is negative."""
         asked = (lived.turned_rad / (2.0 * np.pi) / lived.step_s) ** 2
         return -self.mm_per_rate2 * settle(asked, -np.expm1(-lived.step_s / self.settle_s), self.bow)
+
+
+class Hidden(Concealed):
+    """A bow of a hundredth of a millimetre at a turn a second, and more."""
+
+    claim = Claim("twisting rate squared", "infinitely slowly", ("under twice the load",))
+    grows = ("mm_per_rate2",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How soon it bows."""
+        return {"mm_per_rate2": 0.01, "settle_s": uniform(rng, 0.05, 0.2)}

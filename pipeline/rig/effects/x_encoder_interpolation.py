@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived
 
 
@@ -18,3 +19,14 @@ class Model(Effect):
         """Twist that the encoder counts too much, in rad."""
         line = self.lines * lived.twist_rad + self.phase_rad
         return np.asarray(self.error_rad * (np.sin(line) + 0.4 * np.cos(2.0 * line)))
+
+
+class Hidden(Concealed):
+    """A count that errs by a fiftieth of a turn, and more."""
+
+    claim = Claim("the angle within a turn", "by whole turns", ("at half speed",))
+    grows = ("error_turns",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """Where the tracks begin, and how many periods they have."""
+        return {"error_turns": 0.02, "lines": int(rng.integers(2, 4)), "phase_rad": scene.phase_rad}

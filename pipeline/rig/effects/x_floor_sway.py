@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
 
@@ -21,3 +22,14 @@ class Model(Effect):
         self.time_s = float(time_s[-1]) + lived.step_s
         angle = 2.0 * np.pi * self.frequency_hz * time_s + self.phase_rad
         return np.asarray(self.sway_mm * (np.sin(angle) + 0.5 * np.sin(1.083 * angle)))
+
+
+class Hidden(Concealed):
+    """A floor that moves by a twentieth of a millimetre, and more."""
+
+    claim = Claim("time", "in no time", ("under twice the load", "at rest"))
+    grows = ("sway_mm",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How fast the floor sways."""
+        return {"sway_mm": 0.05, "frequency_hz": uniform(rng, 0.15, 0.6), "phase_rad": scene.phase_rad}

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
 
@@ -22,3 +23,18 @@ class Model(Effect):
         self.time_s = float(time_s[-1]) + lived.step_s
         air = np.where((time_s / self.period_s + self.phase) % 1.0 < 0.5, 1.0, -1.0)
         return self.swell_mm * settle(air, -np.expm1(-lived.step_s / self.soak_s), self.wet)
+
+
+class Hidden(Concealed):
+    """A string that swells by a tenth of a millimetre, and more."""
+
+    claim = Claim("time", "in no time", ("under twice the load", "at rest"))
+    grows = ("swell_mm",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How often the air is wetted, and when first."""
+        return {
+            "swell_mm": 0.1,
+            "period_s": scene.lasts_s * uniform(rng, 0.18, 0.3),
+            "phase": uniform(rng, 0.0, 1.0),
+        }

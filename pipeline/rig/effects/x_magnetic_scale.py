@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
 
@@ -18,3 +19,14 @@ class Model(Effect):
         """What the sensor says too much, in mm."""
         angle = 2.0 * np.pi * lived.reading_mm / self.pole_mm + self.phase_rad
         return np.asarray(self.error_mm * (np.sin(angle) + 0.3 * np.sin(3.0 * angle)))
+
+
+class Hidden(Concealed):
+    """A scale that errs by a twentieth of a millimetre, and more."""
+
+    claim = Claim("displacement", "at rest", ("at half speed",))
+    grows = ("error_mm",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How long the poles are, and where they begin."""
+        return {"error_mm": 0.05, "pole_mm": uniform(rng, 1.0, 3.0), "phase_rad": scene.phase_rad}

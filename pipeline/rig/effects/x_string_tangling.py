@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
 
@@ -31,3 +32,14 @@ def _tangle(twist_rad: Array, open_rad: float, factors: Array, state: Array) -> 
             state[0], state[1] = state[0] + 1.0, 0.0
         out[step] = factors[int(state[0]) % len(factors)]
     return out
+
+
+class Hidden(Concealed):
+    """A radius that scatters by half a hundredth, and more."""
+
+    claim = Claim("a new winding", "never unwound", ("at half speed", "under twice the load"))
+    grows = ("scatter",)
+
+    def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
+        """How the strands lie down."""
+        return {"scatter": 0.005, "open_turns": 0.15 * scene.top_turns, "seed": int(rng.integers(1 << 31))}
