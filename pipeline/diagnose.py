@@ -14,7 +14,8 @@ from .diagnosis.adopt import adoptions, block
 from .diagnosis.foretold import foretold
 from .diagnosis.judge import judge
 from .diagnosis.whole import diagnosed, optional
-from .diagnosis.words.text import verdict_text
+from .diagnosis.words.details import details_text
+from .diagnosis.words.verdict import verdict_text
 from .ground.alone import each_alone
 from .ground.command import command
 from .ground.errors import BadInput, program
@@ -53,8 +54,8 @@ def diagnose(
     content, found = diagnosed(runs, tables, folders, without, by, say)
     jumps = optional("the zero of this string's runs", name, lambda: jumps_into(folders, runs, tables)) or []
     if jumps:
-        told = ("before", "run", "jump_mm", "floor_mm")
-        content["zero_jumps"] = [{key: getattr(jump, key) for key in told} for jump in jumps]
+        keys = ("before", "run", "jump_mm", "floor_mm")
+        content["zero_jumps"] = [{key: getattr(jump, key) for key in keys} for jump in jumps]
     if together:
         content["run"] = [run.run for run in runs]
     if rivals:
@@ -64,7 +65,9 @@ def diagnose(
     optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
     write_block(content, out)
     doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
-    words = verdict_text(content, runs[0].system, folders, out, doubts)
+    told = (content, runs[0].system, folders, out, doubts)
+    words = verdict_text(*told)
+    write_text(out / "details.txt", details_text(*told) + "\n")
     write_text(out / "verdict.txt", words + "\n")
     return words
 

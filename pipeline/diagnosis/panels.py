@@ -26,7 +26,7 @@ TITLE_WIDE = 34  # characters
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
     "tied": (TIED, "likely as well"),
-    "beaten": (OTHER, "less likely: verdict.txt says why"),
+    "beaten": (OTHER, "less likely: details.txt says why"),
     "not needed": (MORE, "less likely, with more effects"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),

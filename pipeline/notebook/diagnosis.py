@@ -18,7 +18,8 @@ from ..diagnosis import figures
 from ..diagnosis.outcome import Study
 from ..diagnosis.simulation import read_diagnosis
 from ..diagnosis.whole import diagnosed
-from ..diagnosis.words.text import verdict_text
+from ..diagnosis.words.details import details_text
+from ..diagnosis.words.verdict import verdict_text
 from ..ground.errors import BadInput
 from ..ground.files import write_text
 from ..ground.schemas import unit_of
@@ -126,10 +127,18 @@ class Diagnosis:
 
     @property
     def words(self) -> str:
-        """The whole verdict for a person, as `verdict.txt` has it."""
+        """The verdict on one page, as `verdict.txt` has it."""
+        return verdict_text(self.content, self.system, self._folders)
+
+    @property
+    def details(self) -> str:
+        """All that the verdict stands on, in words, as `details.txt` has it."""
+        return details_text(self.content, self.system, self._folders)
+
+    @property
+    def _folders(self) -> list[Path]:
         runs = self.content["run"]
-        folders = [Path("raw", run) for run in ([runs] if isinstance(runs, str) else runs)]
-        return verdict_text(self.content, self.system, folders)
+        return [Path("raw", run) for run in ([runs] if isinstance(runs, str) else runs)]
 
     def figure(self) -> Figure:
         """The page of figures: recording over simulation, maps of the mismatch, explanations, error on unseen strokes.
@@ -145,9 +154,10 @@ class Diagnosis:
         return json.dumps(self.content, indent=1, ensure_ascii=False) + "\n"
 
     def save(self, folder: Path | str) -> None:
-        """Write `diagnosis.json`, `verdict.txt` and, where it was made here, the page as PNG and PDF, each whole."""
+        """Write `diagnosis.json`, `verdict.txt` and `details.txt`, each whole; of one made here the figures, too."""
         folder = Path(folder)
         write_text(folder / "diagnosis.json", self.to_json())
+        write_text(folder / "details.txt", self.details + "\n")
         write_text(folder / "verdict.txt", self.words + "\n")
         if self._found is not None:
             figures.page(self._found, self.content, folder / "diagnosis")

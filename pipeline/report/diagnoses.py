@@ -14,7 +14,12 @@ from .web.page import Text, link, paragraph, picture, together
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
 UNDECIDED = "not decided"
 SIZES = ("mismatch", "nominal", "calibrated", "explained", "noise")
-FILES = {"verdict.txt": "the words", "diagnosis.json": "all numbers", "diagnosis.pdf": "the figure to print"}
+FILES = {
+    "verdict.txt": "the verdict",
+    "details.txt": "its reasons, and the next run step by step",
+    "diagnosis.json": "all numbers",
+    "diagnosis.pdf": "the figure to print",
+}
 TIES = 2  # of the explanations that fit alike: a line names so many
 Content = Mapping[str, Any]
 

@@ -96,6 +96,9 @@ class System:
     never_zero: frozenset[str] = frozenset()
     tolerance: Mapping[str, float] = {}  # keys of `tolerance:` with their defaults
     absolute: frozenset[str] = frozenset()  # of those, in the dimension's own unit; the others are shares of its value
+    measured: Mapping[
+        str, str
+    ] = {}  # by the name of a dimension: from where to where, and with what, a person measures it
     ports: Mapping[str, str] = {port: port for port in PORTS}
 
     @property

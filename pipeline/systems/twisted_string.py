@@ -10,6 +10,15 @@ from .interface import Described, Inputs, Parameter, System, sigma_of
 
 LOAD_UNIT_N = 10.0
 SEPARATOR = {"torsion_zone_mm": "the length in mm", "separator_mm": "the length in mm"}
+MEASURED = {
+    "radius_mm": "half the thickness of one string, untwisted, lightly pulled: a caliper at ten places, the mean",
+    "separator_mm": "between the middles of the separator's two holes: a caliper",
+    "torsion_zone_mm": "where the strings twist, from the motor's clamp to the separator: a caliper or a steel rule",
+    "length_mm": "one string from clamp to clamp, untwisted, under its load: a steel rule",
+    "scale": "move the sensor by a known way (gauge blocks, a caliper): gain = what it reads / the way",
+    "angle_turns": "what the motor reads where the strings lie parallel, untwisted",
+    "stiffness_n_per_mm": "hang two weights on the untwisted string in turn: difference of forces / of lengths",
+}
 FLATTEST = 0.98  # of its length, that a pair can be wound
 
 
@@ -21,6 +30,7 @@ class TwistedString(System):
     optional_rig: Mapping[str, str] = {"load_n": "load in N, where no channel tells it"}
     tolerance: Mapping[str, float] = {**TOLERANCE, "scale": 0.005, "angle_turns": 0.05}
     absolute = frozenset({"separator_mm", "torsion_zone_mm", "length_mm", "angle_turns"})
+    measured: Mapping[str, str] = MEASURED
     ports: Mapping[str, str] = {
         "twist": "twist", "radius": "radius", "length": "length", "resistance": "length", "sensor": "sensor",
     }  # fmt: skip

@@ -91,7 +91,8 @@ def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagn
     standing = {tuple(one["ids"]): one["standing"] for one in shown}
     assert standing[("creep",)] == "named" and standing[()] == "nothing"
     assert {"beaten", "not needed"} & set(standing.values())
-    text = (here / "verdict.txt").read_text()
+    text = (here / "details.txt").read_text()
+    assert (here / "verdict.txt").read_text().startswith(text.splitlines()[0])
     assert "The run to make next\n  None is needed: " in text and content["next_experiment"] is None
     assert content["evidence"]["nominal_mm"] > content["evidence"]["calibrated_mm"] > content["fit"]["noise_floor_mm"]
     assert text.startswith(f"{content['run']}: explained: ") and "Why no other explanation" in text
@@ -114,7 +115,7 @@ def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(di
     legs = content["next_run"]["legs"]
     assert all(set(leg) == {"seconds", "motor_turns", "load_n"} and leg["seconds"] > 0 for leg in legs)
     assert " turns in " in content["next_experiment"] and "1. " in content["next_experiment"]
-    text = (tmp_path / folder.name / "verdict.txt").read_text()
+    text = (tmp_path / folder.name / "details.txt").read_text()
     both = f"python -m pipeline.diagnose {folder} {folder}-next --together --out {tmp_path / folder.name}-next\n"
     assert both in text
     unknown = command("pipeline.diagnose", folder, "--out", tmp_path / "none", "--without", "crep")
@@ -165,7 +166,7 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     again = json.loads((tmp_path / "out" / folder.name / "diagnosis.json").read_text())
     assert again["verdict"] in ("consistent", "parameters")
     assert not (tmp_path / "out" / folder.name / "simulation.yaml").exists()
-    text = (tmp_path / "out" / folder.name / "verdict.txt").read_text()
+    text = (tmp_path / "out" / folder.name / "details.txt").read_text()
     nothing = "What was adopted tied with others." if content["alternatives"] else "None is proposed: "
     assert f"The run to make next\n  {nothing}" in text
     moved = re.search(r"The misfit was .* rms .*\n(.|\n)* tolerance of [^)]*\)", text)

@@ -8,7 +8,7 @@ import pytest
 from pipeline.diagnosis import locate
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.verdict import diagnosis
-from pipeline.diagnosis.words.text import verdict_text
+from pipeline.diagnosis.words.details import details_text
 from pipeline.run.samples import read_samples
 
 
@@ -31,7 +31,7 @@ def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(
     (entry,) = content["mechanisms"]
     assert entry["location"]["share"] == 0.0 and entry["rms_mm"]["value"] == 0.0
     assert "a strength of 0" in entry["sentence"] and content["simulation"] == []
-    assert "creep: The search's first fit" in verdict_text(content, found.problem.system, [])
+    assert "creep: The search's first fit" in details_text(content, found.problem.system, [])
 
 
 @pytest.mark.parametrize("signal", [0.0, np.nan])

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 import yaml
+from made_content import CONTENT, SYSTEMS, confident, content, explanation, leg, parameter, told, weighed
 
 from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
@@ -27,90 +28,11 @@ from pipeline.diagnosis.words import (
     tolerances,
     worth,
 )
+from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.spoken import spoken
-from pipeline.diagnosis.words.text import verdict_text
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.ground.glossary import MEANING
 from pipeline.systems import systems
-
-SYSTEMS = {"mm": systems()["separator"], "deg": systems()["cable_drive"], "n": systems()["moving_mass"]}
-
-
-def leg(seconds, to, load, driver="motor_turns", load_name="load_n"):
-    return {"seconds": seconds, driver: to, load_name: load}
-
-
-def explanation(ids, standing, left, bent=None, worse=100.0, driver="time", place=(0.0, 12.2)):
-    found = {"ids": ids, "standing": standing, "left_mm": left, "bent_mm": bent or left}
-    if standing in ("tied", "beaten"):
-        box = {"motor_turns": list(place), "strokes": [2, 4], "phase": "rest", "share": 0.82}
-        found |= {"worse": worse, "gap_mm": 0.07, "location": box, "driver": driver}
-    return found
-
-
-def parameter(value, unit):
-    return {"value": value, "low": 0.9 * value, "high": 1.1 * value, "unit": unit}
-
-
-CONTENT = {
-    "run": "nylon-3", "verdict": "ambiguous",
-    "mismatch": {
-        "rms_mm": 0.44, "driver": ["direction x load", "time under load"],
-        "location": {"motor_turns": [0.002, 12.04], "strokes": [2, 9], "phase": "winding", "share": 0.834},
-    },
-    "mechanisms": [
-        {"id": "friction_hysteresis", "rms_mm": parameter(0.0822, "mm"), "parameters": {
-            "half_loop_mm": parameter(0.101, "mm"), "sharp_mm": parameter(0.1, "mm")}},
-        {"id": "creep", "rms_mm": parameter(0.41, "mm"), "parameters": {
-            "load_15_s_mm_per_10_n": parameter(0.3, "mm/10N"), "load_60_s_mm_per_10_n": parameter(0.2, "mm/10N")}},
-    ],
-    "alternatives": [["friction_hysteresis", "thermal"]],
-    "next_experiment": None,
-    "next_run": {
-        "title": "a hold at full twist, then a rest", "from": 4.0, "load": 20.0, "fixed_load": False,
-        "legs": [leg(2.0, -0.000488, 20.02), leg(0.5, -0.000488, 19.9), leg(16.5, 30.671, 19.9),
-                 leg(60.0, 30.671, 19.9), leg(16.5, -0.000488, 19.9), leg(120.0, -0.000488, 19.9)],
-        "parts": [["friction_hysteresis", "creep"], ["friction_hysteresis", "thermal"]],
-        "gap_now": 5.02, "gap_then": 5330.0,
-    },
-    "parameters": {"radius_mm": {"nominal": 0.55, "value": 0.5612, "low": 0.56, "high": 0.563}},
-    "fit": {
-        "noise_floor_mm": 0.0312, "detectable_mm": {"creep": 0.02, "backlash": 0.004},
-        "heldout": {"split": "last 30 % of strokes", "nominal_mm": 1.92, "calibrated_mm": 0.81, "explained_mm": 0.033},
-    },
-    "evidence": {
-        "floor_mm": 0.03, "motor_turns": [-0.0005, 30.7], "strokes": [1, 12], "loaded": True,
-        "spans_mm": {"friction_hysteresis": 0.2, "creep": 0.9}, "moved_sigma": {"radius_mm": 2.9},
-        "explanations": [
-            explanation([], "nothing", 0.45),
-            explanation(["creep"], "beaten", 0.06),
-            explanation(["friction_hysteresis", "sensor_drift"], "beaten", 0.0304, worse=400.0, driver=None),
-            explanation(["friction_hysteresis", "thermal"], "tied", 0.07, bent=0.0305),
-            explanation(["friction_hysteresis", "creep", "wear"], "not needed", 0.0299),
-            explanation(["friction_hysteresis", "creep"], "named", 0.03),
-        ],
-    },
-}  # fmt: skip
-
-
-def content(**changes):
-    """A diagnosis before its words; `changes` by dotted path, a double underscore for each dot."""
-    made = copy.deepcopy(CONTENT)
-    for path, value in changes.items():
-        *parents, last = path.split("__")
-        place = made
-        for key in parents:
-            place = place[key]
-        place[last] = value
-    return made
-
-
-def told(made=None, folders=("raw/nylon-3",), system="mm"):
-    """The verdict as a person reads it, with its lines joined again where they were wrapped."""
-    made = spoken(made or content(), SYSTEMS[system])
-    return re.sub(
-        r"\n {4,}(?=\S)(?!\d\. |python)", " ", verdict_text(made, SYSTEMS[system], [Path(f) for f in folders])
-    )
 
 
 def test_no_number_goes_without_unit_sense_or_in_exponents():
@@ -638,7 +560,7 @@ def test_a_run_that_hardly_parts_them_better_is_told_as_that():
 def to_adopt(**changes):
     """What is said of adopting, from the JSON that lies in reports/nylon-3."""
     made = spoken(content(**changes), SYSTEMS["mm"])
-    text = verdict_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
+    text = details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
     return text.partition("To use it\n")[2].partition("\n\n")[0]
 
 
@@ -787,7 +709,7 @@ def test_what_most_explanations_share_is_said():
 def test_the_doubts_stand_under_a_heading_of_their_own_before_all_else_and_are_wrapped():
     jump = "The zero jumps between two runs of one string: " + "one thing after another " * 20 + "at its end."
     made = spoken(content(fit__heldout__explained_mm=0.80), SYSTEMS["mm"])
-    text = verdict_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], doubts=[jump])
+    text = details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], doubts=[jump])
     _, doubts, _ = text.split("\n\n", 2)
     lines = doubts.splitlines()
     assert lines[0] == "What to know first" and lines[1].startswith("  The zero jumps between two runs")
@@ -810,15 +732,6 @@ def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
     for word in [*mechanisms(), "consistent", "parameters", "explained", "ambiguous", "unknown"]:
         assert f"- `{word}`: {MEANING[word]}" in page, word
     assert "no physics is missing" not in MEANING["parameters"]
-
-
-def weighed(*shares, none=0.041, **changes):
-    """A verdict with the probability of each explanation of CONTENT from the second on, the best one last."""
-    made = content(**changes)
-    for one, share in zip(made["evidence"]["explanations"][1:], shares, strict=True):
-        one["probability"] = share
-    made["evidence"]["probability_of_none"] = none
-    return made
 
 
 def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out():
@@ -916,15 +829,8 @@ def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
     assert "Hardly worth making" in made
     text = second(next_experiment=made)
     assert "found no run that decides between them" in text and "pipeline.new_run" not in text
-    assert "Report what was adopted as one of 2 explanations: no run that was tried decides between them." in text
-    assert "Measure the radius again. If a value changes, write it into run.yaml, take the adopted effects out," in text
-    remove = "python -m pipeline.adopt --remove raw/nylon-3"
-    assert f"and predict with the adopted diagnosis.json: {remove}" in text
-    known = second(next_experiment=made, diagnosis="reports/mine/nylon-3/diagnosis.json")
-    predict = "python -m pipeline.simulate raw/nylon-3 --simulation reports/mine/nylon-3/diagnosis.json --out FILE"
-    assert f"and predict with the diagnosis that was adopted: {remove} {predict}" in known
-    assert "beside what was adopted (creep: one of 2 likely explanations)" in known
-    assert "The run that decides is still" not in text and "the run is below" not in text
+    assert "beside what was adopted (creep: one of 2 likely explanations)" in text
+    assert "The run that decides is still" not in text
 
 
 def test_dimensions_at_their_bounds_take_trust_from_the_first_line_after_adopting():
@@ -980,14 +886,6 @@ def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not(
         "pipeline.simulate sets the zero of the reading in the first second, which a verdict fits: it can err by more."
     )
     assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
-
-
-def confident(friction, creep, **changes):
-    """A verdict with the confidence of both of its effects."""
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, **changes)
-    for entry, share in zip(made["mechanisms"], (friction, creep), strict=True):
-        entry["confidence"] = share
-    return made
 
 
 AT_LIMIT = {"radius_mm": 3.0}
@@ -1054,66 +952,19 @@ def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
     assert "Only if the motor can go so fast. If your rig cannot go so fast, leave this run out" in fast
 
 
-def next_thing(made):
-    """The one piece of advice."""
-    return " ".join(told(made).partition("What to do next\n")[2].partition("\n\n")[0].split())
-
-
-def test_one_clear_advice_says_what_to_do_next():
-    which, report = "which is at work: creep or thermal", "eport the best explanation as one of 2."
-    first = (
-        "First measure the radius again; how exactly, and how run.yaml says it, stands under Dimensions. If a value "
-        "changes, or its tolerance does, write that into run.yaml and diagnose again: it can turn this verdict over. "
-        "If neither does, keep run.yaml as it is: then physics that the library lacks may have moved them, which no "
-        "percentage here covers. The explanation still foretells this rig under such loads, speeds and ranges, but its "
-        "dimensions are not the rig's."
-    )
-    paper = (
-        "To report{}: 0.44 mm rms is missing after calibration; on the unseen strokes the best explanation errs by "
-        "0.033 mm (1.1 times the noise of single samples), calibration alone by 0.81 mm."
-    )
-    not_yet = "Not to report: how much an effect does alone, its constants (times, corners), the calibrated dimensions."
-    make = f"Make the run below: it can decide {which}. If you do not make it, r{report}"
-    measured = paper.format(", if measuring again changed nothing")
-    assert next_thing(content()) == f"{first} {make} {measured} {not_yet}"
-    assert next_thing(content(evidence__moved_sigma={"radius_mm": 0.4})) == f"{make} {paper.format('')}"
-    both = "changed nothing: with the dimensions of run.yaml the simulator errs by 1.4 mm rms; "
-    assert f"{both}0.44 mm rms is missing after calibration" in next_thing(content(evidence__nominal_mm=1.4))
-    poorly = content(evidence__moved_sigma={"radius_mm": 0.4})
-    poorly["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    assert next_thing(poorly).endswith("Not to report: how much creep does alone.")
-    assert "of the library's effects friction_hysteresis is sure." in next_thing(confident(0.93, 0.46))
-    weak = content(next_run__gap_then=content()["next_run"]["gap_now"])
-    use = f"If measuring changed nothing, r{report[:-1]}, and predict with the first command under To use it."
-    said = next_thing(weak)
-    assert said.startswith(f"{first} No run that was tried decides. {use} In general these tell the open effects")
-    assert said.endswith(f"{measured} {not_yet}")
-    weak["evidence"]["moved_sigma"] = {"radius_mm": 0.4}
-    assert next_thing(weak).startswith(f"No run that was tried decides: r{report[:-1]}, and predict with the first")
+def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():
     moved = {"scale": 3.0, "separator_mm_2": -2.9, "length_mm": 0.1, "stiffness_n_per_mm": 2.8}
     (gain,) = dimensions.in_run_yaml({"evidence": {"moved_sigma": moved}})
     assert "`tolerance: {scale: …, separator_mm: …}` (docs/import.md). If you measured the sensor's gain" in gain
     written = re.search(r"add this line to it: `(channels: .*?}})`", gain)[1]
     assert yaml.safe_load(written) == {"channels": {"displacement_mm": {"scale": 0.985}}}
     assert dimensions.in_run_yaml({"evidence": {"moved_sigma": {"stiffness_n_per_mm": 2.8}}}) == []
-    one = {"verdict": "explained", "alternatives": [], "next_run": None}
-    again = "Measure the radius again, and write what you measured into run.yaml."
-    assert next_thing(content(**one)) == f"{first} Use the explanation: the commands are below. {measured} {not_yet}"
-    assert next_thing(content(**one, fit__heldout__explained_mm=0.95)).startswith(
-        "Adopt nothing: on the unseen strokes"
-    )
-    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
-    assert next_thing(content(**bare)) == again
-    still = {"evidence__moved_sigma": {"radius_mm": 0.4}}
-    assert next_thing(content(**bare, **still)) == "Nothing needs to be done: this recording shows nothing further."
-    nothing = content(verdict="unknown", mechanisms=[], alternatives=[], next_run={**content()["next_run"]})
-    assert next_thing(nothing).startswith("Make the run below: it shows more of what is missing. Adopt nothing")
 
 
 @pytest.mark.parametrize(("sigma", "waits"), [(3.0, True), (0.4, False)])
 def test_nothing_is_adopted_before_far_dimensions_are_measured(sigma, waits):
     made, system = content(evidence__moved_sigma={"radius_mm": sigma}), SYSTEMS["mm"]
-    text = verdict_text(spoken(made, system), system, [Path("raw/nylon-3")], Path("reports/nylon 3"))
+    text = details_text(spoken(made, system), system, [Path("raw/nylon-3")], Path("reports/nylon 3"))
     use = " ".join(text.partition("\nTo use it\n")[2].partition("\n\n")[0].split())
     assert use.startswith(
         "To predict with it, dimensions included: python -m pipeline.simulate raw/nylon-3 --simulation"
@@ -1222,7 +1073,7 @@ def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_plac
     assert "less than a caliper shows" not in text
     assert "All are defaults, taken where run.yaml says nothing." in " ".join(text.split())
     made["evidence"]["tolerance"]["radius_mm"] = 0.012 * 0.4
-    first = told(made).partition("What to do next")[0]
+    first = told(made).partition("What is missing")[0]
     assert "That is a share: 1.2 % of 0.4 mm, or 0.0048 mm, which is less than a caliper shows." in first
     assert "If 0.012 mm was meant, write radius: 0.03 and diagnose again." in first
     assert "separator_mm and scale are defaults, taken" in " ".join(told(made).split())
@@ -1275,7 +1126,7 @@ def test_a_run_that_decides_nothing_says_so_before_its_steps_and_adopting_says_m
     assert run.count("Hardly") == 1
     assert "Hardly" not in told()
     system = SYSTEMS["mm"]
-    use = verdict_text(spoken(content(), system), system, [Path("raw/nylon-3")], Path("reports/nylon"))
+    use = details_text(spoken(content(), system), system, [Path("raw/nylon-3")], Path("reports/nylon"))
     assert "would err by more than the table above says of it as diagnosed" in " ".join(use.split())
 
 
@@ -1287,10 +1138,10 @@ def test_a_time_constant_that_is_the_longest_tried_is_told_as_a_bound(slowest, s
 
 
 def test_where_no_run_decides_the_open_effects_own_signs_are_told():
-    said = next_thing(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    tests = said.partition("and need not here): ")[2]
-    assert tests.startswith("creep: a hold under load") and "thermal: " in tests
-    assert "If measuring changed nothing, report" in said and "need not here" not in next_thing(content())
+    heading = "\nWhat tells the open effects apart at the rig\n"
+    said = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0)).partition(heading)[2].partition("\n\n")[0]
+    assert "\n  creep: a hold under load" in said and "\n  thermal: " in said
+    assert heading not in told(content())
 
 
 def test_effects_that_work_against_each_other_more_are_said_to():

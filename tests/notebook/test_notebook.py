@@ -97,7 +97,12 @@ def test_a_diagnosis_gives_its_parts_as_objects_and_shows_itself(diagnosis: tb.D
     assert diagnosis.mechanisms[0].id in shown and "data:image/png;base64," in shown
     diagnosis.save(tmp_path)
     read = tb.Diagnosis.read(tmp_path / "diagnosis.json")
-    assert read == diagnosis and read.words == diagnosis.words and "<img" not in read._repr_html_()
+    assert (
+        read == diagnosis
+        and read.words == diagnosis.words
+        and read.details == diagnosis.details
+        and "<img" not in read._repr_html_()
+    )
     with pytest.raises(ValueError, match="diagnose the recording again"):
         read.figure()
 

@@ -21,15 +21,19 @@ SLOW = ("time under load", "absolute time", "worked strokes", "load x worked str
 
 def alike(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """That slow effects are hard to tell apart in a recording under one load, where one of them is named."""
-    slow = [id_ for id_, mechanism in mechanisms().items() if mechanism.driver in SLOW]
     there = slow_alike(content, words)
     if not there:
         return []
-    others = listing([id_ for id_ in slow if id_ not in there], "or")
+    others = listing(slow_others(there), "or")
     return [
         f"Under one load slow effects look much alike. A percentage compares the library's formulas: where a law of "
         f"this rig differs from them, {listing(there)} may hide {others}, or stand in for it."
     ]
+
+
+def slow_others(there: list[str]) -> list[str]:
+    """The other slow effects of the library."""
+    return [id_ for id_, mechanism in mechanisms().items() if mechanism.driver in SLOW and id_ not in there]
 
 
 def slow_alike(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -101,13 +105,22 @@ def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 def poorly_known(content: dict[str, Any], words: Vocabulary) -> dict[str, tuple[float, float]]:
     """The effects whose own size the recording leaves open, each with its interval."""
-    whole = content["mismatch"][f"rms_{words.ending}"]
     found = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
     return {
         id_: (known["low"], known["high"])
         for id_, known in found.items()
-        if known["high"] > max(WIDE * known["low"], known["low"]) or known["value"] > rivals.LARGER * whole
+        if wide(known) or hidden(known["value"], content, words)
     }
+
+
+def wide(known: dict[str, float]) -> bool:
+    """Whether the interval of a size is wide."""
+    return known["high"] > max(WIDE * known["low"], known["low"])
+
+
+def hidden(own: float, content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether an effect is far larger than what is missing, so that moved dimensions must take most of it back."""
+    return bool(own > rivals.LARGER * content["mismatch"][f"rms_{words.ending}"])
 
 
 def span(low: float, high: float, words: Vocabulary) -> str:

@@ -8,7 +8,7 @@ from . import rivals, sight, unseen
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
 
-HEADING = "Error, rms"
+HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 UNKNOWN, GAP = "–", 3  # what an older file does not hold; spaces between columns
 WHOLE = "whole recording (seen by the fit)"
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
@@ -17,6 +17,15 @@ ANEW = "For the right column all was fitted anew without those strokes."
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The table, a line each row, and what must be known to read it."""
+    seen, held = _seen(content, words), unseen.errors(content, words)
+    zero = any(name.startswith("zero") for name in content["parameters"])
+    told = [ANEW if sight.sight(content) == sight.UNSEEN else ""] if held else [TOO_FEW]
+    told += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
+    return [*aligned(_rows(content, words)), *(line for line in told if line)]
+
+
+def _rows(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+    """The table's cells, the heads first."""
     seen, held = _seen(content, words), unseen.errors(content, words)
     columns = [(WHOLE, seen, content["evidence"][f"floor_{words.ending}"])]
     if held:
@@ -35,10 +44,17 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
             ),
         ]
     )
-    zero = any(name.startswith("zero") for name in content["parameters"])
-    told = [ANEW if sight.sight(content) == sight.UNSEEN else ""] if held else [TOO_FEW]
-    told += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
-    return [*aligned(rows), *(line for line in told if line)]
+    return rows
+
+
+def short(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The table with its rows said in words, and no remarks; the details have those."""
+    rows, held = _rows(content, words), unseen.errors(content, words)
+    named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
+    said = {"nominal": "nominal: dimensions of run.yaml", "calibrated": "calibrated: dimensions moved"}
+    said |= {"as diagnosed": named, "noise": "noise: none comes below it"}
+    found = aligned([[said.get(first, first), *rest] for first, *rest in rows])
+    return found if held else [*found, TOO_FEW]
 
 
 def _single(error: float | None, content: dict[str, Any], words: Vocabulary) -> str:

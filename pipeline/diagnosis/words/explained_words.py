@@ -1,4 +1,4 @@
-"""The words that a verdict uses, each explained in a line, for who has nothing but `verdict.txt`."""
+"""The words that a verdict uses, each explained in a line, for who has nothing but `details.txt`."""
 
 import re
 from typing import Any

@@ -18,7 +18,7 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
     said = [missing, *_unseen(content, words), *_sure(content, words)]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
-    return [f"To report{when}: {'; '.join(said)}.", *_not_yet(content, words)]
+    return [f"You can report{when}:", *(f"- {one};" for one in said[:-1]), f"- {said[-1]}.", *_not_yet(content, words)]
 
 
 def _unseen(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -47,7 +47,7 @@ def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
     if far_moved(content):
         return [
-            "Not to report: how much an effect does alone, its constants (times, corners), the calibrated dimensions."
+            "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions."
         ]
     poorly = list(certainty.poorly_known(content, words))
-    return [f"Not to report: how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone."] if poorly else []
+    return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone."] if poorly else []

@@ -1,10 +1,10 @@
 """Lines → a section of a text that a person reads: a heading, and lines no wider than a page."""
 
+import re
 import textwrap
 
 from ...ground.command import START
 
-PROGRAM = f"  {START}"
 WIDE = 112
 
 
@@ -15,10 +15,12 @@ def section(head: str, lines: list[str]) -> str:
 
 def wrapped(line: str, indent: str) -> list[str]:
     """A line within the width of a page, indented; a command stays whole."""
-    if line.startswith(PROGRAM):
+    bare = line.lstrip()
+    if bare.startswith(START) and bare != line:
         return [f"{indent}{line}"]
-    own = indent + " " * (len(line) - len(line.lstrip()))
+    own = indent + " " * (len(line) - len(bare))
+    hang = re.match(r"\d+\. ", bare)
     return textwrap.wrap(
-        line.lstrip(), WIDE, initial_indent=own, subsequent_indent=f"{own}  ", break_long_words=False,
-        break_on_hyphens=False,
+        bare, WIDE, initial_indent=own, subsequent_indent=own + " " * (len(hang[0]) if hang else 2),
+        break_long_words=False, break_on_hyphens=False,
     )  # fmt: skip

@@ -27,6 +27,7 @@ class Vocabulary:
     twisted: bool
     usual: Mapping[str, float] = field(default_factory=dict)  # keys of `tolerance:` with their defaults
     shares: Mapping[str, float] = field(default_factory=dict)  # those that are shares
+    measured: Mapping[str, str] = field(default_factory=dict)  # how a dimension is measured, by its name
 
     @classmethod
     def of(cls, system: System) -> "Vocabulary":
@@ -39,7 +40,7 @@ class Vocabulary:
             "twisting rate" if twisted else "speed", reading, motion_unit, unit,
             unit_of(system.load) if system.load else "", system.driver, system.load,
             system.channel.rpartition("_")[2], twisted, system.tolerance,
-            {key: usual for key, usual in system.tolerance.items() if key not in system.absolute},
+            {key: usual for key, usual in system.tolerance.items() if key not in system.absolute}, system.measured,
         )  # fmt: skip
 
     @property

@@ -1,4 +1,4 @@
-"""The content of `diagnosis.json` → `verdict.txt`: what is missing, what explains it, what next."""
+"""The content of `diagnosis.json` → `details.txt`: the reasons of a verdict, the next run step by step, the words."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,7 +7,6 @@ from typing import Any
 from ...systems import System
 from . import (
     adoption,
-    advice,
     beaten,
     certainty,
     commands,
@@ -20,6 +19,7 @@ from . import (
     rivals,
     seen,
     sight,
+    signs,
     still,
     tolerances,
     unseen,
@@ -38,10 +38,10 @@ CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanati
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
-def verdict_text(
+def details_text(
     content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
 ) -> str:
-    """A verdict for a person, whole; `folders` are the runs it is about and `out` its own folder, for the commands.
+    """All that a verdict stands on, for a person; `folders` are its runs and `out` its own folder, for the commands.
 
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
@@ -59,7 +59,6 @@ def verdict_text(
                 *suspicious(content),
             ],
         ),
-        (advice.HEADING, advice.lines(content, words, folders)),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
@@ -74,6 +73,7 @@ def verdict_text(
         (error_table.HEADING, error_table.lines(content, words)),
         (rivals.DIMENSIONS, moved(content, words)),
         ("The run to make next", following(content, words, folders, out)),
+        (signs.HEADING, signs.lines(content, words)),
         ("To use it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", seen.lines(content, words)),

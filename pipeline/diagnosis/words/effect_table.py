@@ -1,0 +1,74 @@
+"""The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
+
+from typing import Any
+
+from . import certainty, probability
+from .error_table import aligned
+from .explained_words import meaning, on_rig
+from .quantity import percent, size
+from .vocabulary import Vocabulary
+
+HEADING = "What acts, by the library's names"
+HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
+NO_SIZE = "–"  # of an effect that the best explanation has not
+POORLY, HIDDEN = ", poorly known", ", mostly hidden"
+UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of it."
+TAKEN_BACK = "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions take the rest back."
+
+
+def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The effects of the best explanation, then those that only another likely one has; nothing where none is named."""
+    if not content["mechanisms"]:
+        return []
+    shares = certainty.known(content)
+    entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
+    rows = [[entry["id"], how_sure(content, entry["id"]), own_size(entry, content, words)] for entry in entries]
+    rows += [[id_, how_sure(content, id_), NO_SIZE] for id_ in only_elsewhere(content)]
+    head, *table = aligned([HEAD, *rows])
+    said = [head]
+    for (id_, *_), row in zip(rows, table, strict=True):
+        said += [row, f"    {on_rig(meaning(id_), words).rstrip('.')}"]
+    several = len(content["mechanisms"]) > 1 and content["alternatives"]
+    best = " + ".join(entry["id"] for entry in content["mechanisms"])
+    return [
+        *said,
+        *certainty.needed(content),
+        *([f"Sizes are those of the best explanation, {best}."] if several else []),
+        *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
+        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in row for *_, row in rows) else []),
+    ]
+
+
+def only_elsewhere(content: dict[str, Any]) -> list[str]:
+    """The effects that only another likely explanation has, the likeliest first."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in best)
+    return sorted(others, key=lambda id_: -probability.at_work(content, id_))
+
+
+def how_sure(content: dict[str, Any], id_: str) -> str:
+    """How probable an effect is, with the word for it; where that is unknown, in how many explanations it is."""
+    if not certainty.known(content):
+        sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
+        return "named" if len(sets) == 1 else f"in {sum(id_ in ids for ids in sets)} of {len(sets)} explanations"
+    share = certainty.known(content).get(id_, probability.at_work(content, id_))
+    named = {entry["id"] for entry in content["mechanisms"]}
+    word = "sure" if share >= certainty.SURE else "probable" if share >= certainty.PROBABLE and id_ in named else "open"
+    return f"{word}, {percent(share)}"
+
+
+def _missing(content: dict[str, Any], words: Vocabulary) -> str:
+    return size(content["mismatch"][f"rms_{words.ending}"], words.unit)
+
+
+def own_size(entry: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+    """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
+    known = entry[f"rms_{words.ending}"]
+    if not known["value"]:
+        return "none"
+    if known["high"] <= known["low"]:
+        return size(known["value"], words.unit)
+    within = certainty.span(known["low"], known["high"], words)
+    poorly = POORLY if certainty.wide(known) else ""
+    much = HIDDEN if content["mismatch"] and certainty.hidden(known["value"], content, words) else ""
+    return f"{size(known['value'], words.unit)} ({within}){poorly}{much}"

@@ -1,0 +1,180 @@
+"""What to do next, in numbered steps, the first one first; they follow from the verdict and decide nothing."""
+
+import shlex
+from pathlib import Path
+from typing import Any
+
+from ...ground.command import command
+from . import experiment, report, sight, still, to_measure, unseen, worth
+from .adoption import ANYWAY, predictions
+from .dimensions import far_moved, name_of
+from .headline import moved_in_vain
+from .quantity import listing
+from .technician import lasting
+from .vocabulary import Vocabulary
+
+HEADING = "What to do, in this order"
+DETAILS = "details.txt"
+RUN = "The run to make next"  # the heading of its steps and commands in the details
+NAMED = ("explained", "ambiguous")
+
+
+def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+    """The steps, numbered where there are several; what belongs to a step stands below it, indented."""
+    steps = _named(content, words, folders, out) if content["verdict"] in NAMED else _unnamed(content, words, folders)
+    wait = _wait(content, words, out)
+    if len(steps) == 1:
+        return [*steps[0], *wait]
+    found = []
+    for place, (first, *rest) in enumerate(steps, start=1):
+        found += [f"{place}. {first}", *(f"   {line}" for line in rest)]
+    return [*found, *wait]
+
+
+def _named(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
+    """The steps where something is named."""
+    if unseen.harmful(content, words):
+        return [
+            [
+                f"Adopt nothing: on the {sight.strokes(content)} the explanation makes the simulator worse. Record the "
+                "rig once more, with more strokes, and diagnose both runs together."
+            ],
+            *_run(content, words),
+            *_report(content, words),
+        ]
+    return [
+        *_measure(content, words),
+        *_run(content, words),
+        *_use(content, folders, out),
+        *_adopt(content, folders, out),
+        *_report(content, words),
+    ]
+
+
+def _measure(content: dict[str, Any], words: Vocabulary, then: str = "go on with step 2") -> list[list[str]]:
+    """What to measure again, and what then; nothing where no dimension moved far."""
+    if not far_moved(content):
+        return []
+    return [
+        [
+            "Measure again what calibration moved far:",
+            *to_measure.table(content, words),
+            "If you find",
+            *to_measure.consequences(content, then),
+        ]
+    ]
+
+
+def _run(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+    """The run to make between explanations that are likely; that none decides, where none does."""
+    run = content["next_run"]
+    if content["verdict"] != "ambiguous":
+        return []
+    if not run or "parts" not in run:
+        return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
+    where = f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(run, words)}."
+    if worth.decides(run):
+        return [[f"Make the run that can decide {worth.question(content)}. {where}"]]
+    if worth.raises(run):
+        need = f"Only if you need to know {worth.question(content)}: try the run that parts them most."
+        return [[f"{need} About half of such runs decided in tests. {where}"]]
+    return [[f"Make no other run: none that was tried decides {worth.question(content)}."]]
+
+
+def _asks(run: dict[str, Any], words: Vocabulary) -> str:
+    """What a run asks of the rig: other loads, other speeds."""
+    title = experiment.title(run, words)
+    asked = [f"another {what}" for what in ("speed", "load") if what in title]
+    return f", and ask for {listing(asked)}" if asked else ""
+
+
+def _use(content: dict[str, Any], folders: list[Path], out: Path | None) -> list[list[str]]:
+    """The command that predicts with what was found."""
+    if out is None or not content.get("simulation", [True]):
+        return []
+    said = "To predict the rig, at loads, speeds and twists like those recorded:"
+    return [[said, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders))]]
+
+
+def _adopt(content: dict[str, Any], folders: list[Path], out: Path | None) -> list[list[str]]:
+    """The command that puts the effects into run.yaml, or why to wait with it."""
+    if out is None or not content.get("simulation", [True]):
+        return []
+    if far_moved(content):
+        return []
+    what = "To put the effects into run.yaml, for all later simulations and diagnoses (dimensions stay as measured):"
+    source = shlex.quote(str(out / "diagnosis.json"))
+    commands = [f"  {command('adopt')} {source} {shlex.quote(str(folder))}" for folder in folders]
+    wait = "Another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
+    return [[what, *commands, *([f"{wait}: the next verdict goes on saying so."] if wait else [])]]
+
+
+def _wait(content: dict[str, Any], words: Vocabulary, out: Path | None) -> list[str]:
+    """Why not to adopt yet; nothing where it may be done, or nothing is named."""
+    if (
+        out is None
+        or content["verdict"] not in NAMED
+        or unseen.harmful(content, words)
+        or not far_moved(content)
+        or not content.get("simulation", [True])
+    ):
+        return []
+    return [
+        "Do not adopt the effects into run.yaml yet: they fit the calibrated dimensions, not those that run.yaml has. "
+        f"Adopt what the verdict after step 1 names. (All the same: {ANYWAY}, see {DETAILS} under To use it.)"
+    ]
+
+
+def _report(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+    """What can be reported, and what cannot."""
+    found = report.lines(content, words)
+    return [found] if found else []
+
+
+def _unnamed(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[list[str]]:
+    """The steps where nothing is named."""
+    if content["verdict"] == "unknown":
+        run = content["next_run"]
+        shows = f"Make the run in {DETAILS} under {RUN}: it shows more of what is missing."
+        again = _measure(content, words, "go on")
+        return [*again, *([[shows]] if run else []), ["Adopt nothing: no effect of the library is named."]]
+    tied = [one for one in content.get("adopted", []) if one["tied"]]
+    if tied and not still.worth_making(tied):
+        count = 1 + max(len(one["tied"]) for one in tied)
+        said = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
+        return [[said], *_anew(content, words, folders)]
+    if tied:
+        return [
+            [
+                "Decide between what was adopted and what was likely as well, if you need to know: the run is in "
+                f"{DETAILS} under {RUN}."
+            ]
+        ]
+    if unseen.left_over(content, words):
+        return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]
+    if sight.included(content) and far_moved(content):
+        return _anew(content, words, folders)
+    if far_moved(content) and not (content["verdict"] == "parameters" and moved_in_vain(content, words)):
+        names = listing([f"the {name_of(name)}" for name in far_moved(content)])
+        return [
+            [f"Measure {names} again, and write what you measured into run.yaml.", *to_measure.table(content, words)]
+        ]
+    return [["Nothing needs to be done: this recording shows nothing further."]]
+
+
+def _anew(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[list[str]]:
+    """What to measure again after adopting, and what follows for the adopted effects."""
+    if not far_moved(content):
+        return []
+    adopted = [one["diagnosis"] for one in content.get("adopted", []) if one.get("diagnosis")][-1:]
+    remove = [f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders]
+    predict = [f"  {line}" for source in adopted for line in predictions(Path(source), folders)]
+    return [
+        ["Measure again what calibration moved far.", *to_measure.table(content, words)],
+        ["Take the adopted effects out of run.yaml, for they were fitted together with the dimensions:", *remove],
+        [
+            "If a value has changed, write it into run.yaml, diagnose again, and adopt what the new verdict names. If "
+            f"none has, predict with {'the diagnosis that was adopted' if adopted else 'the adopted diagnosis.json'}:",
+            *predict,
+        ],
+    ]

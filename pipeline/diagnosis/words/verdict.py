@@ -1,0 +1,106 @@
+"""The content of `diagnosis.json` → `verdict.txt`: one page that says what acts, how well it fits, and what to do."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ...systems import System
+from ..interface import physics
+from . import adoption, beaten, certainty, effect_table, error_table, level, sight, to_do, tolerances, unseen
+from .dimensions import corrected, far_moved, name_of
+from .headline import UNNAMED, headline
+from .places import EVERYWHERE, place
+from .quantity import listing, size, times
+from .sections import section
+from .vocabulary import Vocabulary
+
+DOUBTS = "What to know first"
+MORE = (
+    "More: details.txt (every number with its reason, the run to make step by step, all tolerances, the words), "
+    "diagnosis.pdf (figures), diagnosis.json (for programs)."
+)
+
+
+def verdict_text(
+    content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
+) -> str:
+    """The verdict on one page; `folders` are the runs it is about and `out` its own folder, for the commands.
+
+    `doubts` are sentences on the recording itself, which a reader must know before anything else.
+    """
+    words = Vocabulary.of(system)
+    sections = [
+        (headline(content, words), []),
+        (
+            DOUBTS,
+            [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *_provisional(content, words)],
+        ),
+        (effect_table.HEADING, effect_table.lines(content, words)),
+        ("What is missing", _unknown(content, words)),
+        (error_table.SHORT, error_table.short(content, words)),
+        ("Dimensions", corrected(content, words)),
+        (to_do.HEADING, to_do.lines(content, words, folders, out)),
+        ("What would have been seen", _would(content, words)),
+    ]
+    text = "\n\n".join(section(head, lines) for head, lines in sections if lines or head is sections[0][0])
+    return f"{text}\n\n{section(MORE, [])}"
+
+
+def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Why names may not last: dimensions that calibration moved far, slow effects that look alike, odd tolerances."""
+    moved = far_moved(content)
+    lines = tolerances.doubts(content, words)
+    if moved:
+        names = listing([f"the {name_of(name)}" for name in moved])
+        one = len(moved) == 1
+        their, are = ("its", "it is") if one else ("their", "they are")
+        lines.append(
+            f"Calibration moved {names} by {_span(moved)} times {their} tolerance; three is the most that it may. "
+            f"Until {are} measured again (below), {_what(content)} provisional."
+        )
+    slow = certainty.slow_alike(content, words)
+    if slow:
+        others = listing(certainty.slow_others(slow), "or")
+        lines.append(f"Under one load slow effects look alike: what is called {listing(slow)} here can be {others}.")
+    return lines
+
+
+def _what(content: dict[str, Any]) -> str:
+    return "names, percentages and sizes are" if content["mechanisms"] else "this verdict is"
+
+
+def _span(moved: dict[str, float]) -> str:
+    ends = list(dict.fromkeys(times(abs(sigma)) for sigma in sorted(moved.values(), key=abs)))
+    return ends[0] if len(ends) == 1 else f"{ends[0]} to {ends[-1]}"
+
+
+def _unknown(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """Of a mismatch without a name: how large it is, where, what it follows, what comes closest, the level to reach."""
+    mismatch = content["mismatch"]
+    if not mismatch or content["verdict"] != "unknown":
+        return []
+    rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    where = place(mismatch["location"], content["evidence"], words)
+    lies = "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
+    missing = f"{size(rms, words.unit)} rms is missing after calibration ({times(rms / floor)} times the noise)"
+    return [
+        f"{missing}, {lies}. It follows {mismatch['driver']}.",
+        "What comes closest, and does not do:",
+        *(f"  {line}" for line in beaten.insufficient(content, words)),
+        *level.to_reach(content, words),
+    ]
+
+
+def _would(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What a verdict without a name is worth, in short: from which size on effects would have been seen."""
+    there = content["fit"][f"detectable_{words.ending}"]
+    sizes = {id_: least for id_, least in there.items() if physics((id_,)) and id_ not in sight.included(content)}
+    if content["verdict"] not in UNNAMED or not sizes:
+        return []
+    left = unseen.left_over(content, words)
+    if left:
+        more = f"Of the errors above, {size(left, words.unit)} rms is more than noise"
+        return [f"{more}: effects of that size and less may hide in it."]
+    ends = [min(sizes, key=lambda id_: sizes[id_]), max(sizes, key=lambda id_: sizes[id_])]
+    said = " to ".join(f"{size(sizes[id_], words.unit)} ({id_})" for id_ in dict.fromkeys(ends))
+    return [f"An effect would have been seen from this size on: {said} rms. details.txt has the size of each."]

@@ -1,0 +1,173 @@
+"""The page of a verdict: short, the effects in a table, the dimensions to measure, what to do in numbered steps."""
+
+import pytest
+from made_content import SYSTEMS, confident, content, page, weighed
+
+from pipeline.diagnosis.words.sections import WIDE, wrapped
+
+STEPS = "What to do, in this order"
+NEAR = {"radius_mm": 0.4}
+NOTHING = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+
+
+def under(heading, text):
+    """The lines of one section."""
+    return text.partition(f"{heading}\n")[2].partition("\n\n")[0].splitlines()
+
+
+def steps(made=None, **others):
+    """What to do, on one line."""
+    return " ".join(" ".join(under(STEPS, page(made, **others))).split())
+
+
+def test_the_verdict_is_one_page_wide_and_long_and_says_where_the_rest_is():
+    lines = page(confident(0.93, 0.46)).splitlines()
+    assert len(lines) <= 60
+    assert all(len(line) <= WIDE + 2 for line in lines if "python -m" not in line)
+    assert lines[0].startswith("nylon-3: ambiguous: ") and "More: details.txt" in page()
+
+
+def test_each_effect_has_a_row_with_how_sure_it_is_its_size_and_what_it_does():
+    rows = under("What acts, by the library's names", page(confident(0.93, 0.46)))
+    assert rows[0].split("   ")[0].strip() == "effect"
+    assert rows[1].split() == ["friction_hysteresis", "sure,", "93", "%", "0.082", "mm", "(0.074", "to", "0.090", "mm)"]
+    assert rows[2].strip() == "winding and unwinding part by a rounded loop that grows with load or twist"
+    assert rows[3].split()[:4] == ["creep", "open,", "46", "%"]
+    assert rows[5].split() == ["thermal", "open,", "31", "%", "–"], "an effect that only another explanation has"
+    assert "One of creep and thermal is needed; which one is open." in "\n".join(rows)
+
+
+def test_without_probabilities_an_effect_says_in_how_many_explanations_it_is():
+    rows = under("What acts, by the library's names", page())
+    assert "in 2 of 2 explanations" in rows[1] and "in 1 of 2 explanations" in rows[3]
+    alone = under("What acts, by the library's names", page(content(verdict="explained", alternatives=[])))
+    assert " named " in alone[1]
+
+
+def test_a_size_with_a_wide_interval_or_far_above_what_is_missing_says_so():
+    made = confident(0.93, 0.96)
+    assert "oorly known" not in page(made) and "ostly hidden" not in page(made)
+    made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    assert "0.20 mm (0 to 0.40 mm), poorly known" in page(made) and "Poorly known: " in page(made)
+    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
+    assert "1.5 mm (1.4 to 1.6 mm), mostly hidden" in page(made)
+    assert "far larger than the 0.44 mm that is missing" in page(made)
+
+
+def test_the_errors_are_a_table_whose_rows_say_what_they_are_of():
+    rows = under("How far the simulator is off, rms", page())
+    assert [row.split(":")[0].strip() for row in rows[1:]] == ["nominal", "calibrated", "as diagnosed", "noise"]
+    assert "0.81 mm (26 times the noise)" in rows[2] and "0.033 mm (1.1 times the noise)" in rows[3]
+    few = page(content(fit__heldout=None))
+    assert "Too few strokes to hold any out" in few
+
+
+def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then():
+    text = page()
+    table = under(STEPS, text)
+    assert table[0].strip() == "1. Measure again what calibration moved far:"
+    assert table[2].split() == ["radius", "0.55", "mm", "0.5612", "mm", "0.0037", "mm", "or", "better"]
+    assert "a caliper at ten places" in table[3]
+    said = steps()
+    assert "another value: write it into run.yaml, and diagnose again" in said
+    assert "write how exactly (`tolerance: {radius: …}`, see details.txt under Dimensions)" in said
+    assert "the same as before, for all: leave run.yaml as it is, and go on with step 2." in said
+    assert "three is the most that it may" in text and "provisional" in text
+    near = page(content(evidence__moved_sigma=NEAR))
+    assert "Measure again" not in near and "provisional" not in near
+
+
+def test_every_dimension_of_a_string_says_how_it_is_measured():
+    for system in (SYSTEMS["mm"],):
+        for name in ("radius_mm", "separator_mm", "torsion_zone_mm", "length_mm", "scale", "angle_turns"):
+            assert ":" in system.measured[name] or "reads" in system.measured[name]
+
+
+@pytest.mark.parametrize(
+    ("then", "said"),
+    [
+        (5330.0, "2. Make the run that can decide which is at work: creep or thermal."),
+        (7.0, "2. Only if you need to know which is at work: creep or thermal: try the run that parts them most."),
+        (5.02, "2. Make no other run: none that was tried decides which is at work: creep or thermal."),
+    ],
+)
+def test_a_run_is_a_step_as_far_as_it_decides(then, said):
+    made = content(next_run__gap_then=then)
+    assert said in steps(made)
+    where = "details.txt under The run to make next; they take"
+    assert (where in steps(made)) is (then > 6.0)
+
+
+def test_prediction_and_adopting_come_with_their_commands_and_adopting_waits_for_far_dimensions():
+    near, source = steps(content(evidence__moved_sigma=NEAR)), "reports/nylon-3/diagnosis.json"
+    for text in (near, steps()):
+        assert f"python -m pipeline.simulate raw/nylon-3 --simulation {source} --out FILE" in text
+    assert f"python -m pipeline.adopt {source} raw/nylon-3" in near and "Do not adopt" not in near
+    assert "pipeline.adopt" not in steps() and "Do not adopt the effects into run.yaml yet" in steps()
+    assert "pipeline.simulate" not in page(out=None), "no diagnosis.json, no command that reads it"
+
+
+def test_a_command_stays_on_one_line_and_a_numbered_step_hangs():
+    (line,) = wrapped(f"     python -m pipeline.simulate {'raw/x ' * 40}", "  ")
+    assert line.startswith("       python -m")
+    first, second, *_ = wrapped(f"1. {'word ' * 60}", "  ")
+    assert first.startswith("  1. word") and second.startswith("     word")
+
+
+def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
+    said = steps(content(evidence__nominal_mm=1.4))
+    assert (
+        "You can report, if measuring again changed nothing: - with the dimensions of run.yaml the simulator errs"
+        in said
+    )
+    assert (
+        "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions." in said
+    )
+    near = content(evidence__moved_sigma=NEAR)
+    assert "You can report: - 0.44 mm rms is missing after calibration; - on the unseen strokes" in steps(near)
+    assert "Do not report" not in steps(near)
+    near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    assert "Do not report how much creep does alone." in steps(near)
+    assert "- of the library's effects friction_hysteresis is sure." in steps(confident(0.93, 0.46))
+
+
+def test_an_explanation_that_makes_things_worse_is_not_to_be_used():
+    said = steps(content(verdict="explained", alternatives=[], next_run=None, fit__heldout__explained_mm=0.95))
+    assert said.startswith("1. Adopt nothing: on the unseen strokes the explanation makes the simulator worse.")
+    assert "pipeline." not in said
+
+
+def test_without_a_name_the_page_says_what_comes_closest_what_moved_and_what_would_have_been_seen():
+    unknown = page(content(verdict="unknown", mechanisms=[], alternatives=[]))
+    assert "What comes closest, and does not do:" in unknown
+    assert "Adopt nothing: no effect of the library is named." in unknown
+    assert "Make the run in details.txt under The run to make next" in unknown
+    settled = content(**NOTHING, mismatch=None, evidence__moved_sigma=NEAR)
+    assert steps(settled) == "Nothing needs to be done: this recording shows nothing further."
+    assert "from this size on: 0.0040 mm (backlash) to 0.020 mm (creep) rms" in page(settled)
+    far = " ".join(page(content(**NOTHING, mismatch=None)).split())
+    assert "Measure the radius again, and write what you measured into run.yaml." in far
+    assert "this verdict is provisional" in far
+
+
+def test_after_adopting_dimensions_that_moved_far_are_measured_and_the_effects_taken_out():
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    made = content(**NOTHING, mismatch=None)
+    made["simulation"] = [{"id": "creep", "parameters": {}}]
+    made["adopted"] = [one | {"next_experiment": "Hardly worth making", "diagnosis": "reports/old/diagnosis.json"}]
+    made["evidence"]["explanations"] = []
+    said = steps(made)
+    assert "Measure again what calibration moved far." in said
+    assert "python -m pipeline.adopt --remove raw/nylon-3" in said
+    assert "python -m pipeline.simulate raw/nylon-3 --simulation reports/old/diagnosis.json --out FILE" in said
+
+
+def test_slow_effects_under_one_load_are_said_to_look_alike():
+    said = "Under one load slow effects look alike: what is called creep here can be "
+    assert said in " ".join(page(content(evidence__loaded=False)).split())
+    assert "look alike" not in page(content(evidence__loaded=True))
+
+
+def test_a_doubt_of_the_recording_stands_before_the_names():
+    text = page(weighed(0.004, 0.06, 0.31, 0.02, 0.52), doubts=["The zero jumps."])
+    assert text.index("The zero jumps.") < text.index("What acts")
