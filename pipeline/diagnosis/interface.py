@@ -44,6 +44,7 @@ class Mechanism:
     mechanism. An id that begins with `x_` is no physics of the library: alone it
     names nothing.
 
+    `meaning` is a line of the glossary, in the words of a string: what a person would see; left out, what it follows.
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
     value of the effect), {times} (its time constants), {temperature}, and the rig's words: {string} {motion}
     {rate} {reading} {up} {down}. `details` follow it: of these the first all of whose parameters were found, each said
@@ -61,6 +62,7 @@ class Mechanism:
     terms: Callable[[Drivers, Shape], list[Term]]
     steps: int = 1
     details: tuple[str, ...] = ()
+    meaning: str = ""
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     names: dict[str, str] = field(default_factory=dict)
     units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty

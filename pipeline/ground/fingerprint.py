@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+from .modules import literal
+
 SOURCES = (".py", ".yaml", ".json")
 HOUSE = (
     Path(__file__).resolve().parents[1]
@@ -43,9 +45,10 @@ def _absolute(node: ast.ImportFrom, path: Path) -> str:
 
 @cache
 def _imports(path: Path) -> frozenset[str]:
-    """Modules of ours that a source file imports, at any depth of its code, parents included."""
+    """Modules of ours that a source file imports, at any depth of its code, parents included, or finds by name."""
     names: set[str] = set()
-    for node in _statements(ast.parse(path.read_text(encoding="utf-8")).body):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for node in _statements(tree.body):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -53,33 +56,26 @@ def _imports(path: Path) -> frozenset[str]:
             names.add(base)
             names.update(f"{base}.{alias.name}" for alias in node.names)
     parts = [name.split(".") for name in names if name.split(".")[0] == NAME]
-    return frozenset(".".join(part[:end]) for part in parts for end in range(1, len(part) + 1))
-
-
-def found_by_name(module: str) -> tuple[str, ...]:
-    """What a module of ours says that it finds by name at run time, under FOUND_BY_NAME: imports do not show that."""
-    path = _file(module)
-    body = ast.parse(path.read_text(encoding="utf-8")).body if path else []
-    said = [node for node in body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "FOUND_BY_NAME"]
-    return tuple(ast.literal_eval(said[0].value)) if said else ()
+    by_name = literal(tree, "FOUND_BY_NAME", ())
+    return frozenset([*by_name, *(".".join(part[:end]) for part in parts for end in range(1, len(part) + 1))])
 
 
 def reachable(*modules: str) -> list[Path]:
     """Source files, sorted, of modules and of all of ours that they import, directly or not.
 
     `package.*` stands for every file of a package, data too: what it finds by name at run time, imports do not show.
-    What one of the modules finds so it says itself, under FOUND_BY_NAME.
+    A module that finds others so says of what packages, under FOUND_BY_NAME.
     """
-    modules = (*modules, *(name for module in modules for name in found_by_name(module)))
-    whole = [HOUSE.joinpath(*module.split(".")[1:-1]) for module in modules if module.endswith(".*")]
-    files = [path for folder in whole for path in folder.rglob("*") if path.suffix in SOURCES]
-    found = {path for path in files if path.suffix != ".py"}
-    sources = [path for path in files if path.suffix == ".py"]
-    waiting = [".".join((NAME, *path.relative_to(HOUSE).with_suffix("").parts)) for path in sources]
-    waiting = [name.removesuffix(".__init__") for name in waiting]
-    waiting += [module for module in modules if not module.endswith(".*")]
+    found: set[Path] = set()
+    waiting = list(modules)
     while waiting:
         module = waiting.pop()
+        if module.endswith(".*"):
+            files = [path for path in HOUSE.joinpath(*module.split(".")[1:-1]).rglob("*") if path.suffix in SOURCES]
+            found.update(path for path in files if path.suffix != ".py")
+            names = [(NAME, *path.relative_to(HOUSE).with_suffix("").parts) for path in files if path.suffix == ".py"]
+            waiting += [".".join(name).removesuffix(".__init__") for name in names]
+            continue
         path = _file(module)
         if path is None or path in found:
             continue

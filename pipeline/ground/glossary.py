@@ -1,5 +1,13 @@
 """The words of pages and verdicts, each in a sentence; a mechanism's says what a person would see."""
 
+import ast
+from pathlib import Path
+
+MECHANISMS = (
+    Path(__file__).resolve().parents[1] / "diagnosis" / "mechanisms"
+)  # read, not imported: pages need no engine
+FOUND_BY_NAME = ("pipeline.diagnosis.mechanisms.*",)  # for fingerprints
+
 TERMS: dict[str, dict[str, str]] = {
     "The rig and its string": {
         "twist": "turns of the motor since the string was untwisted, θ/2π.",
@@ -40,35 +48,18 @@ TERMS: dict[str, dict[str, str]] = {
         "not decided": "the recording is too short or too poor; the page says what to record.",
         "next run": "the run that would part the explanations that are likely.",
     },
-    "What a simulator can leave out": {
-        "plastic_elongation": "the string grows longer for good, stroke by stroke.",
-        "creep": "under load the string lengthens with time and takes some of it back.",
-        "stiffening": "the string gets stiffer with work.",
-        "axial_elasticity": "the string stretches with the load.",
-        "thermal": "the length follows the temperature.",
-        "radius_compaction": "the twist or the tension presses the bundle thinner.",
-        "wear": "the radius changes with the distance travelled.",
-        "friction_hysteresis": "winding and unwinding part by a rounded loop that grows with load or twist.",
-        "viscous_loss": "what is lost grows with the speed.",
-        "stick_slip": "the motion sticks and jumps.",
-        "backlash": "play of constant width, whatever the load.",
-        "shaft_windup": "the shaft twists under torque.",
-        "count_slip": "twist is lost suddenly between encoder and string.",
-        "slack": "the first turns move nothing.",
-        "jam": "past a critical twist the displacement falls behind.",
-        "overtwist": "past a critical twist the displacement runs ahead, with a loop of its own.",
-        "sensor_lag": "the displacement is read late.",
-        "sensor_drift": "the sensor's zero moves with time.",
-        "sensor_offset": "a constant force or angle is added.",
-        "eccentricity": "a ripple once a turn.",
-        "clamp_slip": "the clamp gives way suddenly and for good.",
-        "end_stop": "the motion is cut off at an end.",
-        "load_swing": "the load swings on the string, and rings after starts and stops.",
-        "x_clock": "the clocks of motor and displacement part; a stand-in, no physics of the library.",
-        "x_cubic_spring": "the force of a spring grows with the cube of how far it is moved; on rigs without a string.",
-        "x_overflow": "what rises past a rim runs over and is lost; on rigs without a string.",
-        "x_swelling": "the radius changes with time, at rest too (damp air); a stand-in, no physics of the library.",
-        "x_wave": "a steady oscillation in time, whatever the rig does; a stand-in, no physics of the library.",
-    },
 }
+
+
+def _mechanisms() -> dict[str, str]:
+    """What each mechanism's file says that a person would see, by id, read as text; those of the library first."""
+    said: dict[str, str] = {}
+    for path in sorted(MECHANISMS.glob("[!_]*.py"), key=lambda path: (path.stem.startswith("x_"), path.stem)):
+        tree = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for value in (node.value for node in tree if isinstance(node, ast.keyword) and node.arg == "meaning"):
+            said[path.stem] = str(ast.literal_eval(value))
+    return said
+
+
+TERMS["What a simulator can leave out"] = _mechanisms()
 MEANING = {word: words for terms in TERMS.values() for word, words in terms.items()}

@@ -1,13 +1,26 @@
-"""Modules of a folder that are found by being there."""
+"""Modules of a folder that are found by being there, and what they say, read as text: some take seconds to import."""
 
+import ast
 import re
 from pathlib import Path
+from typing import TypeVar
+
+Said = TypeVar("Said")
 
 
 def holding(folder: Path, line: str) -> tuple[str, ...]:
     """Names, sorted, of the modules of a folder that have a line which begins so, a regular expression.
 
-    Their text is read and they are not imported: some of them take seconds.
+    They are not imported.
     """
     files = (path for path in folder.glob("*.py") if path.stem.isidentifier())
     return tuple(sorted(path.stem for path in files if re.search(f"^{line}", path.read_text("utf-8"), re.M)))
+
+
+def literal(tree: ast.Module, name: str, otherwise: Said) -> Said:
+    """The value that a module gives to a name at its top, where that is a literal; else `otherwise`."""
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == name:
+            value: Said = ast.literal_eval(node.value)
+            return value
+    return otherwise

@@ -1,52 +1,24 @@
-"""Boosted trees, a Gaussian process and a neural network, on the strokes that the diagnosis is judged on."""
+"""What learns without physics, on the strokes that the diagnosis is judged on; the methods are in `black_boxes`."""
 
 import argparse
 import json
-import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from sklearn.exceptions import ConvergenceWarning
-from sklearn.neural_network import MLPRegressor
 
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
-from ..ground.regression import boosted_trees, evenly, gaussian_process
 from ..run.description import Run
 from ..run.samples import read_samples
 from ..run.strokes import label
+from .black_boxes import Predict, learner, looks
 from .bring import usable
 from .features import Array, averaged, features, span_of
 
 LAST, LEAST_TRAINING = 0.3, 0.4  # of the strokes, of the samples: the diagnosis' own rule
-POINTS, TUNED_ON, NETWORK_POINTS = 1000, 300, 5000
-SEEDS = (0, 1, 2)
-Predict = Callable[[Array], Array]
-
-
-def _process(table: Array, values: Array, seed: int) -> Predict:
-    return gaussian_process(table, values, POINTS, TUNED_ON)
-
-
-def _network(table: Array, values: Array, seed: int) -> Predict:
-    size = float(values.std()) or 1.0
-    known = evenly(len(values), NETWORK_POINTS)
-    model = MLPRegressor(hidden_layer_sizes=(64, 64), max_iter=300, random_state=seed)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ConvergenceWarning)  # it stops where its epochs end
-        model.fit(table[known], values[known] / size)
-    return lambda other: size * model.predict(other)
-
-
-METHODS: dict[str, tuple[Callable[[Array, Array, int], Predict], tuple[int, ...]]] = {
-    "gradient_boosting": (boosted_trees, SEEDS[:1]),
-    "gaussian_process": (_process, SEEDS[:1]),
-    "mlp": (_network, SEEDS),
-}
 
 
 @dataclass(frozen=True)
@@ -100,7 +72,7 @@ class Learnt:
 
 def learn(method: str, seen: Asked, rows: int, columns: list[str]) -> Learnt:
     """Fit a method to the first rows, over some of the columns; of several zeros the first one's is predicted."""
-    make, seeds = METHODS[method]
+    make, seeds = learner(method)
     known, measured = seen.table[columns].to_numpy()[:rows], seen.measured[:rows]
     mean, spread = known.mean(axis=0), known.std(axis=0)
     spread = np.where(spread > 1e-12, spread, 1.0)
@@ -131,7 +103,7 @@ def held_out(run: Run, samples: pd.DataFrame) -> dict[str, float] | None:
     seen = Asked.of(run, samples, span_of(samples.iloc[:row]))
     rows = int(np.searchsorted(seen.time_s, samples["time_s"].iloc[row]))
     errors = {}
-    for method in METHODS:
+    for method in looks():
         left = learn(method, seen, rows, list(seen.table)).predict(seen)[:, rows:] - seen.measured[rows:]
         errors[method] = float(np.median(np.sqrt(np.mean(np.square(left), axis=1))))
     return errors

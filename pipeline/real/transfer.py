@@ -14,7 +14,8 @@ from ..ground.files import whole
 from ..run.description import Run
 from ..run.samples import read_samples
 from .ask import ask
-from .blackbox import METHODS, Asked, Learnt, learn
+from .black_boxes import looks
+from .blackbox import Asked, Learnt, learn
 from .bring import usable
 from .features import Array, span_of
 from .plan import ALL_OTHERS
@@ -68,7 +69,7 @@ class Source:
                 found[method] = errors(*simulated(said, about, self.diagnosis), tared)
         asked = Asked.of(run, samples, self.span)
         columns = [name for name in self.seen.table if name in asked.table]
-        for method in METHODS:
+        for method in looks():
             predicted = self.learnt(method, columns).predict(asked)
             first, best = np.median([errors(one, asked.measured, asked.time_s, tared) for one in predicted], axis=0)
             found[method] = float(first), float(best)

@@ -86,7 +86,10 @@ def test_what_says_neither_is_found(tmp_path: Path) -> None:
 
 
 COMPARED = sorted(
-    path for path in (PIPELINE / "proof/baselines").glob("*.py") if re.search(r"^def learn\(", path.read_text(), re.M)
+    path
+    for folder in ("proof/baselines", "real/black_boxes")
+    for path in (PIPELINE / folder).glob("*.py")
+    if re.search(r"^def learn\(", path.read_text(), re.M)
 )
 MODELS = sorted(path for path in (PIPELINE / "models").glob("*.py") if re.search(r"^MODEL\b", path.read_text(), re.M))
 

@@ -1,4 +1,4 @@
-"""CONTRIBUTING.md, executed: its four files dropped into a copy of the package, named as it says, and asked.
+"""CONTRIBUTING.md, executed: its five files dropped into a copy of the package, named as it says, and asked.
 
 A model, an exporter, an effect and a compared method are on that page; a mechanism and a system are on docs/new_rig.md,
 which has a test of its own.
@@ -82,6 +82,18 @@ case = draw_case(1, "open", "rich", ["x_mains_hum"], [1.0])
 assert case.rulings["x_mains_hum"].pure and abs(case.sizes["x_mains_hum"].kappa - 1.0) < 0.05
 assert len(performed(case).table) > 5000
 """
+BLACK_BOX = """
+import numpy as np
+from pipeline.real.black_boxes import learner, looks
+from pipeline.report.real.figures import COLOURS, MARKERS
+from pipeline.report.real.results import TITLES
+
+assert TITLES["nearest"] == looks()["nearest"]["title"] == "nearest rows" and {"nearest"} <= {*COLOURS} & {*MARKERS}
+learn, seeds = learner("nearest")
+table = np.random.default_rng(0).normal(size=(400, 2))
+predicted = learn(table, np.tanh(table[:, 0]), *seeds)(table[::7] + 0.01)
+assert np.abs(predicted - np.tanh(table[::7, 0])).mean() < 0.1
+"""
 # files of tests that the page names for each of its files, and the id under which they run over it
 RUN_OVER = {
     "shifted": ["tests/models/test_interface.py", "tests/export/test_export_equality.py"],
@@ -121,6 +133,10 @@ def test_the_pages_effect_is_concealed(house: Path) -> None:
     run(house, EFFECT)
 
 
+def test_the_pages_black_box_learns_and_stands_in_figures(house: Path) -> None:
+    run(house, BLACK_BOX)
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("name", RUN_OVER)
 def test_the_tests_that_the_page_names_run_over_its_files(house: Path, name: str) -> None:
@@ -134,7 +150,7 @@ def test_the_tests_that_the_page_names_run_over_its_files(house: Path, name: str
 
 
 def test_the_pages_files_keep_the_house_style(house: Path) -> None:
-    assert len(FILES) == 4
+    assert len(FILES) == 5
     command = [sys.executable, "-m", "ruff"]
     for words in (["check"], ["format", "--check"]):
         tried = [*command, *words, "--config", str(ROOT / "pyproject.toml"), *FILES]

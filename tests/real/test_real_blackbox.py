@@ -10,7 +10,8 @@ from made_recording import recording
 from pipeline.diagnosis import heldout
 from pipeline.diagnosis.engine import make_problem
 from pipeline.real import transfer
-from pipeline.real.blackbox import METHODS, Asked, first_held_out, held_out
+from pipeline.real.black_boxes import looks
+from pipeline.real.blackbox import Asked, first_held_out, held_out
 from pipeline.real.features import averaged, features, low_pass, memory, span_of
 from pipeline.real.plan import ALL_OTHERS
 from pipeline.run.samples import read_samples
@@ -70,7 +71,7 @@ def test_what_is_held_out_is_what_the_diagnosis_holds_out(make_run, strokes):
 def test_each_method_learns_play_that_no_straight_line_holds(jaw):
     run, samples = read_samples(jaw("a-01"))
     errors = held_out(run, samples)
-    assert set(errors) == set(METHODS)
+    assert set(errors) == set(looks())
     slope, constant = np.polyfit(samples["motor_deg"], samples["jaw_deg"], 1)
     straight = float(np.std(samples["jaw_deg"] - slope * samples["motor_deg"] - constant))
     assert all(error < straight / 4 for error in errors.values()), (errors, straight)
@@ -93,12 +94,12 @@ def test_what_was_learnt_on_one_recording_predicts_another_but_for_its_zero(jaw,
     content = {"parameters": {"gear_ratio": {"value": 0.9}}, "simulation": []}
     diagnoses["a-01"].write_text(json.dumps(content))
     rows = pd.DataFrame(transfer.of_group(runs, diagnoses))
-    assert set(rows["method"][rows["learnt_from"] == "a-01"]) == {"nominal", "explained", *METHODS}
-    assert set(rows["method"][rows["learnt_from"] == "a-02"]) == set(METHODS)  # which has no diagnosis
+    assert set(rows["method"][rows["learnt_from"] == "a-01"]) == {"nominal", "explained", *looks()}
+    assert set(rows["method"][rows["learnt_from"] == "a-02"]) == set(looks())  # which has no diagnosis
     own = rows.set_index(["learnt_from", "method"])["rms"]
     assert own["a-01", "explained"] == own["a-01", "nominal"]  # the gear is right, and nothing else was found
     assert own["a-01", "explained"] > 0.9  # half of 3 deg of play, by 0.9, and the first second's zero
-    assert all(own["a-01", method] < own["a-01", "nominal"] / 2 for method in METHODS), own
+    assert all(own["a-01", method] < own["a-01", "nominal"] / 2 for method in looks()), own
     assert (rows["centred_rms"] <= rows["rms"] + 1e-9).all() and set(rows["unit"]) == {"deg"}
 
 
@@ -118,10 +119,10 @@ def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path
     monkeypatch.setattr(transfer, "ask", ask)
     rows = pd.DataFrame(transfer.left_out(runs, folders, tmp_path / "others"))
     assert asked == [(["a-02", "a-03"], "a-01"), (["a-01", "a-03"], "a-02"), (["a-01", "a-02"], "a-03")]
-    assert set(rows["learnt_from"]) == {ALL_OTHERS} and len(rows) == 3 * (2 + len(METHODS))
+    assert set(rows["learnt_from"]) == {ALL_OTHERS} and len(rows) == 3 * (2 + len(looks()))
     errors = rows.groupby("method")["rms"].max()
     assert errors["explained"] > 5.0 > errors["nominal"]  # a wrong gear is asked as it was said
-    assert all(errors[method] < errors["nominal"] / 2 for method in METHODS), errors
+    assert all(errors[method] < errors["nominal"] / 2 for method in looks()), errors
     assert transfer.left_out({name: runs[name] for name in ("a-01", "a-02")}, folders, tmp_path / "none") == []
     assert (tmp_path / "none").is_dir()  # which the workflow waits for
 

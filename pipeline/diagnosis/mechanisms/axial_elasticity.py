@@ -42,6 +42,7 @@ MECHANISM = Mechanism(
     ),
     confused_with="frame compliance (the same name), creep of short time constant, shaft_windup",
     told_apart_by="load steps at two twists: a stretch is the same at both",
+    meaning="the string stretches with the load.",
     sentence="The {string} stretches with its load, by up to {span} ({size}).",
     details=("{straight_mm_per_10_n} in proportion to the load",),
     shapes=shapes,

@@ -30,6 +30,7 @@ MECHANISM = Mechanism(
     source="a sum of steps: no law of its own in print",
     confused_with="count_slip (which grows with twist), plastic_elongation",
     told_apart_by="a mark on the string at the clamp",
+    meaning="the clamp gives way suddenly and for good.",
     sentence="The {string} slipped in its clamp and stayed so, worth {size}.",
     details=("by {mm} after {at_s}",),
     shapes=shapes,

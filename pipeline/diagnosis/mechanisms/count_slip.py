@@ -37,6 +37,7 @@ MECHANISM = Mechanism(
     source="a sum of steps: no law of its own in print",
     confused_with="clamp_slip (which is the same at every twist), wear",
     told_apart_by="an index mark on the string's end; unwinding to slack",
+    meaning="twist is lost suddenly between encoder and string.",
     sentence="Motion was lost suddenly between encoder and {string}, worth {size}.",
     details=("{turns_per_stroke} at every stroke", "{turns} after {at_s}"),
     shapes=shapes,

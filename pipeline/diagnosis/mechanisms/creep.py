@@ -44,6 +44,7 @@ MECHANISM = Mechanism(
     ),
     confused_with="plastic_elongation, thermal, sensor_drift",
     told_apart_by="a hold under load, then a rest without it: creep goes on in the hold and comes back in the rest",
+    meaning="under load the string lengthens with time and takes some of it back.",
     sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and shortens again without it.",
     names={
         "load": "the load",

@@ -43,6 +43,7 @@ MECHANISM = Mechanism(
     source="a first harmonic of the turn: textbook",
     confused_with="stick_slip, load_swing",
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",
+    meaning="a ripple once a turn.",
     sentence="The {reading} ripples once per turn, {size}.",
     details=("the turn is that of a sensor wheel of {wheel_mm} circumference",),
     shapes=shapes,

@@ -54,6 +54,7 @@ MECHANISM = Mechanism(
     source="a hard stop: textbook",
     confused_with="jam, slack",
     told_apart_by="a stroke that ends above the stop: behind a stop nothing moves at all",
+    meaning="the motion is cut off at an end.",
     sentence="The motion is clipped at a stop, which takes up to {span} away ({size}).",
     details=("the stop is {stop_mm} from where the recording begins",),
     shapes=shapes,

@@ -102,6 +102,7 @@ MECHANISM = Mechanism(
     ),
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
+    meaning="winding and unwinding part by a rounded loop that grows with load or twist.",
     sentence="Friction makes the {reading} of {up} differ from that of {down}, by up to {span} ({size}).",
     details=(
         "half the loop is {half_loop_mm}",

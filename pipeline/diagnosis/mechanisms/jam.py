@@ -35,6 +35,7 @@ MECHANISM = Mechanism(
     source="no law in print: a slope that changes at a critical twist",
     confused_with="end_stop (which is flat), radius_compaction (which has no corner)",
     told_apart_by="strokes that end above and below the corner; the torque, which rises in a jam",
+    meaning="past a critical twist the displacement falls behind.",
     sentence="Past a critical {motion} the coils touch and the {reading} falls behind, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
     shapes=shapes,

@@ -98,6 +98,7 @@ MECHANISM = Mechanism(
     source="a damped oscillator under the acceleration of its support: textbook",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",
+    meaning="the load swings on the string, and rings after starts and stops.",
     sentence="Load and {string} ring after starts and stops, {size}.",
     details=("at {frequency_hz}, with a damping ratio of {damping}",),
     shapes=shapes,

@@ -81,6 +81,7 @@ MECHANISM = Mechanism(
     ),
     confused_with="a wrong radius, jam (opposite sign)",
     told_apart_by="strokes that end above and below the critical twist",
+    meaning="past a critical twist the displacement runs ahead, with a loop of its own.",
     sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
     shapes=shapes,

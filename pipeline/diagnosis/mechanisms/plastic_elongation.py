@@ -42,6 +42,7 @@ MECHANISM = Mechanism(
     source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (bedding-in)",
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
+    meaning="the string grows longer for good, stroke by stroke.",
     sentence="Every worked stroke leaves the {string} longer, {span} in all ({size}), and no rest takes it back.",
     shapes=shapes,
     terms=terms,

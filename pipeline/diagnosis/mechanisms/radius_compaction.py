@@ -54,6 +54,7 @@ MECHANISM = Mechanism(
     source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",
     told_apart_by="more than 20 turns at two loads; an image of the bundle",
+    meaning="the twist or the tension presses the bundle thinner.",
     sentence="The twist presses the bundle thinner: its radius falls, which costs up to {span} of {reading} ({size}).",
     shapes=shapes,
     terms=terms,

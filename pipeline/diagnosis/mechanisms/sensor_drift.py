@@ -35,6 +35,7 @@ MECHANISM = Mechanism(
     source="a slow function of time: no law of its own in print",
     confused_with="creep, thermal, plastic_elongation",
     told_apart_by="a long rest: a drifting zero goes on in it as before",
+    meaning="the sensor's zero moves with time.",
     sentence="The zero of the sensor drifts with time, {span} in all ({size}), at work and at rest alike.",
     shapes=shapes,
     terms=terms,

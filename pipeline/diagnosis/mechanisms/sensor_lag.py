@@ -50,6 +50,7 @@ MECHANISM = Mechanism(
     source="a first-order lag or a dead time: textbook",
     confused_with="viscous_loss, backlash, friction_hysteresis",
     told_apart_by="two speeds; a rigid bar in place of the string",
+    meaning="the displacement is read late.",
     sentence="The {reading} is read late, which is worth {size} at these speeds.",
     shapes=shapes,
     terms=terms,

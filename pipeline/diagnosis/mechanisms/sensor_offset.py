@@ -23,6 +23,7 @@ MECHANISM = Mechanism(
     source="a constant: textbook",
     confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",
+    meaning="a constant force or angle is added.",
     sentence="The {reading} carries a constant offset, {size}.",
     details=("{offset_mm}",),
     shapes=shapes,

@@ -43,6 +43,7 @@ MECHANISM = Mechanism(
     source="torsion of an elastic shaft: textbook",
     confused_with="radius_compaction, a wrong radius (under one load)",
     told_apart_by="two loads; or lock the string's end and twist",
+    meaning="the shaft twists under torque.",
     sentence="The shaft winds up under the torque of the {string}, which costs up to {span} of {reading} ({size}).",
     details=("{turns_per_10_n} in proportion to the torque",),
     names={

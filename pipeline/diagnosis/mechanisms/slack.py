@@ -47,6 +47,7 @@ MECHANISM = Mechanism(
     source="a dead zone: textbook; catenary: Irvine, Cable Structures, 1981",
     confused_with="a wrong separator, backlash",
     told_apart_by="small strokes at low twist",
+    meaning="the first turns move nothing.",
     sentence="The first {motion} moves nothing: slack swallows up to {span} ({size}).",
     details=("it is taken up after {take_up_turns}", "it is taken up after {take_up_mm} of {reading}"),
     shapes=shapes,

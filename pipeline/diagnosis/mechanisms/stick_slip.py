@@ -91,6 +91,7 @@ MECHANISM = Mechanism(
     ),
     confused_with="eccentricity, backlash",
     told_apart_by="one slow stroke: the jerks come at equal steps of contraction and vanish at speed",
+    meaning="the motion sticks and jumps.",
     sentence="Slow motion goes in jerks of {size}.",
     details=("what sticks is let go after about {reach_mm}",),
     shapes=shapes,

@@ -32,6 +32,7 @@ MECHANISM = Mechanism(
     source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (stiffness after working)",
     confused_with="plastic_elongation (opposite sign), creep, wear",
     told_apart_by="small load steps at one twist every few strokes",
+    meaning="the string gets stiffer with work.",
     sentence="With work the {string} grows stiffer and stretches up to {span} less under its load ({size}).",
     shapes=shapes,
     units={"work": "10mm", "from_load": "10N"},

@@ -70,6 +70,7 @@ MECHANISM = Mechanism(
     source="linear expansion, and one heated node that cools by Newton's law: textbook",
     confused_with="creep, plastic_elongation, sensor_drift",
     told_apart_by="another speed and a pause at the same load: only heat follows the power; or a thermocouple",
+    meaning="the length follows the temperature.",
     sentence="The length follows {temperature}, by up to {span} ({size}), {times}.",
     details=("{at_once_mm_per_k}",),
     shapes=shapes,

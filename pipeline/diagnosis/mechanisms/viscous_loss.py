@@ -59,6 +59,7 @@ MECHANISM = Mechanism(
     source="a loss that grows with the rate: textbook",
     confused_with="sensor_lag (which shows nothing at low twist), friction_hysteresis (which ignores the speed)",
     told_apart_by="three speeds and small strokes at low twist",
+    meaning="what is lost grows with the speed.",
     sentence="A loss follows the {rate}, up to {span} ({size}), and is gone as soon as the motor stands.",
     details=("{straight_mm_per_turn_s}",),
     shapes=shapes,

@@ -38,6 +38,7 @@ MECHANISM = Mechanism(
     source="Archard, Contact and rubbing of flat surfaces, Journal of Applied Physics 24, 1953",
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",
+    meaning="the radius changes with the distance travelled.",
     sentence="The radius changes with the distance travelled, which moves the {reading} by up to {span} ({size}).",
     shapes=shapes,
     terms=terms,

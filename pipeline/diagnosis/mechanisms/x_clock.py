@@ -39,6 +39,7 @@ MECHANISM = Mechanism(
     source="none: two clocks are no physics of the rig",
     confused_with="sensor_lag, whose delay stays what it is",
     told_apart_by="fast strokes at the beginning and at the end: a lag is the same in both",
+    meaning="the clocks of motor and displacement part; a stand-in, no physics of the library.",
     sentence="The clocks of motor and displacement part, which is worth {size} at these speeds.",
     shapes=shapes,
     terms=terms,

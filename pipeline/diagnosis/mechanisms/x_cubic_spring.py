@@ -28,6 +28,7 @@ MECHANISM = Mechanism(
     source="G. Duffing, 1918; Silverbox of the nonlinear benchmarks",
     confused_with="a wrong stiffness",
     told_apart_by="a small and a large swing",
+    meaning="the force of a spring grows with the cube of how far it is moved; on rigs without a string.",
     sentence="The spring is no straight line: the cube of the {motion} adds up to {span} ({size}).",
     details=("{cubic_mm_per_turn3}",),
     shapes=shapes,

@@ -58,6 +58,7 @@ MECHANISM = Mechanism(
     source="Schoukens and Noel, cascaded tanks with overflow, 2016",
     confused_with="end_stop (which forgets at once)",
     told_apart_by="the level's fall after a long overflow: it begins as soon as less flows in than out",
+    meaning="what rises past a rim runs over and is lost; on rigs without a string.",
     sentence="It overflows, which takes up to {span} away ({size}).",
     details=("the rim is {rim_mm} from where the recording begins",),
     shapes=shapes,

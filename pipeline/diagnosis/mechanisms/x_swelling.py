@@ -25,6 +25,7 @@ MECHANISM = Mechanism(
     source="none: the air is not on the rig",
     confused_with="wear, which stands still at rest; sensor_drift, which is the same at every twist",
     told_apart_by="a long rest between two strokes: what the air does goes on in it",
+    meaning="the radius changes with time, at rest too (damp air); a stand-in, no physics of the library.",
     sentence="The radius changes with time, at rest too, which moves the {reading} by up to {span} ({size}).",
     shapes=shapes,
     terms=terms,

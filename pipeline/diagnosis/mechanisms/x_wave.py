@@ -60,6 +60,7 @@ MECHANISM = Mechanism(
     source="none: what oscillates is not on the rig",
     confused_with="load_swing (which follows starts and stops), eccentricity",
     told_apart_by="a rest with the motor off: it goes on",
+    meaning="a steady oscillation in time, whatever the rig does; a stand-in, no physics of the library.",
     sentence="The reading oscillates steadily in time, {size}, whatever the rig does.",
     details=("at {hz}",),
     shapes=shapes,

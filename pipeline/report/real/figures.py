@@ -13,14 +13,12 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from ...real.black_boxes import looks
 from .results import BLACK_BOXES, SIMULATORS, TITLES, Result, apart
 
-COLOURS = {
-    "nominal": "0.75", "calibrated": "0.45", "explained": "#d55e00",
-    "gradient_boosting": "#009e73", "gaussian_process": "#0072b2", "mlp": "#cc79a7",
-}  # fmt: skip
-MARKERS = {**dict.fromkeys(SIMULATORS, "o"), **dict(zip(BLACK_BOXES, "s^D", strict=True))}
-
+COLOURS = {"nominal": "0.75", "calibrated": "0.45", "explained": "#d55e00"}
+COLOURS |= {name: look["colour"] for name, look in looks().items()}
+MARKERS = {**dict.fromkeys(SIMULATORS, "o"), **{name: look["marker"] for name, look in looks().items()}}
 MATRIX_MOST = 9  # recordings of a group: of more a matrix is too fine to read
 
 

@@ -8,12 +8,13 @@ from typing import Any
 import pandas as pd
 
 from ...ground.schemas import unit_of
+from ...real.black_boxes import looks
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Expected, Rig, expected_of
 from .doubts import doubt
 
 SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
-BLACK_BOXES = {"gradient_boosting": "boosted trees", "gaussian_process": "Gaussian process", "mlp": "neural network"}
+BLACK_BOXES = {name: look["title"] for name, look in looks().items()}
 TITLES = {**SIMULATORS, **BLACK_BOXES}
 CARRIED = [name for name in TITLES if name != "calibrated"]
 ELSEWHERE, OTHERS = "elsewhere_", "others_"  # before a method's name: learnt on another recording, on all others
