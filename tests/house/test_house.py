@@ -67,6 +67,7 @@ ROOMS = {
     "real": "ground run diagnosis diagnose import_run",
     "report": "ground run string campaign real",
     "workflow": "ground run string",
+    "pack": "ground workflow",
 }
 PROGRAMS = {"__main__", "adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
 

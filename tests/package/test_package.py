@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SHIPPED = {name.replace("twistbench", "pipeline", 1) for name in PROJECT["tool"]["setuptools"]["packages"]}
 # rooms that need the checkout: configurations, rules, other people's recordings, or what the diagnosis must not see
-LEFT_BEHIND = {"campaign", "proof", "real", "report", "workflow"}
+LEFT_BEHIND = {"campaign", "pack", "proof", "real", "report", "workflow"}
 OF_THE_RIG = {"pipeline.rig", "pipeline.rig.effects"}
 NAMED = {"yaml": "pyyaml", "serial": "pyserial", "sklearn": "scikit-learn"}  # what a package is called where it is not
 
