@@ -15,6 +15,7 @@ import pandas as pd
 import pytest
 import yaml
 from made_recording import content, recording
+from tutorial_run import TUTORIAL, as_program, code_cells, unlike
 
 from pipeline import __version__
 from pipeline.__main__ import PROGRAMS
@@ -125,6 +126,15 @@ def test_a_run_is_made_diagnosed_and_simulated(twistbench: Command, folder: Path
     simulation = ("--simulation", "out/made/diagnosis.json")
     good(twistbench("simulate", "raw/imported", *simulation, "--out", "sim.parquet"))
     assert list(pd.read_parquet(folder / "sim.parquet")) == ["time_s", "displacement_mm"]
+
+
+@pytest.mark.long
+def test_the_tutorial_runs_on_the_wheel(place: Path, tmp_path: Path) -> None:
+    """From a CSV to a diagnosis and an exported model, in a folder that holds the CSV alone."""
+    shutil.copy(TUTORIAL.with_name("nylon_log.csv"), tmp_path)
+    cells = code_cells()
+    done = ended(place / "bin" / "python", "-c", as_program(cells), cwd=tmp_path)
+    assert not unlike(cells, good(done))
 
 
 def test_what_is_wrong_is_said_with_the_installed_name(twistbench: Command) -> None:
