@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import butter, sosfiltfilt
 
 from ..ground.kinematics import Array
 
@@ -17,6 +16,8 @@ def within(signals: Array, first: NDArray[np.intp], step_s: float, band_hz: floa
     """
     if band_hz is None or band_hz * step_s >= HIGHEST / 2.0:
         return signals
+    from scipy.signal import butter, sosfiltfilt  # a second to import, and few systems state a band
+
     sections = butter(ORDER, band_hz, fs=1.0 / step_s, output="sos")
     out = np.array(signals, dtype=float)
     starts = np.flatnonzero(first == 0)

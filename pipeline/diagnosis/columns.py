@@ -4,14 +4,16 @@ import numpy as np
 
 from ..ground.kinematics import Array
 
-ROOM = 1024  # columns: memory that nothing was written to costs nothing
-
 
 class Columns:
-    """A table, shape (columns, samples), filled column by column: a list, stacked at the end, needs it twice."""
+    """A table, shape (columns, samples), filled column by column: a list, stacked at the end, needs it twice.
 
-    def __init__(self, samples: int) -> None:
-        self._table = np.empty((ROOM, samples))
+    `room` is for how many columns at first. Memory that nothing was written to costs nothing, but a large piece is
+    fetched anew from the system each time, page by page.
+    """
+
+    def __init__(self, samples: int, room: int) -> None:
+        self._table = np.empty((room, samples))
         self._numbers: list[tuple[float, float, float, float]] = []
 
     def __len__(self) -> int:

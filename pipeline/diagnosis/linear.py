@@ -17,9 +17,11 @@ from .library import mechanisms
 from .noise import Noise
 from .problem import Act, Problem, State
 from .products import Products
+from .slopes import column, linearised
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
 ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true
+FEW, PER_SHAPE = 40, 3  # columns that calibration and a few acts have, and that a shape of the library has on average
 
 
 @dataclass(frozen=True)
@@ -47,9 +49,9 @@ class Linear(Products):
     ) -> None:
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, catalogue
         rows = self.rows = problem.rows
-        slopes = problem.sensitivity(state)
-        clean = problem.clean_reading(state)
-        columns = Columns(rows)
+        here = linearised(problem, state)
+        more = sum(map(len, (form or {}).values())) + (0 if extra is None else len(extra))
+        columns = Columns(rows, FEW + PER_SHAPE * sum(map(len, catalogue.values())) + more)
         run_index = problem.record.run_index[:rows]
         reach, spread = (np.inf, ZERO_SIGMA) if problem.system.free_zero else (0.0, FIXED_SIGMA)
         for run in range(problem.runs):
@@ -58,24 +60,24 @@ class Linear(Products):
             one = problem.parameters[index]
             least, most = max(-one.reach * one.sigma, one.lowest - one.nominal), one.reach * one.sigma
             moved = float(state.values[index] - one.nominal)
-            columns.add(slopes[one.name][:rows], least, most, one.sigma, moved)
+            columns.add(here.slopes[one.name][:rows], least, most, one.sigma, moved)
         self.calibration = known = np.arange(len(columns))
         self.index: dict[Key, np.ndarray] = {}
         for id_, shapes in catalogue.items():
             for number, shape in enumerate(shapes):
                 before = len(columns)
                 for term in problem.terms(mechanisms()[id_], shape):
-                    columns.add(problem.column(term, slopes, state, clean)[:rows], term.low, term.high, np.inf)
+                    columns.add(column(problem, term, here)[:rows], term.low, term.high, np.inf)
                 self.index[id_, number] = np.arange(before, len(columns))
         self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
-        self.form = {id_: columns.free(more, 1.0) for id_, more in (form or {}).items()}
+        self.form = {id_: columns.free(bent, 1.0) for id_, bent in (form or {}).items()}
         self.low, self.high, sigma, self.at = columns.numbers()
-        target = (problem.measured - problem.simulate(state))[:rows] + self.at[known] @ columns.table[known]
+        target = (problem.measured - here.predicted)[:rows] + self.at[known] @ columns.table[known]
         for act in state.acts:
             if act in problem.included:
                 continue
             for term, coefficient in problem.act_terms(act):
-                target = target + coefficient * problem.column(term, slopes, state, clean)[:rows]
+                target = target + coefficient * column(problem, term, here)[:rows]
         self.begin = np.zeros(len(columns))  # calibration starts where it stands, the rest at nothing
         self.begin[known] = np.clip(self.at[known], self.low[known], self.high[known])
         prior = np.where(np.isfinite(sigma), 1.0 / np.square(sigma), 0.0)

@@ -1,6 +1,8 @@
 """Which run to add: what is built for a tie, and candidates, scored by how far they part what ties."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -108,34 +110,51 @@ def separation(
     return min(gaps, key=lambda gap: gap[0])
 
 
+class Runs:
+    """Runs that could be made to part what ties, each scored once, whoever asks for it again."""
+
+    def __init__(self, problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> None:
+        self.rig, self.changes = Rig(problem.record), bool(problem.record.load.any())
+        tied = (problem, run, noise, search, sets[:4])
+        self.now = separation(*tied, problem.record)
+        self.parted: Callable[[tuple[Leg, ...]], Gap] = cache(
+            lambda legs: separation(*tied, appended(problem.record, list(legs)))
+        )
+
+    def proposal(self, title: str, legs: list[Leg]) -> Proposal:
+        """A run by its words and legs, with what it is expected to tell."""
+        return Proposal(title, legs, self.rig, self.now, self.parted(tuple(legs)))
+
+    def built(self, loads: bool, faster: bool) -> Proposal:
+        """The run that is built for this tie; `loads` and `faster`: whether it may ask other loads, a higher speed."""
+        return self.proposal(
+            *design.designed(self.rig, lambda legs: self.parted(tuple(legs))[0], self.now[0], loads, faster)
+        )
+
+
 def options(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> list[Proposal]:
     """Runs that could be made, best first: those that are built for this tie, then every candidate by its gap.
 
     The first may use every load and speed; it is followed by what is built without other loads, and without a higher
     speed as well, for rigs that cannot have them.
     """
-    rig, changes = Rig(problem.record), bool(problem.record.load.any())
-    possible = {name: legs(rig) for name, legs in CANDIDATES.items() if changes or "load" not in name}
-
-    def parted(legs: list[Leg]) -> Gap:
-        return separation(problem, run, noise, search, sets[:4], appended(problem.record, legs))
-
-    now = separation(problem, run, noise, search, sets[:4], problem.record)
-    built: dict[str, list[Leg]] = {}
-    for loads, faster in ((changes, True), (False, True), (False, False)):
-        name, whole = design.designed(rig, lambda legs: parted(legs)[0], now[0], loads, faster)
-        built.setdefault(name, whole)
-    candidates = {name: [rig.home(), *legs] for name, legs in possible.items()}
-
-    def proposals(runs: dict[str, list[Leg]]) -> list[Proposal]:
-        return [Proposal(name, whole, rig, now, parted(whole)) for name, whole in runs.items()]
-
-    return [*proposals(built), *sorted(proposals(candidates), key=lambda one: -one.then[0] if one.then else 0.0)]
+    runs = Runs(problem, run, noise, search, sets)
+    built: dict[str, Proposal] = {}
+    for loads, faster in ((runs.changes, True), (False, True), (False, False)):
+        one = runs.built(loads, faster)
+        built.setdefault(one.title, one)
+    candidates = [
+        runs.proposal(name, [runs.rig.home(), *legs(runs.rig)])
+        for name, legs in CANDIDATES.items()
+        if runs.changes or "load" not in name
+    ]
+    return [*built.values(), *sorted(candidates, key=lambda one: -one.then[0] if one.then else 0.0)]
 
 
 def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:
-    """The run that is built for this tie."""
-    return options(problem, run, noise, search, sets)[0]
+    """The run that is built for this tie: the first of the options, without what the others cost."""
+    runs = Runs(problem, run, noise, search, sets)
+    return runs.built(runs.changes, True)
 
 
 def after_unknown(problem: Problem, run: Run, driver: str) -> Proposal:

@@ -3,15 +3,16 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numba import njit
 from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
-from scipy.signal import lfilter
 
 from ..ground.kinematics import Array
-from .recursions import whiten
+from .recursions import coloured, whiten
 
 MEMORY_S, FEWEST, MOST = 1.2, 6, 30
 FADING = 0.98  # a lag
 DRAWS, ROUNDS, BLOCKS = 6, 3, 40
+SETTLED = 300  # samples, after which drawn noise has forgotten where it began
 
 
 @dataclass(frozen=True)
@@ -32,10 +33,13 @@ def white(floor: float) -> Noise:
     return Noise(floor, np.zeros(0), floor)
 
 
+@njit(cache=True)
 def autocovariance(signal: Array, lags: int) -> Array:
     """Autocovariance at lags 0…lags about zero."""
-    n = len(signal)
-    return np.array([signal[: n - k] @ signal[k:] for k in range(lags + 1)]) / n
+    n, out = signal.size, np.empty(lags + 1)
+    for k in range(lags + 1):
+        out[k] = np.dot(signal[: n - k], signal[k:]) / n
+    return out
 
 
 def resolution(readings: Array) -> float:
@@ -91,7 +95,7 @@ def estimate(
     scale = np.sqrt(np.einsum("ij,ij->i", columns, columns))
     columns = columns[scale > 0] / scale[scale > 0][:, None]
     generator = np.random.default_rng(seed)
-    draws = generator.standard_normal((DRAWS, samples + 300))
+    draws = generator.standard_normal((DRAWS, samples + SETTLED))
     noise, swallowed = white(float(np.std(target))), 0.0
     covariance = np.zeros(order + 1)
     for _ in range(ROUNDS):
@@ -108,7 +112,7 @@ def estimate(
             covariance = seen
         for _inner in range(2):
             guess = from_covariance(covariance)
-            signals = lfilter([guess.innovation], np.concatenate([[1.0], -guess.ar]), draws, axis=1)[:, 300:]
+            signals = coloured(draws, guess.ar, guess.innovation)[:, SETTLED:]
             left = rest(signals)
             gap = np.mean(
                 [autocovariance(a, order) - trimmed(b, order, trim) for a, b in zip(signals, left, strict=True)], 0

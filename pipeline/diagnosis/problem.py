@@ -12,9 +12,7 @@ from .judge import Judge, judge
 from .library import mechanisms
 from .record import Record
 
-REMEMBERED = 64  # shapes whose terms are kept: those of whatever acts are asked for again and again
-REMEMBERED_SAMPLES = 6_400_000  # of all of them together: fewer shapes of a long recording
-STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port
+REMEMBERED = 4_000_000  # numbers in the terms that are kept: those of whatever acts are asked for again and again
 
 
 @dataclass(frozen=True)
@@ -90,9 +88,10 @@ class Problem:
         """Terms of a mechanism's shape; the last few that were asked for are remembered."""
         key = (mechanism.id, tuple(shape.items()))
         if key not in self._terms:
-            if len(self._terms) >= min(REMEMBERED, max(REMEMBERED_SAMPLES // len(self.record), 1)):
+            terms = mechanism.terms(self.drivers, shape)
+            while self._terms and len(self.record) * sum(map(len, [*self._terms.values(), terms])) > REMEMBERED:
                 del self._terms[next(iter(self._terms))]
-            self._terms[key] = mechanism.terms(self.drivers, shape)
+            self._terms[key] = terms
         return self._terms[key]
 
     def act_terms(self, act: Act) -> list[tuple[Term, float]]:
@@ -140,12 +139,17 @@ class Problem:
         )
 
     def reading(self, values: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
-        """Reading without zero: the simulated channel, then what operators and the sensor port add to it.
+        """Reading without zero, of a simulator. Shape (samples,), in the channel's unit."""
+        return self.read(self.simulated(values, added), added, operators)
+
+    @staticmethod
+    def read(clean: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
+        """The simulated channel with what operators and the sensor port add to it: the reading without zero.
 
         Shape (samples,), in the channel's unit.
         """
-        reading = self.simulated(values, added)
-        changes = [coefficient * term.signal(reading) for term, coefficient in operators if callable(term.signal)]
+        changes = [coefficient * term.signal(clean) for term, coefficient in operators if callable(term.signal)]
+        reading = clean
         for change in changes:
             reading = reading + change
         return reading + added["sensor"] if "sensor" in added else reading
@@ -154,47 +158,3 @@ class Problem:
         """Predicted channel of every sample. Shape (samples,), in the channel's unit."""
         added, operators = self.ports(state.acts)
         return self.reading(state.values, added, operators) + state.zeros[self.record.run_index]
-
-    def column(self, term: Term, slopes: dict[str, Array], state: State, clean: Array) -> Array:
-        """How the reading moves with the coefficient of a term; `clean` is the reading before operators.
-
-        Shape (samples,), in the channel's unit per unit of the coefficient.
-        """
-        if callable(term.signal):
-            return term.signal(clean)
-        if self.system.remembers and term.port != "sensor":
-            return self.pushed(term.port, term.signal, state, clean)
-        return slopes[term.port] * term.signal
-
-    def pushed(self, port: str, signal: Array, state: State, clean: Array) -> Array:
-        """How the simulated channel moves, at once and later, with a small share of a signal at a port.
-
-        Shape (samples,), in the channel's unit per unit at the port.
-        """
-        step = STEPS[port] / max(float(np.sqrt(np.mean(np.square(signal)))), 1e-300)
-        added, place = self.ports(state.acts)[0], self.system.ports[port]
-        moved = added[place] + step * signal if place in added else step * signal
-        return (self.simulated(state.values, {**added, place: moved}) - clean) / step
-
-    def sensitivity(self, state: State) -> dict[str, Array]:
-        """How the reading, shape (samples,), moves per unit at each port and of each movable parameter by name."""
-        added, operators = self.ports(state.acts)
-        before = self.reading(state.values, added, operators)
-        nothing = np.zeros_like(before)
-        found = {"sensor": np.ones_like(before)}
-        for port, step in STEPS.items():
-            if port in self.system.ports:
-                place = self.system.ports[port]
-                moved = {**added, place: added.get(place, nothing) + step}
-                found[port] = (self.reading(state.values, moved, operators) - before) / step
-        for index in self.movable:
-            values = state.values.copy()
-            step = 1e-3 * self.parameters[index].sigma
-            values[index] += step
-            found[self.parameters[index].name] = (self.reading(values, added, operators) - before) / step
-        return found
-
-    def clean_reading(self, state: State) -> Array:
-        """Reading before any operator: what operators act on. Shape (samples,), in the channel's unit."""
-        added, _ = self.ports(state.acts)
-        return self.simulated(state.values, added)

@@ -3,14 +3,25 @@
 from functools import cached_property
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 from scipy.linalg.blas import dsyrk
 
 from ..ground.kinematics import Array
 from .noise import Noise
-from .recursions import whiten
+from .recursions import whiten_from
 
 STRETCH = 2048  # samples: a whitened copy of all of them at once would be as large as the table
+
+
+@njit(cache=True)
+def mirrored(lower: Array, scale: float) -> Array:
+    """The symmetric matrix whose one half a lower triangle holds, divided by a scale; shape (n, n)."""
+    whole = np.empty(lower.shape)
+    for i in range(len(lower)):
+        for j in range(i + 1):
+            whole[i, j] = whole[j, i] = lower[i, j] / scale
+    return whole
 
 
 class Products:
@@ -30,18 +41,16 @@ class Products:
 
         They are made stretch by stretch.
         """
-        order, samples = len(self.noise.ar), self.table.shape[1]
-        upper = np.zeros((len(self.table), len(self.table)), order="F")
+        count, samples = self.table.shape
+        upper, room = np.zeros((count, count), order="F"), np.empty(count * min(STRETCH, samples))
         for start in range(0, samples, STRETCH):
-            before = max(start - order, 0)
-            rows = slice(before, start + STRETCH)
-            part = whiten(np.ascontiguousarray(self.table[:, rows]), self.noise.ar, self.first[rows])
-            upper = dsyrk(1.0, part[:, start - before :].T, beta=1.0, c=upper, trans=1, overwrite_c=1)
-        upper += np.triu(upper, 1).T
-        upper /= self.noise.innovation**2
-        gram, moment = upper[:-1, :-1].copy(), upper[-1, :-1].copy()
-        gram[np.diag_indices(len(gram))] += self.prior
-        return gram, moment, float(upper[-1, -1])
+            part = room[: count * min(STRETCH, samples - start)].reshape(count, -1)
+            whiten_from(self.table, self.noise.ar, self.first, start, part)
+            upper = dsyrk(1.0, part.T, beta=1.0, c=upper, trans=1, overwrite_c=1)
+        lower, scale = upper.T, self.noise.innovation**2
+        gram = mirrored(lower[:-1, :-1], scale)
+        gram[np.diag_indices(count - 1)] += self.prior
+        return gram, lower[-1, :-1] / scale, float(lower[-1, -1]) / scale
 
     @property
     def gram(self) -> Array:

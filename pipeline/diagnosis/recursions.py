@@ -6,6 +6,8 @@ from numpy.typing import NDArray
 
 from ..ground.kinematics import Array
 
+CACHED = 2048  # samples that a filter works on together: what the processor holds near
+
 
 @njit(cache=True)
 def play(motion: Array, half_width: Array) -> Array:
@@ -84,22 +86,55 @@ def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
     `first[i]` is the number of samples since the last break (start of a run), so that no filter reaches across it.
     Innovations are in the columns' unit; `ar` of shape (order,).
     """
-    out = columns.copy()
+    out = np.empty(columns.shape)
+    whiten_from(columns, ar, first, 0, out)
+    return out
+
+
+@njit(cache=True)
+def whiten_from(columns: Array, ar: Array, first: NDArray[np.intp], start: int, out: Array) -> None:
+    """Write into `out`, shape (columns, stretch), what `whiten` gives for a stretch of samples from `start` on.
+
+    In the columns' unit.
+    """
     taps = np.zeros(6 * ((ar.size + 5) // 6))  # six at a time: a pass over the samples costs more than a product
     taps[: ar.size] = ar
-    breaks = np.append(np.flatnonzero(first[1:] == 0) + 1, columns.shape[1])
-    start = 0
-    for end in breaks:
-        count = end - start
-        before = np.zeros(taps.size + count)
+    order, stop = taps.size, start + out.shape[1]
+    before, predicted = np.zeros(order + CACHED), np.empty(CACHED)
+    at = start
+    while at < stop:
+        count = 1
+        while count < CACHED and at + count < stop and first[at + count] > 0:
+            count += 1
+        known = min(first[at], order, at)
         for j in range(columns.shape[0]):
-            before[taps.size :], predicted = columns[j, start:end], np.zeros(count)
-            for k in range(0, taps.size, 6):
+            before[: order - known] = 0.0
+            before[order - known : order + count] = columns[j, at - known : at + count]
+            predicted[:count] = 0.0
+            for k in range(0, order, 6):
                 a, b, c, d, e, f = taps[k], taps[k + 1], taps[k + 2], taps[k + 3], taps[k + 4], taps[k + 5]
-                late = before[taps.size - k - 6 : taps.size - k + count]
+                late = before[order - k - 6 : order - k + count]
                 for i in range(count):
                     predicted[i] += a * late[i + 5] + b * late[i + 4] + c * late[i + 3] + d * late[i + 2]
                     predicted[i] += e * late[i + 1] + f * late[i]
-            out[j, start:end] -= predicted
-        start = end
+            for i in range(count):
+                out[j, at - start + i] = before[order + i] - predicted[i]
+        at += count
+
+
+@njit(cache=True)
+def coloured(draws: Array, ar: Array, innovation: float) -> Array:
+    """Noise under an AR model from white draws, shape (draws, samples), each from rest: what `whiten` undoes.
+
+    `innovation` in the noise's unit; `ar` of shape (order,).
+    """
+    out = np.empty(draws.shape)
+    order = ar.size
+    for j in range(draws.shape[0]):
+        owed = np.zeros(order + 1)  # to the samples that come, by those that were: the transposed direct form
+        for i in range(draws.shape[1]):
+            value = innovation * draws[j, i] + owed[0]
+            for k in range(order):
+                owed[k] = owed[k + 1] + ar[k] * value
+            out[j, i] = value
     return out

@@ -40,7 +40,7 @@ def test_what_no_mechanism_makes_is_unknown(conceal) -> None:
     assert verdict(conceal("u_bump", kappa=3.0, seed=5)[0])[0] == "unknown"
 
 
-def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_load) -> None:
+def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_load, monkeypatch) -> None:
     problem, run = one_load
     found = study(problem)
     rivals = found.search.all_of(1)[:3]
@@ -51,6 +51,19 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     entry = proposal.entry(run, fixed_load=True)
     assert entry["gap_then"] >= entry["gap_now"] > 0.0 and all(entry["parts"])
     assert [leg["seconds"] for leg in entry["legs"]] == [leg[0] for leg in proposal.legs]
+    asked, plain = [], nextrun.separation
+
+    def counted(*told):
+        asked.append(len(told[-1]))
+        return plain(*told)
+
+    monkeypatch.setattr(nextrun, "separation", counted)
+    first = nextrun.best(problem, run, found.noise, found.search, rivals)
+    alone = len(asked)
+    every = nextrun.options(problem, run, found.noise, found.search, rivals)
+    assert (first.title, first.legs, first.then) == (proposal.title, proposal.legs, proposal.then)
+    assert (every[0].title, every[0].then) == (first.title, first.then)  # the best is the first, for less
+    assert 0 < alone < len(asked) - alone
 
 
 def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:

@@ -77,10 +77,13 @@ def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
 
     problem = own_rate.to_score([described()], [recorded()])
     shapes = [(one, shape) for one in mechanisms().values() for shape in one.shapes(problem.drivers)][:5]
-    monkeypatch.setattr(module, "REMEMBERED_SAMPLES", 2 * ROWS)
+    numbers = [ROWS * len(problem.terms(mechanism, shape)) for mechanism, shape in shapes]
+    problem._terms.clear()
+    monkeypatch.setattr(module, "REMEMBERED", sum(numbers[-2:]))
     for mechanism, shape in shapes:
         problem.terms(mechanism, shape)
-    assert len(problem._terms) == 2
-    monkeypatch.setattr(module, "REMEMBERED_SAMPLES", ROWS - 1)
+    assert [key[0] for key in problem._terms] == [mechanism.id for mechanism, _ in shapes[-2:]]
+    monkeypatch.setattr(module, "REMEMBERED", ROWS - 1)
     problem.terms(*shapes[0])
     assert problem.terms(*shapes[0]) is problem.terms(*shapes[0])  # the last one is always kept
+    assert len(problem._terms) == 1

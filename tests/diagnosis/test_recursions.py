@@ -1,12 +1,14 @@
 """The compiled recursions against slow twins."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import lsq_linear
+from scipy.signal import lfilter
 
 from pipeline.diagnosis.bounded import boxed
-from pipeline.diagnosis.recursions import lowpass, play, whiten
+from pipeline.diagnosis.recursions import CACHED, coloured, lowpass, play, whiten, whiten_from
 
 
 def test_play_follows_with_a_dead_band() -> None:
@@ -25,6 +27,33 @@ def test_whitening_does_not_reach_across_runs() -> None:
     first = np.array([0, 1, 2, 0, 1, 2])
     out = whiten(np.arange(6.0)[None], np.array([0.5]), first)[0]
     assert out[3] == 3.0 and out[4] == 4.0 - 1.5
+
+
+@pytest.mark.parametrize(("start", "samples"), [(0, 40), (3, 60), (25, 75), (91, 9)])
+def test_a_whitened_stretch_is_that_of_the_plain_sum(start: int, samples: int) -> None:
+    generator = np.random.default_rng(2)
+    columns, ar = generator.standard_normal((3, 100)), np.array([0.5, -0.2, 0.1, 0.05, 0.02, 0.1, 0.03])
+    first = np.r_[np.arange(30), np.arange(70)]
+    plain = columns.copy()
+    for i in range(100):
+        for lag in range(1, min(first[i], len(ar)) + 1):
+            plain[:, i] -= ar[lag - 1] * columns[:, i - lag]
+    out = np.empty((3, samples))
+    whiten_from(columns, ar, first, start, out)
+    np.testing.assert_allclose(out, plain[:, start : start + samples], atol=1e-14)
+
+
+def test_a_long_column_is_whitened_in_parts_and_no_part_shows() -> None:
+    count = 2 * CACHED + 100
+    column = np.random.default_rng(3).standard_normal((1, count))
+    plain = column - 0.7 * np.r_[0.0, column[0, :-1]]
+    np.testing.assert_allclose(whiten(column, np.array([0.7]), np.arange(count)), plain, atol=1e-14)
+
+
+def test_drawn_noise_has_the_colour_that_a_filter_gives() -> None:
+    draws, ar = np.random.default_rng(4).standard_normal((2, 500)), np.array([0.6, -0.2, 0.1])
+    np.testing.assert_allclose(coloured(draws, ar, 0.3), lfilter([0.3], np.r_[1.0, -ar], draws, axis=1), atol=1e-14)
+    np.testing.assert_allclose(whiten(coloured(draws, ar, 0.3), ar, np.arange(500)), 0.3 * draws, atol=1e-13)
 
 
 @settings(max_examples=40)

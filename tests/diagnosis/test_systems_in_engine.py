@@ -19,6 +19,7 @@ from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.naming import Units
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.record import derivatives
+from pipeline.diagnosis.slopes import column, linearised
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
 from pipeline.run.samples import read_samples
@@ -178,8 +179,8 @@ def test_what_acts_through_a_memory_is_linearised_through_it(tmp_path):
     through = lfilter([0.05], [1.0, -0.95], problem.drivers.rate)
     for system, right in ((remembering, True), (slow, False)):
         own = replace(problem, system=system, _terms={})
-        column = own.column(term, own.sensitivity(state), state, own.clean_reading(state))
-        assert bool(np.allclose(column, through, atol=1e-6 * np.abs(through).max())) == right
+        moves = column(own, term, linearised(own, state))
+        assert bool(np.allclose(moves, through, atol=1e-6 * np.abs(through).max())) == right
 
 
 def test_a_true_zero_is_not_fitted_away(tmp_path):
