@@ -5,10 +5,13 @@ import shlex
 import shutil
 import subprocess
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 
+from ..ground.words import by_file, spread
 from ..run.left_out import LeftOut, from_json, to_json
 
+WORDS = Path(".snakemake/words")
 ALL = "all of "  # before a material's name, where a whole material is left out
 
 
@@ -52,7 +55,7 @@ def without(command: str, left: list[LeftOut], names: Iterable[str]) -> list[str
 
     A material of which all reports, by their `names`, are still there stays on a page that says how old they are.
     """
-    words = shlex.split(command.partition(" > ")[0])[1:]
+    words = spread(shlex.split(command.partition(" > ")[0])[1:])
     start, names = words.index("-m") + 2, list(names)
     gone = {one.run for one in left if not one.run.startswith(ALL)}
     for material in (one.material for one in left if one.run.startswith(ALL)):
@@ -77,6 +80,8 @@ def rewrite(commands: Iterable[str], left: list[LeftOut], names: Iterable[str], 
     environment = {**os.environ, "PYTHONPATH": project}
     for command in commands:
         words = without(command, left, names)
+        with suppress(ValueError):  # more words than a command may have
+            words = [*words[:3], by_file(words[3:], WORDS)]
         done = subprocess.run(words, env=environment, capture_output=True, text=True, errors="replace")
         if done.returncode:
             wrong.append(f"{words[2]}: {(done.stderr.strip().splitlines() or ['failed'])[-1]}")

@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.words import SIGN
 from ..run.left_out import LeftOut
 from ..string.jump_notes import read_jumps
 from . import diagnoses, jumps, left_out
@@ -103,7 +104,9 @@ def write_pages(reports: Path, folder: Path, every: Iterable[Parts], mark: MadeB
 @program
 def main() -> None:
     """Write `index.html`, and beside it `pages/`."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.report.index", description=main.__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m pipeline.report.index", description=main.__doc__, fromfile_prefix_chars=SIGN
+    )
     parser.add_argument("materials", nargs="*")
     parser.add_argument("--runs", nargs="*", default=[], help="runs that are diagnosed")
     parser.add_argument("--strings", type=json.loads, default={}, metavar="JSON", help="the runs of each material")

@@ -9,6 +9,7 @@ from markupsafe import Markup
 from ..ground import schemas
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
+from ..ground.words import SIGN
 from ..run.left_out import LeftOut, from_json, read_left_out, to_json
 from .plain import plain
 from .web.page import paragraph, together
@@ -66,7 +67,7 @@ def section(runs: list[LeftOut]) -> Markup:
 @program
 def main() -> None:
     """Say which runs were left out: exit 0 and write that there are none, or exit 2."""
-    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser = argparse.ArgumentParser(description=main.__doc__, fromfile_prefix_chars=SIGN)
     arguments(parser)
     parser.add_argument("--out", type=Path, required=True, help="the file of the runs left out, JSON; required")
     asked = parser.parse_args()

@@ -8,6 +8,7 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.words import SIGN
 from .marks import add_mark, mark_from
 from .sidecar import Column, describe
 
@@ -29,7 +30,9 @@ COLUMNS: list[Column] = [
 @program
 def main() -> None:
     """Write `metrics.csv`."""
-    parser = argparse.ArgumentParser(prog="python -m pipeline.report.metrics", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m pipeline.report.metrics", description=__doc__, fromfile_prefix_chars=SIGN
+    )
     parser.add_argument("metrics", type=Path, nargs="*")
     parser.add_argument("--out", type=Path, required=True, help="the file of the errors, csv; required")
     add_mark(parser)

@@ -1,17 +1,11 @@
+from pipeline.ground.words import by_file
+from pipeline.report.ended import WORDS
 from pipeline.run.left_out import to_json
 
 
 # Functions, whose words Snakemake leaves as they are: a folder's name may look like a wildcard.
 def refused_of_material(wildcards):
     return to_json([one for one in PLAN.refused if one.material == wildcards.material])
-
-
-def refused(wildcards):
-    return to_json(PLAN.refused)
-
-
-def left_out(wildcards):
-    return to_json(PLAN.left_out)
 
 
 def fits_within(wildcards):
@@ -124,48 +118,55 @@ LEFT_OUT = expand("processed/{material}/left_out.json", material=MATERIALS) + ex
 )
 
 
+JUMPS = expand("processed/{material}/zero_jumps.json", material=MATERIALS)
+
+
+def words_of_index(wildcards):
+    named = [*MATERIALS, "--runs", *DIAGNOSED, "--strings", json.dumps(PLAN.materials)]
+    return by_file([*named, "--left-out", *LEFT_OUT, "--planned", to_json(PLAN.left_out), "--jumps", *JUMPS], WORDS)
+
+
+def words_of_left_out(wildcards):
+    return by_file(["--left-out", *LEFT_OUT, "--planned", to_json(PLAN.refused)], WORDS)
+
+
 rule index:
     input:
         rules.metrics.output,
         expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
-        left_out=LEFT_OUT,
-        jumps=expand("processed/{material}/zero_jumps.json", material=MATERIALS),
+        LEFT_OUT,
+        JUMPS,
     output:
         "reports/index.html",
         directory("reports/pages"),
     log:
         "processed/logs/index.log",
     params:
-        materials=MATERIALS,
-        runs=DIAGNOSED,
-        strings=json.dumps(PLAN.materials),
-        planned=left_out,
+        words=words_of_index,
         made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
     message:
         "write the page that leads to every report"
     shell:
-        "exec python -m pipeline.report.index {params.materials:q} --runs {params.runs:q}"
-        " --strings {params.strings:q} --left-out {input.left_out:q} --planned {params.planned:q} --jumps {input.jumps:q}"
-        " --made-by {params.made_by:q} --reports reports --out {output[0]:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.index {params.words:q} --made-by {params.made_by:q} --reports reports"
+        " --out {output[0]:q} > {log:q} 2>&1"
 
 
 # It fails where a run was refused, after everything else is made, so that this is not overlooked.
 rule all_taken:
     input:
-        left_out=LEFT_OUT,
+        LEFT_OUT,
         last=["reports/index.html", "reports/metrics.csv"],
     output:
         "processed/left_out.json",
     log:
         "processed/logs/all_taken.log",
     params:
-        planned=refused,
+        words=words_of_left_out,
         code=fingerprint("pipeline.report.left_out"),
     message:
         "ask whether every run was taken"
     shell:
-        "exec python -m pipeline.report.left_out --left-out {input.left_out:q} --planned {params.planned:q}"
-        " --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.left_out {params.words:q} --out {output:q} > {log:q} 2>&1"

@@ -30,6 +30,19 @@ def test_the_full_proof_has_what_was_promised():
         assert count(protocol="poor", effects=(name,), kappas=(1.0,)) and count(without=name, effects=(name,)) == 1
 
 
+def test_ten_thousand_cases_are_planned_in_batches_of_a_few_minutes_whose_commands_a_shell_takes():
+    path = Path(__file__).parents[2] / "pipeline" / "config" / "ten_thousand.yaml"
+    large = yaml.safe_load(path.read_text())["proof"]
+    cases = plan(large)
+    assert len(cases) == 10_000 and not {case.seed for case in cases} & {case.seed for case in plan(CONFIG)}
+    kinds = {(case.stratum, case.protocol, case.kappas, case.author, bool(case.without)) for case in cases}
+    assert kinds == {(one.stratum, one.protocol, one.kappas, one.author, bool(one.without)) for one in plan(CONFIG)}
+    found = batches(large)
+    assert sorted(case.run for batch in found.values() for case in batch) == sorted(case.run for case in cases)
+    assert len(found) < 150 and max(map(len, found.values())) <= 100
+    assert max(len(written(batch)) for batch in found.values()) < 60_000
+
+
 def test_a_seed_draws_a_block_of_its_own_in_an_order_that_tells_nothing():
     one, other = plan(CONFIG), plan({**CONFIG, "seed": CONFIG["seed"] + 10_000})
     assert len({case.seed for case in [*one, *other]}) == 2 * len(one)

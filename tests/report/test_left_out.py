@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import shlex
 import sys
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from made_recording import recording
 
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.words import by_file
 from pipeline.report import ended, left_out
 from pipeline.run.left_out import LeftOut, from_json, noted, to_json
 from pipeline.string import jump_notes
@@ -154,6 +156,9 @@ def test_after_a_failure_the_last_pages_are_of_what_was_made(tmp_path, monkeypat
     words = ended.without(index, left, ["table_1.csv"])
     assert words[3:6] == ["nylon", "--runs", "a-01"] and "processed/silk/left_out.json" not in words
     assert from_json(words[words.index("--planned") + 1]) == left and words[-2:] == ["--out", "reports/index.html"]
+    named, _, out = index.removeprefix("exec python -m pipeline.report.index ").partition(" --out ")
+    stored = by_file(shlex.split(named), Path("words"))
+    assert ended.without(f"exec python -m pipeline.report.index {stored} --out {out}", left, ["table_1.csv"]) == words
     Path("reports/silk").mkdir(parents=True)
     Path("reports/silk/table_1.csv").write_text("")
     assert ended.without(index, left, ["table_1.csv"])[3:5] == ["nylon", "silk"]  # its old state, said on the page

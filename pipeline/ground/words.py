@@ -1,0 +1,38 @@
+"""The words of a command in a file, which argparse reads (`@FILE`): a shell takes 128 kB of a command and no more.
+
+A file is named after its content. So a command changes when its words do, and who reads it reads what was meant.
+"""
+
+import hashlib
+from collections.abc import Iterable
+from pathlib import Path
+
+from .files import write_text
+
+SIGN = "@"  # an argument parser's fromfile_prefix_chars
+
+
+def by_file(words: Iterable[str], folder: Path) -> str:
+    """Write words, one a line, into a file of a folder, and return the word that stands for all of them.
+
+    Raises ValueError for a word of several lines.
+    """
+    words = list(words)
+    text = "".join(f"{word}\n" for word in words)
+    if text.splitlines() != words:
+        raise ValueError("a word of several lines cannot stand in a file of words")
+    path = folder / hashlib.sha256(text.encode()).hexdigest()[:16]
+    if not path.is_file():
+        write_text(path, text)
+    return f"{SIGN}{path}"
+
+
+def spread(words: Iterable[str]) -> list[str]:
+    """Words, with those of a file in place of the word that stands for them."""
+    found: list[str] = []
+    for word in words:
+        if word.startswith(SIGN) and Path(word[1:]).is_file():
+            found += Path(word[1:]).read_text(encoding="utf-8").splitlines()
+        else:
+            found.append(word)
+    return found
