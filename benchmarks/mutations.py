@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SEED, SAMPLE, TIMEOUT_S = 1, 45, 120
+SAMPLE, CPU_S, TIMEOUT_S = 45, 90, 1800  # a mutant without an end is killed by its processor time: machines are busy
 WIRE = "tests/wire/test_wire_frames.py tests/wire/test_wire_recording.py tests/wire/test_wire_numbers.py"
 DECISION = "tests/diagnosis/test_judged.py tests/diagnosis/test_disguise.py"
 TARGETS = {
@@ -30,7 +30,7 @@ def cosmic_ray(program: Path, *words: str) -> str:
     return subprocess.run([program, *words], cwd=ROOT, check=True, capture_output=True, text=True).stdout
 
 
-def sample(sessions: list[Path], count: int) -> None:
+def sample(sessions: list[Path], count: int, seed: int) -> None:
     """Leave so many mutants in all in the sessions, drawn at random, those of types in signatures aside."""
     drawn: list[tuple[Path, str]] = []
     for session in sessions:
@@ -40,7 +40,7 @@ def sample(sessions: list[Path], count: int) -> None:
                 "ORDER BY operator_name, start_pos_row, start_pos_col, occurrence"
             )
             drawn += [(session, job) for job, operator in told if TYPES not in operator]
-    kept = {job for _, job in random.Random(SEED).sample(drawn, min(count, len(drawn)))}
+    kept = {job for _, job in random.Random(seed).sample(drawn, min(count, len(drawn)))}
     for session in sessions:
         with sqlite3.connect(session) as base:
             for table in ("mutation_specs", "work_items"):
@@ -48,13 +48,13 @@ def sample(sessions: list[Path], count: int) -> None:
                 base.executemany(f"DELETE FROM {table} WHERE job_id = ?", [(job,) for job in jobs])
 
 
-def tried(program: Path, name: str, out: Path, count: int) -> list[tuple[str, str, int, str]]:
+def tried(program: Path, name: str, out: Path, count: int, seed: int) -> list[tuple[str, str, int, str]]:
     """Each mutant of a target: module, operator, line, and whether it was `killed` or `survived`."""
     modules, tests = TARGETS[name]
     sessions = []
     for module in sorted(modules):
         config, session = (out / f"{module.replace('/', '-')}.{ending}" for ending in ("toml", "sqlite"))
-        command = f"{sys.executable} -m pytest -x -q -n 0 -p no:cacheprovider {tests}"
+        command = f"prlimit --cpu={CPU_S} {sys.executable} -m pytest -x -q -n 0 -p no:cacheprovider {tests}"
         config.write_text(
             f'[cosmic-ray]\nmodule-path = "pipeline/{module}"\ntimeout = {TIMEOUT_S}\nexcluded-modules = []\n'
             f'test-command = "{command}"\n[cosmic-ray.distributor]\nname = "local"\n'
@@ -62,7 +62,7 @@ def tried(program: Path, name: str, out: Path, count: int) -> list[tuple[str, st
         if not session.exists():
             cosmic_ray(program, "init", str(config), str(session))
         sessions.append(session)
-    sample(sessions, count)
+    sample(sessions, count, seed)
     results = []
     for module, session in zip(sorted(modules), sessions, strict=True):
         cosmic_ray(program, "exec", str(session.with_suffix(".toml")), str(session))
@@ -82,13 +82,14 @@ def main() -> None:
     parser.add_argument("--cosmic-ray", type=Path, required=True, help="the program")
     parser.add_argument("--out", type=Path, required=True, help="folder of sessions and table; sessions go on")
     parser.add_argument("--sample", type=int, default=SAMPLE, help="mutants of each target")
+    parser.add_argument("--seed", type=int, default=1, help="of the draw; another one needs another folder")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     out = arguments.out.resolve()
     lines = ["| target | mutants | killed | survived |", "|---|---|---|---|"]
     survivors = []
     for name in arguments.targets or TARGETS:
-        results = tried(arguments.cosmic_ray, name, out, arguments.sample)
+        results = tried(arguments.cosmic_ray, name, out, arguments.sample, arguments.seed)
         lived = [one for one in results if "survived" in one[3]]
         share = 100 * (len(results) - len(lived)) / max(len(results), 1)
         lines.append(f"| {name} | {len(results)} | {len(results) - len(lived)} ({share:.0f} %) | {len(lived)} |")

@@ -20,16 +20,17 @@ from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
 
-@pytest.fixture
-def drawn(conceal, tmp_path, monkeypatch, request):
-    """The page of a run with creep, or with what the test's parameter says, and its diagnosis."""
+@pytest.fixture(scope="module")
+def drawn(conceal, tmp_path_factory, request):
+    """The page of a run with creep, or with what the test's parameter says, and its diagnosis. Tests leave it as it is."""
     run, samples = read_samples(conceal(*getattr(request, "param", ("creep",)))[0])
     found = study(make_problem([run], [samples]))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())
-    kept, draw = [], figures.drawn
-    monkeypatch.setattr(figures, "drawn", lambda *told: kept.append(draw(*told)) or kept[-1])
-    figures.page(found, content, tmp_path / "page")
-    assert (tmp_path / "page.png").is_file() and (tmp_path / "page.pdf").is_file()
+    kept, draw, page = [], figures.drawn, tmp_path_factory.mktemp("drawn") / "page"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(figures, "drawn", lambda *told: kept.append(draw(*told)) or kept[-1])
+        figures.page(found, content, page)
+    assert page.with_suffix(".png").is_file() and page.with_suffix(".pdf").is_file()
     return kept[0], content
 
 

@@ -81,3 +81,14 @@ def test_where_nothing_is_wound_the_sets_that_foretell_alike_are_equally_likely(
     found = judged.judged(search, None, sets[0], 0.01)
     assert found.sets == sets[:2] and found.none == 0.0
     assert found.likely == {("backlash",): 0.5, ("stick_slip",): 0.5}
+
+
+def test_a_single_effect_is_no_reason_to_take_a_set_of_three(monkeypatch):
+    sets = [(), ("creep", "jam", "wear")]
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in sets])
+    found = judged.judged(judge_of([0.85, 0.05, 0.1]), None, explanation("creep"), 0.01)
+    assert [one.ids for one in found.sets] == [()] and found.likely[sets[1]] == pytest.approx(0.05)
+
+
+def test_where_nothing_was_found_that_it_is_none_of_them_is_certain():
+    assert judged.NOTHING.none == 1.0 and not judged.NOTHING.sets and judged.NOTHING.confidence("creep") == 0.0

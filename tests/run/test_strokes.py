@@ -228,3 +228,37 @@ def test_an_unwinding_half_way_down_in_small_steps_is_no_hold():
     found, table = phases_of(corners)
     down = table[(table["phase"] == "unwinding") & (table["stroke"] == 1)]
     assert (1, "unwinding") in found and down["end_turns"].min() < 11 and (down["start_turns"].max()) > 19
+
+
+def test_a_winding_alone_is_a_stroke_that_is_not_complete():
+    found, table = phases_of([(0, 0), (10, 20)])
+    assert found == [(1, "winding")] and not table["complete"].any()
+
+
+def test_a_logger_that_slows_down_within_a_winding_does_not_make_a_hold_of_it():
+    """The speed is the way by the time that it took, also where samples lie further apart."""
+    time_s = np.concatenate([np.arange(0, 10, 0.01), np.arange(10, 31, 0.1)])
+    turns = np.interp(time_s, [0, 20, 30], [0, 20, 0])
+    table = segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns}), "motor_turns", "here")
+    assert table["phase"].tolist()[:2] == ["winding", "unwinding"] and table["end_s"][0] == pytest.approx(20, abs=0.2)
+
+
+def test_two_bad_samples_in_a_row_are_no_motion():
+    time_s, turns = sampled(motion(3))
+    spoilt = turns.copy()
+    spoilt[[40, 41, 700, 701]] += 40.0
+    before, after = (label(time_s, one) for one in (turns, spoilt))
+    assert (before[0] == after[0]).all() and (before[1] == after[1]).mean() > 0.995
+
+
+@pytest.mark.parametrize(("jump", "phases"), [(0.008, ["rest"]), (0.015, ["rest", "unwinding", "rest"])])
+def test_a_jump_of_less_than_a_hundredth_of_the_range_within_a_rest_is_none(jump, phases):
+    corners = [(0, 0), (10, 20), (20, 0), (23, 0), (23.04, 20 * jump), (26, 20 * jump)]
+    found, _ = phases_of(corners)
+    assert [phase for _, phase in found[2:]] == phases
+
+
+def test_a_rest_goes_on_to_the_end_of_the_recording_where_its_last_samples_jitter():
+    found, table = phases_of([(0, 0), (10, 20), (20, 0), (25, 0), (25.2, 0.15)])
+    assert found[:3] == [(1, "winding"), (1, "unwinding"), (1, "rest")]
+    assert table["end_s"][2] == pytest.approx(25.2, abs=0.05)
