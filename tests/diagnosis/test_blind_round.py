@@ -63,7 +63,7 @@ def named(content):
     return content["verdict"], [one["id"] for one in content["mechanisms"]], content["alternatives"]
 
 
-@pytest.mark.parametrize("run", RUNS[:2])
+@pytest.mark.parametrize("run", [pytest.param(RUNS[0], marks=pytest.mark.long), RUNS[1]])
 def test_a_verdict_is_given_again(run, tmp_path):
     """The same code gives the same numbers but for rounding; changed code still says the same of these two."""
     diagnose([RECORDINGS / run], tmp_path / run)

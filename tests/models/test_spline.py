@@ -112,20 +112,25 @@ def true_of(points: pd.DataFrame, law: str) -> np.ndarray:
 
 @pytest.mark.parametrize("law", LAWS)
 def test_two_strokes_ahead_it_nears_the_floor_under_each_law_of_growth(law: str) -> None:
-    """n = 9 from strokes 1 to 7: at most 1.3 times the noise, the median of three seeds that nothing was chosen on."""
-    ratios = []
+    """n = 9 from strokes 1 to 7: at most 1.3 times the noise with two of three seeds that nothing was chosen on."""
+    ratios: list[float] = []
     for seed in range(100, 103):
+        if sum(ratio <= 1.3 for ratio in ratios) == 2:
+            break  # the third could change nothing
         points = grown_dataset(law, seed)
         test = points[points["stroke"] == 9]
         model = Spline()
         model.fit(points[points["later"] == "train"], 0)
         floor = rmse(test["displacement_mm"] - true_of(test, law))
         ratios.append(rmse(model.forward(test) - test["displacement_mm"]) / floor)
-    assert np.median(ratios) <= 1.3, ratios
+    assert sum(ratio <= 1.3 for ratio in ratios) == 2, ratios
     assert min(ratios) > 0.97, "better than the noise: the test sees what it should not"
 
 
-@pytest.mark.parametrize(("name", "forward", "inverse"), [("spline", 1.05, 1.10), ("cinn", 1.10, 1.15)])
+@pytest.mark.parametrize(
+    ("name", "forward", "inverse"),
+    [("spline", 1.05, 1.10), pytest.param("cinn", 1.10, 1.15, marks=pytest.mark.long)],
+)
 def test_with_the_direction_known_it_nears_the_floor_of_the_data(name: str, forward: float, inverse: float) -> None:
     ratios = []
     for seed in range(100, 105 if name == "spline" else 101):

@@ -59,6 +59,7 @@ def test_tanks_that_overflow_are_told_from_tanks_that_do_not(tmp_path, diagnosed
     assert held_out(better)[1] < 0.2 * held_out(content)[1]
 
 
+@pytest.mark.long
 def test_tanks_with_a_sample_every_four_seconds_are_diagnosed_like_faster_ones(tmp_path, diagnosed):
     file = tmp_path / "dataBenchmark.csv"
     benches.tanks(2, rim_cm=20.0).to_csv(file, index=False)  # told of as if it had run forty times as slowly

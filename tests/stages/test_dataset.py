@@ -20,6 +20,13 @@ def test_points_move_and_carry_the_string():
     assert (NINE["radius_mm"] == 0.4).all() and (NINE["separator_mm"] == 8).all() and (NINE["load_n"] == 20).all()
 
 
+def test_every_sample_of_a_moving_stretch_is_a_point_the_last_one_too():
+    one = recorded(samples=recording(2))
+    moving = one.strokes[one.strokes["phase"].isin(["winding", "unwinding"]) & (one.strokes["stroke"] > 0)]
+    at = np.concatenate([np.arange(a, b + 1) for a, b in moving[["first_sample", "last_sample"]].to_numpy()])
+    assert make_dataset([one])["time_s"].tolist() == one.samples["time_s"].iloc[np.sort(at)].tolist()
+
+
 def test_exactly_5000_training_points_in_both_splits():
     for split in ("within", "later"):
         assert (NINE[split] == "train").sum() == 5000
