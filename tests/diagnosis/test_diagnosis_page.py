@@ -22,7 +22,7 @@ from pipeline.systems import systems
 
 @pytest.fixture(scope="module")
 def drawn(conceal, tmp_path_factory, request):
-    """The page of a run with creep, or with what the parameter says, and its diagnosis. Tests leave both as they are."""
+    """The page of a run with creep, or with what the parameter says, and its diagnosis. Tests leave both alone."""
     run, samples = read_samples(conceal(*getattr(request, "param", ("creep",)))[0])
     found = study(make_problem([run], [samples]))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())

@@ -23,7 +23,7 @@ def jaw(make_run):
 
     def make(name, play_deg=3.0, amplitude_deg=60.0, seed=0, constant_deg=70.0):
         random = np.random.default_rng(seed)
-        time_s = np.arange(0.0, 16.0, 0.04)
+        time_s = np.arange(0.0, 16.0, 0.02)
         motor = amplitude_deg / 2 * (1 - np.cos(np.pi * time_s))
         jaw = 0.9 * (motor - play_deg / 2 * memory(motor, play_deg / 2)) + constant_deg
         jaw += 0.02 * random.standard_normal(len(time_s))
@@ -82,7 +82,7 @@ def test_each_method_learns_play_that_no_straight_line_holds(jaw):
 def test_the_reading_is_compared_at_the_rate_at_which_the_diagnosis_works(jaw):
     run, samples = read_samples(jaw("a-01"))
     asked = Asked.of(run, samples, span_of(samples))
-    width = 1 if run.system.working_hz is None else max(1, round(25.0 / run.system.working_hz))
+    width = 1 if run.system.working_hz is None else max(1, round(50.0 / run.system.working_hz))
     assert len(asked.measured) == len(asked.table) == -(-len(samples) // width)
 
 
