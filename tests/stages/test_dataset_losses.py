@@ -67,10 +67,15 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     (folder / "capture.json").write_text(json.dumps({"gaps": [{"after_samples": int(second["first_sample"]) + 3}]}))
     done, left = made(folder, processed, tmp_path / "left.parquet")
     assert "strokes 2: left out" in done.stdout and 2 not in set(left["stroke"])
-    done, kept = made(folder, processed, tmp_path / "kept.parquet", "--keep-lossy")
+    jumps = tmp_path / "jumps.json"
+    done, kept = made(folder, processed, tmp_path / "kept.parquet", "--keep-lossy", "--out-jumps", jumps)
     assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(
         kept["stroke"]
     )
+    assert json.loads(jumps.read_text()) == [] and jumps.read_text().endswith("\n")
+    for split in ("within", "later"):
+        learnt, asked = ((kept[split] == part).sum() for part in ("train", "test"))
+        assert f"{split}: {learnt} points to train on, {asked} held out\n" in done.stdout
 
 
 def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_count(make_run, tmp_path):
