@@ -32,8 +32,8 @@ PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models
 STAGES = "marks record ingest strokes dataset train floor evaluate leak report diagnose proof real campaign known said"
 
 # Jobs end with this Snakemake, and say at once what they say. How many threads one has is the package's own rule.
-PREFIX = f"export PYTHONPATH={shlex.quote(workflow.basedir)} PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"
-shell.prefix(f"{PREFIX} NOTE_REFUSALS=; ")
+PREFIX = f"{TO_COPY}export PYTHONPATH={shlex.quote(workflow.basedir)} PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"
+shell.prefix(f"{PREFIX} NOTE_REFUSALS={shlex.quote(os.environ[handed.REFUSALS])}; ")
 
 
 wildcard_constraints:

@@ -23,6 +23,8 @@ rule record_campaign:
         directory("processed/campaign/raw"),
     log:
         "processed/logs/campaign-record.log",
+    resources:
+        **NEEDS["record_campaign"],
     params:
         strings=CAMPAIGN["strings"],
         seed=CAMPAIGN["seed"],
@@ -40,6 +42,8 @@ rule campaign_points:
         "processed/campaign/points.parquet",
     log:
         "processed/logs/campaign-points.log",
+    resources:
+        **NEEDS["campaign_points"],
     params:
         code=fingerprint("pipeline.campaign.points"),
     message:
@@ -55,6 +59,8 @@ rule campaign_floor:
         "processed/campaign/floor.parquet",
     log:
         "processed/logs/campaign-floor.log",
+    resources:
+        **NEEDS["campaign_floor"],
     params:
         code=fingerprint("pipeline.campaign.floor"),
     message:
@@ -73,6 +79,8 @@ rule few_shot:
     benchmark:
         "processed/logs/campaign-few_shot-{learner}.tsv"
     threads: 1
+    resources:
+        **NEEDS["few_shot"],
     params:
         settings=campaign_settings,
         code=code_of_learner,
@@ -93,6 +101,8 @@ rule coverage:
     benchmark:
         "processed/logs/campaign-coverage.tsv"
     threads: 1
+    resources:
+        **NEEDS["coverage"],
     params:
         model=CAMPAIGN["coverage"]["model"],
         strings=CAMPAIGN["coverage"]["strings"],
@@ -119,6 +129,8 @@ rule campaign:
         html="reports/campaign/campaign.html",
     log:
         "processed/logs/campaign.log",
+    resources:
+        **NEEDS["campaign"],
     params:
         titles=[f"{model}={title_of(model)}" for model in CAMPAIGN["models"]],
         model=title_of(CAMPAIGN["coverage"]["model"]),

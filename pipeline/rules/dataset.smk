@@ -13,9 +13,8 @@ def folders_of_runs(wildcards):
 
 def stages_of_runs(wildcards):
     runs, stages = runs_of(wildcards), ["samples", "strokes"]
-    return ancient(expand("raw/{run}/run.yaml", run=runs)) + expand(
-        "processed/{run}/{stage}.parquet", run=runs, stage=stages
-    )
+    described = [file for run in runs for file in RECORDED[run] if Path(file).name in ("run.yaml", "capture.json")]
+    return ancient(described) + expand("processed/{run}/{stage}.parquet", run=runs, stage=stages)
 
 
 rule dataset:
@@ -27,6 +26,8 @@ rule dataset:
         jumps="processed/{material}/zero_jumps.json",
     log:
         "processed/logs/dataset-{material}.log",
+    resources:
+        **NEEDS["dataset"],
     params:
         runs=folders_of_runs,
         lossy="--keep-lossy" if config["keep_lossy"] else "",

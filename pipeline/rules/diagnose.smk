@@ -6,6 +6,8 @@ rule diagnose:
     log:
         "processed/logs/diagnose-{run}.log",
     threads: 1
+    resources:
+        **NEEDS["diagnose"],
     params:
         content=content,
         code=fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),

@@ -11,6 +11,8 @@ rule evaluate:
         "processed/{material}/metrics.parquet",
     log:
         "processed/logs/evaluate-{material}.log",
+    resources:
+        **NEEDS["evaluate"],
     params:
         code=fingerprint("pipeline.stages.evaluate"),
     message:

@@ -8,6 +8,8 @@ rule floor:
         expand("processed/{{material}}/{floor}/{split}-0.predictions.parquet", floor=FLOORS, split=["within", "later"]),
     log:
         "processed/logs/floor-{material}.log",
+    resources:
+        **NEEDS["floor"],
     params:
         code=fingerprint("pipeline.stages.floor"),
     message:

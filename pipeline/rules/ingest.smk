@@ -2,12 +2,14 @@
 # on recordings, so whoever plans comes by here and learns which files are to be made again whatever their times say.
 def recording(wildcards):
     workflow.dag.forcefiles.update(AGAIN)
-    files = recorded_files(RAW, wildcards.run, SYNTHETIC)
+    files = RECORDED.get(wildcards.run) or recorded_files(RAW, wildcards.run, SYNTHETIC)
     return files if wildcards.run in SYNTHETIC else ancient(files)
 
 
 def content(wildcards):
-    return "" if wildcards.run in SYNTHETIC else CONTENT[wildcards.run]
+    if wildcards.run in SYNTHETIC:
+        return ""
+    return CONTENT[wildcards.run] if wildcards.run in CONTENT else KNOWN.digest(RECORDED[wildcards.run])
 
 
 rule ingest:
@@ -17,6 +19,8 @@ rule ingest:
         "processed/{run}/samples.parquet",
     log:
         "processed/logs/ingest-{run}.log",
+    resources:
+        **NEEDS["ingest"],
     params:
         content=content,
         code=fingerprint("pipeline.stages.ingest"),

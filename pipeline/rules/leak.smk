@@ -27,6 +27,8 @@ rule leak_fit:
     wildcard_constraints:
         variant="|".join(LEAKING),
     threads: 1
+    resources:
+        **NEEDS["leak_fit"],
     params:
         settings=settings_of_leaking,
         code=fingerprint("pipeline.stages.train", "pipeline.models.inn"),
@@ -49,6 +51,8 @@ rule leak:
         "processed/{material}/leak/leak.parquet",
     log:
         "processed/logs/leak-{material}.log",
+    resources:
+        **NEEDS["leak"],
     params:
         code=fingerprint("pipeline.stages.leak"),
     message:
@@ -65,6 +69,8 @@ rule leak_figure:
         expand("reports/{{material}}/figure_leak.{suffix}", suffix=["png", "pdf"]),
     log:
         "processed/logs/leak_figure-{material}.log",
+    resources:
+        **NEEDS["leak_figure"],
     params:
         made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.leak"),

@@ -1,19 +1,40 @@
+import os
+
 import yaml
 
+from pipeline.workflow import handed
 from pipeline.workflow.dag import make_plan, table_order
 from pipeline.workflow.known_files import KnownFiles
+from pipeline.workflow.needs import Needs
+from pipeline.workflow.storage import copy_of_storage
 from pipeline.workflow.usable import refusals
 
 # What there is to make. A recording that ingest would refuse is left out of the plan, as one with a bad run.yaml is.
+# A node of a cluster, which evaluates all this again for one job, takes the plan of the start that sent it.
 KNOWN = KnownFiles(Path(".snakemake/known_files.json"))
-PLAN = make_plan(RAW, SYNTHETIC)
-CONTENT = {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in PLAN.runs}
-RECORDED = {run: content for run, content in CONTENT.items() if run not in SYNTHETIC}
-READS = fingerprint("pipeline.stages.ingest", "pipeline.systems.*")
-UNUSABLE, KNOWN.notes["usable"] = refusals(RAW, RECORDED, READS, KNOWN.notes.get("usable"))
-PLAN.leave_out(UNUSABLE)
+ON_NODE = workflow.remote_exec
+if ON_NODE and os.environ.get(handed.PLAN):
+    PLAN, RECORDED = handed.unpacked(os.environ[handed.PLAN])
+    CONTENT = {}
+else:
+    PLAN = make_plan(RAW, SYNTHETIC)
+    CONTENT = {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in PLAN.runs}
+    READS = fingerprint("pipeline.stages.ingest", "pipeline.systems.*")
+    UNUSABLE, KNOWN.notes["usable"] = refusals(
+        RAW, {run: CONTENT[run] for run in PLAN.runs if run not in SYNTHETIC}, READS, KNOWN.notes.get("usable")
+    )
+    PLAN.leave_out(UNUSABLE)
+    RECORDED = {run: recorded_files(RAW, run, SYNTHETIC) for run in PLAN.runs}
+    if not ON_NODE:
+        os.environ |= {handed.PLAN: handed.packed(PLAN, RECORDED), handed.REFUSALS: ""}  # until it starts
+os.environ.setdefault(handed.REFUSALS, "")
+workflow.register_envvars(handed.PLAN, handed.REFUSALS)
 MATERIALS = list(PLAN.materials)
 DIAGNOSED = PLAN.runs
 # The tables' order is that of the default configuration, whatever a configuration on top of it begins with.
 DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml").read_text(encoding="utf-8"))
 MODELS = table_order(config["models"], DEFAULT["models"])
+# What jobs may take, and where they start: without a shared file system, in a machine's own copy of the storage, in which
+# a job's raw/, processed/ and reports/ lie.
+NEEDS, COPY = Needs(), copy_of_storage(workflow.storage_settings)
+TO_COPY = f"mkdir -p {shlex.quote(COPY)} && cd {shlex.quote(COPY)} || exit 1; " if COPY else ""

@@ -45,6 +45,8 @@ rule conceal:
         answers=f"{PROOF}/sealed/{{batch}}.json",
     log:
         f"{PROOF}/logs/conceal-{{batch}}.log",
+    resources:
+        **NEEDS["conceal"],
     params:
         cases=cases_of,
         code=code_of_concealed,
@@ -62,6 +64,8 @@ rule verdict:
         directory(f"{PROOF}/verdicts/{{batch}}"),
     log:
         f"{PROOF}/logs/verdict-{{batch}}.log",
+    resources:
+        **NEEDS["verdict"],
     params:
         without=without,
         author=author,
@@ -80,6 +84,8 @@ rule carry_on:
         directory(f"{PROOF}/more/{{batch}}"),
     log:
         f"{PROOF}/logs/carry_on-{{batch}}.log",
+    resources:
+        **NEEDS["carry_on"],
     params:
         cases=cases_of,
         code=fingerprint("pipeline.proof.addon", "pipeline.rig.effects.*"),
@@ -97,6 +103,8 @@ rule settle:
         directory(f"{PROOF}/settled/{{batch}}"),
     log:
         f"{PROOF}/logs/settle-{{batch}}.log",
+    resources:
+        **NEEDS["settle"],
     params:
         without=without,
         code=fingerprint("pipeline.proof.settle", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
@@ -114,6 +122,8 @@ rule lookalikes:
         f"{PROOF}/lookalikes/{{batch}}.json",
     log:
         f"{PROOF}/logs/lookalikes-{{batch}}.log",
+    resources:
+        **NEEDS["lookalikes"],
     params:
         cases=cases_of,
         code=fingerprint("pipeline.proof.lookalikes", "pipeline.rig.effects.*"),
@@ -131,6 +141,8 @@ rule baselines:
         directory(f"{PROOF}/baselines/{{batch}}"),
     log:
         f"{PROOF}/logs/baselines-{{batch}}.log",
+    resources:
+        **NEEDS["baselines"],
     params:
         runs=compared_of,
         code=fingerprint("pipeline.proof.compare", "pipeline.proof.baselines.*"),
@@ -145,6 +157,8 @@ rule twins:
         "reports/proof/twins.csv",
     log:
         f"{PROOF}/logs/twins.log",
+    resources:
+        **NEEDS["twins"],
     params:
         effects=[f"--effect={name}" for name in config["proof"].get("twins", [])],
         code=fingerprint("pipeline.proof.twins", "pipeline.rig.effects.*", "pipeline.diagnosis.*"),
@@ -168,6 +182,8 @@ rule score:
         expand("reports/proof/{file}", file=PROOF_FILES),
     log:
         f"{PROOF}/logs/score.log",
+    resources:
+        **NEEDS["score"],
     params:
         batches=list(BATCHES),
         note=note_of(mark_of("proof")),
@@ -187,6 +203,8 @@ rule proof_page:
         expand("reports/proof/{table}.csv-metadata.json", table=PROOF_TABLES),
     log:
         f"{PROOF}/logs/proof_page.log",
+    resources:
+        **NEEDS["proof_page"],
     params:
         made_by=mark_of("proof"),
         code=fingerprint("pipeline.report.proof", "pipeline.report.web.*"),

@@ -51,6 +51,8 @@ rule bring:
         directory("processed/real/raw/{run}"),
     log:
         "processed/logs/real-bring-{run}.log",
+    resources:
+        **NEEDS["bring"],
     params:
         code=fingerprint("pipeline.real.bring", "pipeline.formats.*"),
     message:
@@ -66,6 +68,8 @@ rule real_verdict:
         directory("reports/real/{rig}/{run}"),
     log:
         "processed/logs/real-verdict-{rig}-{run}.log",
+    resources:
+        **NEEDS["real_verdict"],
     params:
         code=fingerprint("pipeline.real.ask", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
@@ -81,6 +85,8 @@ rule real_together:
         directory("reports/real/{rig}/together/{group}"),
     log:
         "processed/logs/real-together-{rig}-{group}.log",
+    resources:
+        **NEEDS["real_together"],
     params:
         code=fingerprint("pipeline.real.ask", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
@@ -96,6 +102,8 @@ rule black_boxes:
         "processed/real/blackbox/{run}.json",
     log:
         "processed/logs/real-blackbox-{run}.log",
+    resources:
+        **NEEDS["black_boxes"],
     params:
         code=fingerprint("pipeline.real.blackbox"),
     message:
@@ -113,6 +121,8 @@ rule transfer:
         others=directory("processed/real/others/{rig}/{group}"),
     log:
         "processed/logs/real-transfer-{rig}-{group}.log",
+    resources:
+        **NEEDS["transfer"],
     params:
         code=fingerprint("pipeline.real.transfer", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
@@ -135,6 +145,8 @@ rule real_page:
         table="processed/real/table/{rig}.csv",
     log:
         "processed/logs/real-page-{rig}.log",
+    resources:
+        **NEEDS["real_page"],
     params:
         code=fingerprint("pipeline.report.real.page"),
     message:
@@ -153,6 +165,8 @@ rule real:
         table="reports/real/table.csv",
     log:
         "processed/logs/real.log",
+    resources:
+        **NEEDS["real"],
     params:
         code=fingerprint("pipeline.report.real.index"),
         passed_over=REAL.shown,

@@ -6,6 +6,8 @@ rule record:
         "processed/logs/record-{run}.log",
     wildcard_constraints:
         run="|".join(SYNTHETIC) or "$",
+    resources:
+        **NEEDS["record"],
     params:
         setup=lookup("synthetic/{run}/setup", within=config),
         seed=lookup("synthetic/{run}/seed", within=config),

@@ -21,6 +21,8 @@ rule table:
         expand("reports/{{material}}/{file}", file=TABLES),
     log:
         "processed/logs/table-{material}.log",
+    resources:
+        **NEEDS["table"],
     params:
         titles=TITLES,
         made_by=mark_of_material,
@@ -42,6 +44,8 @@ rule comparison:
         html="reports/{material}/comparison.html",
     log:
         "processed/logs/comparison-{material}.log",
+    resources:
+        **NEEDS["comparison"],
     params:
         titles=TITLES,
         made_by=mark_of_material,
@@ -63,6 +67,8 @@ rule models:
         columns="reports/{material}/models.csv-metadata.json",
     log:
         "processed/logs/models-{material}.log",
+    resources:
+        **NEEDS["models"],
     params:
         titles=TITLES,
         directed=[model for model, settings in config["models"].items() if settings["direction"]],
@@ -84,6 +90,8 @@ rule figures:
         expand("reports/{{material}}/{file}", file=FIGURES),
     log:
         "processed/logs/figures-{material}.log",
+    resources:
+        **NEEDS["figures"],
     params:
         titles=TITLES,
         made_by=mark_of_material,
@@ -103,6 +111,8 @@ rule metrics:
         columns="reports/metrics.csv-metadata.json",
     log:
         "processed/logs/metrics.log",
+    resources:
+        **NEEDS["metrics"],
     params:
         made_by=MARK_OF_ALL,
         code=fingerprint("pipeline.report.metrics"),
@@ -143,6 +153,8 @@ rule index:
         directory("reports/pages"),
     log:
         "processed/logs/index.log",
+    resources:
+        **NEEDS["index"],
     params:
         words=words_of_index,
         made_by=MARK_OF_ALL,
@@ -154,6 +166,11 @@ rule index:
         " --out {output[0]:q} > {log:q} 2>&1"
 
 
+# It asks in a second, so a cluster's own machine does.
+localrules:
+    all_taken,
+
+
 # It fails where a run was refused, after everything else is made, so that this is not overlooked.
 rule all_taken:
     input:
@@ -163,6 +180,8 @@ rule all_taken:
         "processed/left_out.json",
     log:
         "processed/logs/all_taken.log",
+    resources:
+        **NEEDS["all_taken"],
     params:
         words=words_of_left_out,
         code=fingerprint("pipeline.report.left_out"),

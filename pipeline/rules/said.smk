@@ -19,6 +19,10 @@ class Busy(WorkflowError):
 snakemake.exceptions.LockException = Busy
 
 
+# Without a shared file system nothing of the results is here.
+ELSEWHERE = f"what was made lies in the storage: {workflow.storage_settings.default_storage_prefix}" if COPY else ""
+
+
 # What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
 def made():
     jobs = [job for job in workflow.dag.jobs if workflow.dag.noneedrun_finished(job)]
@@ -45,6 +49,7 @@ def end(rewritten):
 
 onstart:
     if workflow.execution_settings.keep_going:
+        os.environ[handed.REFUSALS] = "--note-refusals"  # for nodes; here the prefix says so
         shell.prefix(f"{PREFIX} NOTE_REFUSALS=--note-refusals; ")
     gone = remove_stale(KNOWN.notes.get("reports", []), REPORTS)
     for name in gone:
@@ -57,8 +62,10 @@ onerror:
     jobs = list(workflow.dag.needrun_jobs())
     lost = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
     last = [job for name in ("metrics", "index") for job in jobs if job.rule.name == name]
-    wrong = rewrite([job.shellcmd for job in last], lost, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
-    print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    wrong = (
+        [] if COPY else rewrite([job.shellcmd for job in last], lost, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
+    )
+    print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     for line in wrong + [one.why for one in lost]:
         print(line)
     failed = [
@@ -70,6 +77,6 @@ onerror:
 
 
 onsuccess:
-    print(summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     print(without(left()))
     end([])

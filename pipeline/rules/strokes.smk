@@ -5,6 +5,8 @@ rule strokes:
         "processed/{run}/strokes.parquet",
     log:
         "processed/logs/strokes-{run}.log",
+    resources:
+        **NEEDS["strokes"],
     params:
         code=fingerprint("pipeline.stages.strokes"),
     message:

@@ -17,6 +17,8 @@ rule train:
     benchmark:
         "processed/logs/train-{material}-{model}-{split}-{seed}.tsv"
     threads: 1
+    resources:
+        **NEEDS["train"],
     params:
         settings=settings,
         code=code_of_model,

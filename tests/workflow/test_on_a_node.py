@@ -1,0 +1,37 @@
+"""A node evaluates the Snakefile for one job: by the plan that it is handed, without a look at other runs or a note."""
+
+import os
+import subprocess
+import sys
+
+from made_recording import content, recording
+
+from pipeline.workflow import handed
+from pipeline.workflow.dag import Plan
+
+
+def test_a_node_goes_by_the_plan_that_it_is_handed(bare_project, make_run):
+    run = make_run("nylon-1", recording(2), string={**content("nylon-1")["string"], "material": "nylon"})
+    (bare_project.folder / "raw").symlink_to(run.parent)
+    other = run.parent / "nylon-2"  # is in raw/ and would be refused, but the plan does not have it
+    other.mkdir()
+    (other / "run.yaml").write_text("no: run\n")
+    files = {"nylon-1": ["raw/nylon-1/run.yaml", "raw/nylon-1/recording.parquet"]}
+    environment = {**os.environ, handed.PLAN: handed.packed(Plan({"nylon": ["nylon-1"]}), files)}
+    words = [
+        "--mode",
+        "remote",
+        "--dry-run",
+        "--cores",
+        "1",
+        "--force",
+        "--nolock",
+        "--target-files-omit-workdir-adjustment",
+    ]
+    words += ["--allowed-rules", "ingest", "--target-jobs", "ingest:run=nylon-1"]
+    command = [sys.executable, "-m", "snakemake", *words, "--configfile", "pipeline/config/ci.yaml"]
+    done = subprocess.run(command, cwd=bare_project.folder, env=environment, capture_output=True, text=True)
+    said = done.stdout + done.stderr
+    assert done.returncode == 0 and "ingest nylon-1" in said, said
+    assert "node: " in said and "left out" not in said and "nylon-2" not in said
+    assert not (bare_project.folder / ".snakemake" / "known_files.json").exists()
