@@ -9,10 +9,11 @@ import traceback
 from pathlib import Path
 from typing import Any
 
-from .diagnosis import figures, library
+from .diagnosis import library
 from .diagnosis.adopt import adoptions, block
 from .diagnosis.foretold import foretold
 from .diagnosis.judge import judge
+from .diagnosis.outcome import Study
 from .diagnosis.whole import diagnosed, optional
 from .diagnosis.words.details import details_text
 from .diagnosis.words.verdict import verdict_text
@@ -24,6 +25,7 @@ from .ground.outputs import folder_to_write
 from .run.samples import read_samples
 from .string.beside import jumps_into
 
+MODULES = tuple(f"{__package__}.{name}" for name in ("diagnose", "diagnosis.figures"))  # of each of many runs
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
 
 
@@ -62,7 +64,7 @@ def diagnose(
         fixed_load = bool((content["next_run"] or {}).get("fixed_load"))
         write_text(out / "next_runs.json", json.dumps(foretold(found, runs[0], fixed_load)) + "\n")
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    optional("the page of figures", name, lambda: figures.page(found, content, out / "diagnosis"))
+    optional("the page of figures", name, lambda: draw(found, content, out / "diagnosis"))
     write_block(content, out)
     doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
     told = (content, runs[0].system, folders, out, doubts)
@@ -70,6 +72,14 @@ def diagnose(
     write_text(out / "details.txt", details_text(*told) + "\n")
     write_text(out / "verdict.txt", words + "\n")
     return words
+
+
+def draw(found: Study, content: dict[str, Any], path: Path) -> None:
+    """Draw the page of figures; what draws takes 40 MB, and is imported when the search has let go of more."""
+    found.search.linear.let_go()
+    from .diagnosis import figures
+
+    figures.page(found, content, path)
 
 
 def write_block(content: dict[str, Any], out: Path) -> None:
@@ -128,7 +138,7 @@ def main() -> int:
     if arguments.together:
         print(diagnose(folders, arguments.out, together=True, without=without, judge_file=arguments.judge))
         return 0
-    outcomes = each_alone(_one, folders, *asked, jobs=arguments.jobs, preload=f"{__package__}.diagnose")
+    outcomes = each_alone(_one, folders, *asked, jobs=arguments.jobs, preload=MODULES)
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2

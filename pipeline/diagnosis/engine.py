@@ -102,10 +102,16 @@ def fine_floor(fine: Problem, found: Study) -> float:
     return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.floor**2))
 
 
-def noise_of(problem: Problem, state: State, smooth: np.ndarray, trim: float = 0.0) -> Noise:
-    """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do."""
+def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, trim: float = 0.0) -> Noise:
+    """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do.
+
+    `smooth` is the dictionary, where it is made already; of many samples it is large, and one made here is let go.
+    """
     acts = tuple(act for act in state.acts if act not in problem.included)
-    linear = Linear(problem, state, white(1.0), {act.id: list(act.shapes) for act in acts}, smooth)
+    catalogue = {act.id: list(act.shapes) for act in acts}
+    more = generic.dictionary(problem.drivers) if smooth is None else smooth
+    linear = Linear(problem, state, white(1.0), catalogue, more)
+    del more
     columns = linear.table[:-1]
     target = (problem.measured - problem.simulate(state))[: problem.rows]
     return estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
@@ -179,7 +185,7 @@ def polished(found: Study, fine: Problem) -> Study:
     if not acts or len(fine.record) == len(found.problem.record):
         return found
     fine, _ = calibrate.without_outliers(fine, found.best)
-    noise = noise_of(fine, found.best, generic.dictionary(fine.drivers))
+    noise = noise_of(fine, found.best)
     best = calibrate.calibrate(fine, noise, found.best, acts)
     best = replace(best, acts=(*best.acts, *(act for act in found.best.acts if act.id in found.random)))
     return replace(found, best=best, state=best if found.state is found.best else found.state)

@@ -7,7 +7,7 @@ from numba import njit
 from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
 
 from ..ground.kinematics import Array
-from .recursions import coloured, whiten
+from .recursions import coloured, whiten, whiten_from
 
 MEMORY_S, FEWEST, MOST = 1.2, 6, 30
 FADING = 0.98  # a lag
@@ -93,17 +93,20 @@ def estimate(
     order = int(np.clip(np.ceil(MEMORY_S / step_s), FEWEST, MOST))
     order = min(order, samples // 20)
     scale = np.sqrt(np.einsum("ij,ij->i", columns, columns))
-    columns = columns[scale > 0] / scale[scale > 0][:, None]
+    if not scale.all():
+        columns, scale = columns[scale > 0], scale[scale > 0]
+    per = scale[:, None]  # the columns stay as they are, for they are large: what is made of them is scaled
+    whitened = np.empty(columns.shape)
     generator = np.random.default_rng(seed)
     draws = generator.standard_normal((DRAWS, samples + SETTLED))
     noise, swallowed = white(float(np.std(target))), 0.0
     covariance = np.zeros(order + 1)
     for _ in range(ROUNDS):
-        whitened = whiten(columns, noise.ar, first)
-        factor = cho_factor(whitened @ whitened.T + 1e-8 * np.eye(len(columns)))
+        whiten_from(columns, noise.ar, first, 0, whitened)
+        factor = cho_factor(whitened @ whitened.T / (per * scale) + 1e-8 * np.eye(len(columns)))
 
-        def rest(signals: Array, whitened: Array = whitened, factor: object = factor, ar: Array = noise.ar) -> Array:
-            solution = cho_solve(factor, whitened @ whiten(signals, ar, first).T)
+        def rest(signals: Array, factor: object = factor, ar: Array = noise.ar) -> Array:
+            solution = cho_solve(factor, whitened @ whiten(signals, ar, first).T / per) / per
             return np.asarray(signals - solution.T @ columns)
 
         own = robust(rest(target[None])[0])

@@ -12,7 +12,7 @@ from .judge import Judge, judge
 from .library import mechanisms
 from .record import Record
 
-REMEMBERED = 4_000_000  # numbers in the terms that are kept: those of whatever acts are asked for again and again
+REMEMBERED, REMEMBERED_NUMBERS = 64, 6_400_000  # terms that are kept, of what acts again and again; numbers in them
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,8 @@ class Problem:
         key = (mechanism.id, tuple(shape.items()))
         if key not in self._terms:
             terms = mechanism.terms(self.drivers, shape)
-            while self._terms and len(self.record) * sum(map(len, [*self._terms.values(), terms])) > REMEMBERED:
+            most = min(REMEMBERED, REMEMBERED_NUMBERS // len(self.record))
+            while self._terms and sum(map(len, [*self._terms.values(), terms])) > most:
                 del self._terms[next(iter(self._terms))]
             self._terms[key] = terms
         return self._terms[key]

@@ -11,7 +11,8 @@ from ..ground.kinematics import Array
 from .noise import Noise
 from .recursions import whiten_from
 
-STRETCH = 2048  # samples: a whitened copy of all of them at once would be as large as the table
+STRETCH = 1024  # samples: a whitened copy of all of them at once would be as large as the table
+TOGETHER = 64  # columns that are laid side by side for a product
 
 
 @njit(cache=True)
@@ -32,7 +33,6 @@ class Products:
         self.table, self.prior, self.noise, self.first = table, prior, noise, first
         self.raw_prior = prior * noise.floor**2
         self._kept: dict[int, int] = {}
-        self._rows = np.empty((0, table.shape[1]))  # the kept columns, side by side; with room for more
         self._raw = np.zeros((0, 0))
 
     @cached_property
@@ -72,24 +72,33 @@ class Products:
         """Lengths of the whitened columns, priors included."""
         return np.sqrt(np.diag(self.gram))
 
+    def gather(self, columns: np.ndarray) -> None:
+        """Make the products of some columns that are not whitened, where they are not made: many at once cost least."""
+        wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
+        new = [column for column in wanted if column not in self._kept]
+        if new:
+            known, rows = len(self._kept), self.table[new]
+            self._kept |= {column: known + place for place, column in enumerate(new)}
+            kept = list(self._kept)
+            grown = np.empty((len(kept), len(kept)))
+            for start in range(0, len(kept), TOGETHER):
+                part = slice(start, start + TOGETHER)
+                grown[known:, part] = rows @ self.table[kept[part]].T
+            grown[:known, :known], grown[:known, known:] = self._raw, grown[known:, :known].T
+            self._raw = grown
+
     def raw(self, columns: np.ndarray) -> tuple[Array, Array, float]:
         """Products of some columns, not whitened; their products with the target; and the target's square.
 
         Few columns of many are ever asked for, so that products are made when they are, and kept.
         """
-        wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
-        new = [column for column in wanted if column not in self._kept]
-        if new:
-            known, count = len(self._kept), len(self._kept) + len(new)
-            self._kept |= {column: known + place for place, column in enumerate(new)}
-            if count > len(self._rows):
-                rows = np.empty((max(count, known + known // 4), self.table.shape[1]))
-                rows[:known], self._rows = self._rows[:known], rows
-            self._rows[known:count] = self.table[new]
-            across = self._rows[known:count] @ self._rows[:count].T
-            grown = np.empty((count, count))
-            grown[:known, :known], grown[known:], grown[:, known:] = self._raw, across, across.T
-            self._raw = grown
+        self.gather(columns)
         place = np.array([self._kept[column] for column in columns.tolist()], np.intp)
         target = self._kept[len(self.table) - 1]
         return self._raw[np.ix_(place, place)], self._raw[place, target], float(self._raw[target, target])
+
+    def let_go(self) -> None:
+        """Free the columns and their products: nothing is fitted any more."""
+        self.table, self._raw = self.table[:0].copy(), np.zeros((0, 0))
+        self._kept.clear()
+        self.__dict__.pop("whitened", None)

@@ -5,9 +5,9 @@ from itertools import combinations
 
 import numpy as np
 
-from .interface import Shape
 from .library import mechanisms
 from .linear import Fit, Key, Linear
+from .shapes import varied
 
 LEAST_GAIN = 10.0
 EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
@@ -37,16 +37,6 @@ def apart(ids: tuple[str, ...]) -> bool:
     return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)
 
 
-def varied(shapes: list[Shape]) -> int:
-    """How many parameters of a mechanism's shapes were chosen among several values, in the shape that has most."""
-    values: dict[str, set[float]] = {}
-    for shape in shapes:
-        for name, value in shape.items():
-            values.setdefault(name, set()).add(value)
-    apart = {name for name, some in values.items() if len(some) > 1 or any(name not in shape for shape in shapes)}
-    return max((len(apart & set(shape)) for shape in shapes), default=0)
-
-
 class Search:
     """Explanations on one linearisation, remembered."""
 
@@ -54,16 +44,15 @@ class Search:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
         self.penalty = float(np.log(linear.rows))
         self.free = {id_: varied(shapes) for id_, shapes in linear.catalogue.items()}
-        self.known: dict[tuple[str, ...], Explanation] = {}
-        self.nothing = self._explanation((), ())
+        self.fits: dict[tuple[str, ...], tuple[tuple[Key, ...], Fit]] = {}
+        self._explained: dict[tuple[str, ...], Explanation] = {}
+        self.nothing = self._explanation((), (), linear.fit(linear.columns_of(())))
 
     def _cost(self, keys: tuple[Key, ...], fit: Fit) -> float:
         return fit.misfit + self.penalty * (fit.active + sum(self.free[id_] for id_, _ in keys))
 
-    def _explanation(self, ids: tuple[str, ...], keys: tuple[Key, ...]) -> Explanation:
-        columns = self.linear.columns_of(keys)
-        fit = self.linear.fit(columns)
-        return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(columns).energy)
+    def _explanation(self, ids: tuple[str, ...], keys: tuple[Key, ...], fit: Fit) -> Explanation:
+        return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(fit.columns).energy)
 
     def _best(self, id_: str, given: tuple[Key, ...]) -> tuple[Key, ...]:
         """The best shapes of a mechanism beside given ones; sudden events are added one by one, all of one sign."""
@@ -93,19 +82,18 @@ class Search:
         signs = np.sign(fit.coefficients[-sum(len(self.linear.index[key]) for key in events) :])
         return bool(np.all(signs >= 0) or np.all(signs <= 0))
 
-    def explain(self, ids: tuple[str, ...]) -> Explanation:
-        """The best explanation by exactly these mechanisms."""
-        ids = tuple(sorted(ids))
-        if ids in self.known:
-            return self.known[ids]
+    def _fitted(self, ids: tuple[str, ...]) -> tuple[tuple[Key, ...], Fit]:
+        """The best shapes of exactly these mechanisms, in the order of their ids, and their fit."""
+        if ids in self.fits:
+            return self.fits[ids]
         chosen: dict[str, tuple[Key, ...]] = {}
         if len(ids) > 1:
-            subsets = [self.explain(tuple(other for other in ids if other != id_)) for id_ in ids]
-            best = min(subsets, key=lambda explanation: explanation.cost)
-            for key in best.keys:
+            subsets = [tuple(other for other in ids if other != id_) for id_ in ids]
+            best = min(subsets, key=lambda subset: self._cost(*self._fitted(subset)))
+            for key in self._fitted(best)[0]:
                 chosen[key[0]] = (*chosen.get(key[0], ()), key)
-            missing = next(id_ for id_ in ids if id_ not in best.ids)
-            order = [missing, *best.ids, missing]
+            missing = next(id_ for id_ in ids if id_ not in best)
+            order = [missing, *best, missing]
         else:
             order = list(ids)
         for id_ in order:
@@ -113,8 +101,26 @@ class Search:
             if len(self.linear.catalogue[id_]) > 1 or id_ not in chosen:
                 chosen[id_] = self._best(id_, given)
         keys = tuple(key for id_ in ids for key in chosen[id_])
-        self.known[ids] = self._explanation(ids, keys)
-        return self.known[ids]
+        self.fits[ids] = keys, self.linear.fit(self.linear.columns_of(keys))
+        return self.fits[ids]
+
+    def explain(self, ids: tuple[str, ...]) -> Explanation:
+        """The best explanation by exactly these mechanisms."""
+        return self.explained([ids])[0]
+
+    def explained(self, sets: list[tuple[str, ...]]) -> list[Explanation]:
+        """The best explanation by exactly the mechanisms of each set; what many leave is asked for at once."""
+        ordered = [tuple(sorted(ids)) for ids in sets]
+        new = [ids for ids in dict.fromkeys(ordered) if ids not in self._explained]
+        if new:
+            self.linear.gather(np.unique(np.concatenate([self._fitted(ids)[1].columns for ids in new])))
+            self._explained |= {ids: self._explanation(ids, *self._fitted(ids)) for ids in new}
+        return [self._explained[ids] for ids in ordered]
+
+    @property
+    def known(self) -> list[Explanation]:
+        """Every explanation that was fitted so far."""
+        return self.explained(list(self.fits))
 
     def all_of(self, size: int) -> list[Explanation]:
         """Explanations of a size, cheapest first: all singles, pairs with a good partner, and so on."""
@@ -128,7 +134,7 @@ class Search:
         else:
             good_sets = [explanation.ids for explanation in self.all_of(size - 1)[:2]]
             sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
-        return sorted((self.explain(found) for found in sets if apart(found)), key=lambda explanation: explanation.cost)
+        return sorted(self.explained([found for found in sets if apart(found)]), key=lambda one: one.cost)
 
     def leaders(self, chosen: Explanation) -> list[Explanation]:
         """The chosen explanation, and the others of its size that come close to it."""

@@ -115,3 +115,13 @@ def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Shape]:
     """Candidate times of a sudden event, evenly spread over the samples."""
     index = np.unique(np.linspace(0, len(drivers.motion) - 1, count + 2).astype(int)[1:-1])
     return [{name: float(f"{drivers.elapsed_s[i]:.6g}")} for i in index]
+
+
+def varied(shapes: list[Shape]) -> int:
+    """How many parameters of a mechanism's shapes were chosen among several values, in the shape that has most."""
+    values: dict[str, set[float]] = {}
+    for shape in shapes:
+        for name, value in shape.items():
+            values.setdefault(name, set()).add(value)
+    apart = {name for name, some in values.items() if len(some) > 1 or any(name not in shape for shape in shapes)}
+    return max((len(apart & set(shape)) for shape in shapes), default=0)

@@ -20,7 +20,7 @@ def candidates(search: Search) -> list[Explanation]:
     """The explanations that are weighed: the best of every size that was searched."""
     found: dict[tuple[str, ...], Explanation] = {}
     for size, most in zip(SIZES, (SINGLES, PAIRS, TRIPLES), strict=True):
-        known = sorted((one for ids, one in search.known.items() if len(ids) == size), key=lambda one: one.cost)
+        known = sorted((one for one in search.known if len(one.ids) == size), key=lambda one: one.cost)
         for one in [*known[:most], *sorted(known, key=lambda one: one.energy)[:BY_ENERGY]]:
             found[one.ids] = one
     return list(found.values())

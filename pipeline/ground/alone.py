@@ -12,11 +12,11 @@ Result = TypeVar("Result")
 
 
 def each_alone(
-    work: Callable[..., Result], items: Sequence[Item], *told: object, jobs: int = 1, preload: str = HOUSE
+    work: Callable[..., Result], items: Sequence[Item], *told: object, jobs: int = 1, preload: Sequence[str] = (HOUSE,)
 ) -> list[Result]:
     """What `work(item, *told)` gives for each item, in their order, each in a fresh process, `jobs` at a time.
 
-    One item is worked on in this process. `preload` is a module that each process finds imported, where the system can
+    One item is worked on in this process. `preload` are modules that each process finds imported, where the system can
     do that. An error of `work` is raised here.
     """
     if len(items) < 2:
@@ -24,7 +24,7 @@ def each_alone(
     ways = multiprocessing.get_all_start_methods()
     context = multiprocessing.get_context("forkserver" if "forkserver" in ways else "spawn")
     if "forkserver" in ways:
-        context.set_forkserver_preload([preload])
+        context.set_forkserver_preload(list(preload))
     with ProcessPoolExecutor(max(jobs, 1), context, max_tasks_per_child=1) as pool:
         waiting = [pool.submit(work, item, *told) for item in items]
         return [future.result() for future in waiting]

@@ -17,3 +17,15 @@ def test_floor_of_coloured_noise_comes_back_from_under_sixty_columns() -> None:
     found = estimate(target, columns, np.arange(6000), 0.05)
     assert abs(found.floor / np.hypot(0.04, 0.02) - 1.0) < 0.06
     assert 0.05 < found.swallowed < 0.4
+
+
+def test_a_column_of_zeros_and_the_scale_of_the_others_change_no_noise() -> None:
+    generator = np.random.default_rng(5)
+    columns = np.array([np.cos(np.pi * k * np.linspace(0, 1, 2000)) for k in range(8)])
+    target = 0.1 * generator.standard_normal(2000) + columns[2]
+    plain = estimate(target, columns, np.arange(2000), 0.05)
+    scaled = np.vstack([1e4 * columns[:4], np.zeros(2000), 1e-4 * columns[4:]])
+    kept = scaled.copy()
+    other = estimate(target, scaled, np.arange(2000), 0.05)
+    assert abs(other.floor / plain.floor - 1.0) < 1e-6 and np.allclose(other.ar, plain.ar, atol=1e-6)
+    np.testing.assert_array_equal(scaled, kept)  # they are another's

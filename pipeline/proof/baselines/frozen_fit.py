@@ -3,7 +3,7 @@
 Source: BIC: Schwarz, "Estimating the dimension of a model", Annals of Statistics 6, 1978.
 """
 
-from ...diagnosis import calibrate, candidates, engine, generic
+from ...diagnosis import calibrate, candidates, engine
 from ...diagnosis.interface import physics
 from ...diagnosis.linear import Linear
 from ...diagnosis.noise import white
@@ -19,7 +19,7 @@ def learn(seen: Calibrated) -> Learnt:
     problem = frozen(seen.problem, seen.state)
     shapes = candidates.catalogue(problem, candidates.suggested(problem, seen.state))
     known = {id_: options for id_, options in shapes.items() if physics((id_,))}
-    floor = engine.noise_of(problem, seen.state, generic.dictionary(problem.drivers)).floor
+    floor = engine.noise_of(problem, seen.state).floor
     noise = white(floor)
     search = Search(Linear(problem, seen.state, noise, known))
     best = search.all_of(1)[0]
