@@ -7,13 +7,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from pydantic import ValidationError
+
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
 from .diagnosis.adopt import acts_from, adoptions, checked
 from .diagnosis.own_rate import at_own_rate
-from .diagnosis.simulation import read_diagnosis
+from .diagnosis.simulation import of_run, read_diagnosis
 from .diagnosis.words import coefficients
-from .diagnosis.words.adoption import ANYWAY, predictions
 from .diagnosis.words.quantity import listing
 from .diagnosis.words.sections import wrapped
 from .diagnosis.words.vocabulary import Vocabulary
@@ -23,20 +24,17 @@ from .ground.errors import BadInput, program
 from .ground.files import whole
 from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
+from .run.description import Adopted, Run
 from .run.folder import RECORDINGS, read_run
 from .run.samples import read_samples
 
 MOST = 5  # explanations that are named
-WAIT = (
-    "measure them again, write that into run.yaml and diagnose again; or predict with the diagnosis itself ({}); to "
-    f"adopt all the same, add {ANYWAY}"
-)
 
 
 def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
-    """How far the simulator is off the run's recording, in words; one without a recording takes any known names.
+    """What adopting changes, in words: the errors on the run's recording, dimensions, and what the numbers mean.
 
-    Raises BadInput unless what a diagnosis names can act in the run.
+    A run without a recording takes any known names. Raises BadInput unless what a diagnosis names can act in the run.
     """
     for number, entry in enumerate(content[KEY]):
         checked(entry, f"{KEY}[{number}]", str(source))
@@ -44,9 +42,20 @@ def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
         return []
     run, samples = read_samples(folder)
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-    said = before_after.told(bare, run.run, run.simulation, content, source, taken_out(folder))
     acts = acts_from(content[KEY], bare.drivers, str(source))
-    return [*said, *coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))]
+    adopting = run.model_copy(update={KEY: content[KEY], ORIGIN: origin_of(content, source, run)})
+    said = before_after.told(bare, of_run(run), of_run(adopting), source)
+    meant = coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
+    return [*said, *before_after.dimensions(content), *meant]
+
+
+def origin_of(content: dict[str, Any], source: Path, run: Run) -> list[Adopted]:
+    """What a run.yaml says of where its effects are from, once it has adopted a diagnosis. Raises BadInput."""
+    try:
+        return [Adopted.model_validate(one) for one in adoptions(content, str(source), run.run)]
+    except ValidationError as error:
+        problem = f"is not what adopting wrote ({short(error.errors()[0]['msg'])})"
+        raise BadInput(source, ORIGIN, problem, "give a diagnosis.json as it was made") from None
 
 
 def taken_out(folder: Path) -> str:
@@ -78,7 +87,7 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    usage = f"{command('adopt')} [{ANYWAY}] DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
+    usage = f"{command('adopt')} DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
     parser = argparse.ArgumentParser(prog=command("adopt"), usage=usage, description=__doc__)
     parser.add_argument(
         "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
@@ -89,9 +98,6 @@ def main() -> None:
     parser.add_argument(
         "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
     )
-    parser.add_argument(
-        ANYWAY, action="store_true", help="adopt although the verdict says to wait: to measure dimensions again first"
-    )
     arguments = parser.parse_args()
     if arguments.remove and arguments.diagnosis:
         parser.error("--remove takes a run folder and nothing else")
@@ -100,43 +106,35 @@ def main() -> None:
         return
     if arguments.run_dir is None:
         parser.error("give a diagnosis.json and the run's folder, or --remove and the run's folder")
-    adopt(arguments.diagnosis, arguments.run_dir, arguments.anyway)
+    adopt(arguments.diagnosis, arguments.run_dir)
 
 
-def adopt(source: Path, folder: Path, anyway: bool = False) -> None:
-    """Put what a diagnosis names into a run's `run.yaml`, and say what that does.
-
-    Raises BadInput, also where the verdict says to wait, unless `anyway`.
-    """
+def adopt(source: Path, folder: Path) -> None:
+    """Put what a diagnosis names into a run's `run.yaml`, and say what that does. Raises BadInput."""
     run, content = read_run(folder), read_diagnosis(source)
     path = (folder / "run.yaml").resolve()
     names = listing(list(dict.fromkeys(str(entry.get("id")) for entry in content[KEY] if isinstance(entry, dict))))
     if not content[KEY]:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
-    wait = before_after.waits(content)
-    if wait and not anyway:
-        raise BadInput(source, "dimensions", wait, WAIT.format(*predictions(source, [folder])))
     errors = check(content, source, folder)
     if not before_after.is_of(content, run.run):
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
         print(f"beware: {said}", file=sys.stderr)
-    origin = adoptions(content, str(source))
+    origin = adoptions(content, str(source), run.run)
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
     made = adopted(text, content[KEY], path, origin)
     if parse_yaml(made, path) == parse_yaml(text, path):
         print(f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is")
         return
     write(path, made)
-    told = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all else in it stays as it was"]
+    told = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
     others = origin[-1]["tied"] if origin else []
     if others:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
         told.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
-    told += [*errors, before_after.why(content), before_after.NEXT]
-    if taken_out(folder) not in told:
-        told += ["To take the effects out of run.yaml again:", taken_out(folder)]
+    told += [*errors, before_after.NEXT, "To take all of it out of run.yaml again:", taken_out(folder)]
     for line in told:
         print("\n".join(wrapped(line, "")))
 

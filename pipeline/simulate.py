@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from .adoption.before_after import waits
 from .diagnosis.own_rate import at_own_rate
-from .diagnosis.simulation import compared, of_run, off, read_diagnosis, tared
+from .diagnosis.simulation import compared, measured_since, of_run, off, read_diagnosis, tared
+from .diagnosis.words.dimensions import name_of
 from .diagnosis.words.quantity import listing, size
 from .ground import schemas
 from .ground.command import command
@@ -21,16 +21,17 @@ from .run.description import Run
 from .run.samples import read_samples
 
 
-def warn_of_dimensions(run: Run) -> None:
-    """Say where the effects that a run has adopted were fitted with dimensions far from those of its run.yaml."""
-    source = next((Path(one.diagnosis) for one in reversed(run.adopted) if one.diagnosis), None)
-    if source is None or not source.is_file() or not waits(read_diagnosis(source)):
-        return
-    print(
-        "warning: run.yaml has the adopted effects, and not the dimensions that they were fitted with; to simulate "
-        f"with those too, add --simulation {shlex.quote(str(source))}",
-        file=sys.stderr,
-    )
+def warn_of_dimensions(run: Run, folder: Path) -> None:
+    """Say where a dimension of run.yaml is another than it was when effects were adopted, which fit no more."""
+    changed = measured_since(run)
+    if changed:
+        names = listing([f"the {name_of(name)}" for name in changed])
+        print(
+            f"warning: {names} in run.yaml changed since the effects were adopted. The dimensions of run.yaml are "
+            "taken, and the effects may not fit them. Mend: take the effects out, diagnose again and adopt anew: "
+            f"{command('adopt')} --remove {shlex.quote(str(folder))}",
+            file=sys.stderr,
+        )
 
 
 @program
@@ -41,7 +42,7 @@ def main() -> None:
     parser.add_argument(
         "--simulation", type=Path, metavar="FILE.json",
         help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "
-        "twice; default: the mechanisms that run.yaml has adopted, and its dimensions as they were measured",
+        "twice; default: the mechanisms that run.yaml has adopted with the dimensions that fit with them",
     )  # fmt: skip
     parser.add_argument(
         "--out", type=Path, required=True, metavar="FILE.parquet",
@@ -64,12 +65,13 @@ def main() -> None:
     table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})
     schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
-    print(f"{run.run}: {len(table)} samples simulated with {acting} and the dimensions of {source}")
+    fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
+    print(f"{run.run}: {len(table)} samples simulated with {acting} and the dimensions {fitted} {source}")
     if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
         zero = ", its zero set in the first second" if problem.system.free_zero else ""
         print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
     if not arguments.simulation:
-        warn_of_dimensions(run)
+        warn_of_dimensions(run, arguments.run_dir)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """`simulation:` of run.yaml, and of a diagnosis, to what acts in the simulator, and back."""
 
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, TypedDict
@@ -46,10 +47,32 @@ def block(entries: Sequence[Mapping[str, Any]], key: str = "simulation") -> str:
     return f"{head}{NOTE.get(key, '')}\n{rest}"
 
 
-def adoptions(content: dict[str, Any], where: str) -> list[dict[str, Any]]:
+def fitted(content: dict[str, Any], run: str) -> dict[str, dict[str, float]]:
+    """The dimensions of a diagnosis for a run, by name: as run.yaml had them, and as they fit with the effects.
+
+    A run that was diagnosed together with others may have a zero of the motor of its own, which is added.
+    """
+    known = content.get("parameters", {})
+    runs = content.get("run")
+    own = f"_{runs.index(run) + 1}" if isinstance(runs, list) and run in runs[1:] else None
+    found = {}
+    for name, entry in known.items() if isinstance(known, dict) else []:
+        nominal: Any = entry.get("nominal") if isinstance(entry, dict) else None
+        value: Any = entry.get("value") if isinstance(entry, dict) else None
+        if name.startswith("zero") or re.search(r"_\d+$", name) or not (is_number(nominal) and is_number(value)):
+            continue
+        other = known.get(f"{name}{own}", {}) if own else {}
+        more = other.get("value", 0.0) if isinstance(other, dict) else 0.0
+        total = float(value) + (float(more) if is_number(more) else 0.0)
+        found[name] = {"measured": float(nominal), "fitted": float(f"{total:.{DIGITS}g}")}
+    return found
+
+
+def adoptions(content: dict[str, Any], where: str, run: str = "") -> list[dict[str, Any]]:
     """What a run.yaml says under `adopted` with a diagnosis in it: what was adopted before it, then what it names.
 
-    A file that tells no verdict adds nothing. Raises BadInput for sets of mechanisms that are none.
+    `run` is the run that adopts. A file that tells no verdict adds nothing. Raises BadInput for sets of mechanisms
+    that are none.
     """
     before, named = content.get("adopted", []), content.get("mechanisms", [])
     if not isinstance(before, list):
@@ -67,6 +90,9 @@ def adoptions(content: dict[str, Any], where: str) -> list[dict[str, Any]]:
     runs, experiment = content.get("run"), content.get("next_experiment")
     if runs:
         made["runs"] = [runs] if isinstance(runs, str) else runs
+    dimensions = fitted(content, run)
+    if dimensions:
+        made["dimensions"] = dimensions
     if isinstance(experiment, str) and tied:
         made["next_experiment"] = f"{NO_USE}: no run that was tried decides" if NO_USE in experiment else experiment
     return [*before, made]

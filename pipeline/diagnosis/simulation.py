@@ -1,6 +1,7 @@
 """The improved simulator alone: inputs and a diagnosis → predicted displacement; no measurement but for the tare."""
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ from ..ground.complaint import short
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.regular_file import read_regular
-from ..run.description import Run
+from ..run.description import Fitted, Run
 from .adopt import acts_from, is_number
 from .outcome import rms
 from .problem import Problem, State
@@ -60,8 +61,25 @@ def read_diagnosis(path: Path) -> dict[str, Any]:
 
 
 def of_run(run: Run) -> dict[str, Any]:
-    """What a run's own `run.yaml` simulates, as a diagnosis would say it: its dimensions, and what it has adopted."""
-    return {"run": run.run, "parameters": {}, "simulation": run.simulation}
+    """What a run's own `run.yaml` simulates, as a diagnosis would say it: what it has adopted, effects and dimensions.
+
+    Dimensions are those of run.yaml where none were adopted, or where one has been measured again since.
+    """
+    held = {} if measured_since(run) else {name: {"value": one.fitted} for name, one in _adopted(run).items()}
+    return {"run": run.run, "parameters": held, "simulation": run.simulation}
+
+
+def measured_since(run: Run) -> list[str]:
+    """The dimensions that run.yaml gives another value than it had when effects were adopted."""
+    now = {one.name: one.nominal for one in run.system.parameters(run)}
+    then = _adopted(run)
+    return [name for name in now if name in then and not math.isclose(now[name], then[name].measured, rel_tol=1e-4)]
+
+
+def _adopted(run: Run) -> dict[str, Fitted]:
+    """The dimensions that were adopted last; nothing where run.yaml has no effects, or none that brought dimensions."""
+    with_some = [one.dimensions for one in run.adopted if one.dimensions]
+    return with_some[-1] if with_some and run.simulation else {}
 
 
 def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:

@@ -88,6 +88,13 @@ class Included(TypedDict, total=False):
     parameters: dict[str, Number]
 
 
+class Fitted(_Section):
+    """A dimension as run.yaml had it when effects were adopted, and the value that was fitted together with them."""
+
+    measured: Number
+    fitted: Number
+
+
 class Adopted(_Section):
     """What `pipeline.adopt` put into `simulation`: its effects, the verdict on them, and the sets that tied with it."""
 
@@ -97,6 +104,7 @@ class Adopted(_Section):
     diagnosis: str | None = Field(None, description="the diagnosis.json that was adopted")
     runs: list[str] | None = Field(None, description="the runs that the effects were fitted to")
     next_experiment: str | None = Field(None, description="the run that decides between what tied, in words")
+    dimensions: dict[str, Fitted] | None = Field(None, description="the dimensions that fit with the effects")
 
 
 class Channel(_Section):

@@ -12,8 +12,8 @@ import programs
 import pytest
 import yaml
 
-from pipeline.adoption import before_after
 from pipeline.adoption.block import adopted, bare, with_block, without_block
+from pipeline.diagnosis.adopt import fitted
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.whole import described
 from pipeline.diagnosis.words import commands
@@ -148,20 +148,40 @@ def test_what_was_adopted_simulates_without_being_given_and_counts_once(folder: 
     pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), own)
 
 
-@pytest.mark.parametrize("sigma", [2.9, 0.4])
-def test_a_simulation_says_where_the_dimensions_of_adopted_effects_are_not_in_it(folder, diagnosis, sigma) -> None:
-    judged(diagnosis, "ambiguous", TIED)
-    content = json.loads(diagnosis.read_text())
-    diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": {"radius_mm": sigma}}}))
-    assert programs.run("pipeline.adopt", "--anyway", diagnosis, folder).returncode == 0
+def test_what_was_adopted_simulates_with_the_dimensions_that_fit_until_one_is_measured_again(folder, diagnosis) -> None:
+    content = judged(diagnosis, "ambiguous", TIED)
+    right = content["parameters"]["radius_mm"]["value"] / 1.02
+    content["parameters"]["radius_mm"]["nominal"] = right
+    content["parameters"]["zero_mm"] = {"nominal": 0.0, "value": 0.3}
+    diagnosis.write_text(json.dumps(content))
+    bare_effects = json.loads(diagnosis.read_text()) | {"parameters": {}, "run": "another-01"}
+    other = folder.parent / "effects.json"
+    other.write_text(json.dumps(bare_effects))
+    effects_alone = simulated(folder, "--simulation", other)
+    done = programs.run("pipeline.adopt", diagnosis, folder)
+    assert "takes the dimensions that fit with these effects" not in flat(done), "it did not say how far it moved"
+    held = yaml.safe_load((folder / "run.yaml").read_text())["adopted"][0]["dimensions"]
+    assert held == {"radius_mm": {"measured": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}}
+    own = simulated(folder)
+    given = simulated(folder, "--simulation", diagnosis)
+    assert abs((own - own.iloc[0]) - (given - given.iloc[0])).max() < 1e-4, "as the diagnosis, but for the zero"
+    assert abs(own - effects_alone).max() > 0.05
     out = folder.parent / "simulated.parquet"
-    said = programs.run("pipeline.simulate", folder, "--out", out).stderr
-    assert ("not the dimensions that they were fitted with" in said and f"--simulation {diagnosis}" in said) is (
-        sigma > 1
-    )
-    assert "warning" not in programs.run("pipeline.simulate", folder, "--simulation", diagnosis, "--out", out).stderr
-    diagnosis.unlink()
-    assert programs.run("pipeline.simulate", folder, "--out", out).stderr == ""
+    done = programs.run("pipeline.simulate", folder, "--out", out)
+    assert done.stderr == "" and "sensor_drift and the dimensions that fit with them, in" in done.stdout
+    text = (folder / "run.yaml").read_text()
+    (folder / "run.yaml").write_text(text.replace(f"radius_mm: {right:g}", f"radius_mm: {1.01 * right:g}", 1))
+    again = programs.run("pipeline.simulate", folder, "--out", out)
+    assert "warning: the radius in run.yaml changed since the effects were adopted." in again.stderr
+    assert f"pipeline.adopt --remove {folder}" in again.stderr and "and the dimensions of" in again.stdout
+
+
+def test_a_run_that_was_diagnosed_together_adopts_the_zero_of_its_own_motor() -> None:
+    one = {"nominal": 0.0, "value": 0.02}
+    known = {"angle_turns": one, "angle_turns_2": {"nominal": 0.0, "value": 0.3}, "zero_mm": one, "length_mm": {}}
+    content = {"run": ["a-01", "a-02"], "parameters": known}
+    assert fitted(content, "a-01") == {"angle_turns": {"measured": 0.0, "fitted": 0.02}}
+    assert fitted(content, "a-02") == {"angle_turns": {"measured": 0.0, "fitted": pytest.approx(0.32)}}
 
 
 def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosis: Path) -> None:
@@ -178,54 +198,50 @@ def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosi
     assert (folder / "run.yaml").read_bytes() == before
 
 
-def test_adopting_says_by_what_the_simulator_errs_before_now_and_with_the_calibrated_dimensions(
-    folder: Path, diagnosis: Path
-) -> None:
-    """The numbers are those of what `pipeline.simulate` writes, and the reason is said beside them."""
+def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, diagnosis: Path) -> None:
+    """The numbers are those of what `pipeline.simulate` writes."""
     measured = pd.read_parquet(folder / "recording.parquet")["displacement_mm"]
 
-    def errs(*words: object) -> float:
-        return float((measured - simulated(folder, *words)).pow(2).mean() ** 0.5)
+    def errs() -> float:
+        return float((measured - simulated(folder)).pow(2).mean() ** 0.5)
 
-    def fitted() -> float:
+    def about_its_median() -> float:
         residual = measured - simulated(folder)
         return float((residual - residual.median()).pow(2).mean() ** 0.5)
 
-    named(diagnosis, **DRIFT)
-    before, before_fitted, whole = errs(), fitted(), errs("--simulation", diagnosis)
+    content = judged(diagnosis, "explained", [])
+    content["parameters"]["radius_mm"]["nominal"] = content["parameters"]["radius_mm"]["value"] / 1.02
+    diagnosis.write_text(json.dumps(content))
+    before = [errs(), about_its_median()]
     done = programs.run("pipeline.adopt", diagnosis, folder)
     lines = done.stdout.splitlines()
     place = next(number for number, line in enumerate(lines) if line.startswith("error on this recording"))
     head, first, second = lines[place : place + 3]
-    assert head.split("   ")[0] == "error on this recording, rms of single samples" and head.endswith("now, calibrated")
+    assert head.split("   ")[0] == "error on this recording, rms of single samples" and head.endswith("now")
     set_, free = ([float(one) for one in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
-    assert set_ == pytest.approx([before, errs(), whole], rel=0.05) and first.startswith("zero set in the first second")
-    assert free[:2] == pytest.approx([before_fitted, fitted()], rel=0.05) and second.startswith("zero fitted to the wh")
-    assert f"as by pipeline.simulate --simulation {diagnosis}" in flat(done)
-    assert "Do not predict" not in done.stdout and free[1] < 2.0 * free[2]
-    assert before_after.distrust(0.99, 0.5, diagnosis, "mm") == []
-    (warned,) = before_after.distrust(0.99, 0.034, diagnosis, "mm")
-    assert (
-        "it errs by 0.99 mm, with the dimensions of the verdict by 0.034 mm" in warned
-        and f"simulate --simulation {diagnosis}" in warned
-    )
-    assert "If a value changes: write it into run.yaml, take the effects out, diagnose again and adopt anew." in warned
-    assert "Adopted were the effects alone, not the dimensions: run.yaml keeps those as measured." in flat(done)
-    assert "measure again" not in done.stdout  # the diagnosis names no dimension
+    assert set_ == pytest.approx([before[0], errs()], rel=0.05) and first.startswith("zero set in the first second")
+    assert free == pytest.approx([before[1], about_its_median()], rel=0.05) and second.startswith("zero fitted to the")
     means = done.stdout.partition("What the numbers under simulation mean")[2]
-    assert (
-        f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
-        and "straight_mm: in mm, add to the" in means
-    )
+    assert f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
+    assert "straight_mm: in mm, add to the" in means
 
 
-def test_adopting_names_the_dimensions_to_measure_again(folder: Path, diagnosis: Path) -> None:
-    content = json.loads(named(diagnosis, **DRIFT).read_text())
-    moved = {"radius_mm": -1.9, "scale": 0.4, "separator_mm": 2.2, "length_mm": "far"}
+def test_adopting_names_the_dimensions_that_fit_and_those_to_measure_again(folder: Path, diagnosis: Path) -> None:
+    content = judged(diagnosis, "explained", [])
+    values = {
+        "radius_mm": (0.55, 0.561),
+        "scale": (1.0, 1.001),
+        "separator_mm": (8.0, 9.4),
+        "length_mm": (300.0, 300.0),
+    }
+    content["parameters"] = {name: {"nominal": one, "value": other} for name, (one, other) in values.items()}
+    moved = {"radius_mm": -1.9, "scale": 0.4, "separator_mm": 2.9, "length_mm": "far"}
     diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
     said = flat(programs.run("pipeline.adopt", diagnosis, folder))
-    names = "Calibration moved the separator (2.2 times its tolerance) and the radius (1.9 times its tolerance)"
-    assert f"{names}: measure again, and write what you measured, not the calibrated values." in said
+    dimensions = "separator 8 → 9.4 mm; radius 0.55 → 0.561 mm; gain of the displacement sensor 1 → 1.001."
+    assert f"takes the dimensions that fit with these effects: {dimensions}" in said
+    assert "run.yaml keeps your measured values. Change one of them, and the fitted ones count no more." in said
+    assert "Measure the separator again: calibration moved it by more than 2.5 tolerances." in said
 
 
 def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder: Path, diagnosis: Path) -> None:
@@ -234,7 +250,7 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
     done = programs.run("pipeline.adopt", diagnosis, folder)
     *_, before_last, last = done.stdout.splitlines()
-    assert before_last == "To take the effects out of run.yaml again:"
+    assert before_last == "To take all of it out of run.yaml again:"
     assert last == f"  python -m pipeline.adopt --remove {folder}"
     assert (folder / "run.yaml").read_bytes() != before
     done = programs.run(*last.split()[-3:])
@@ -248,26 +264,10 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     assert programs.run("pipeline.adopt", diagnosis).returncode == 2
     usage = programs.run("pipeline.adopt", "--help").stdout
     assert usage.startswith(
-        "usage: python -m pipeline.adopt [--anyway] DIAGNOSIS.json RUN_DIR\n"
-        "       python -m pipeline.adopt --remove RUN_DIR\n"
+        "usage: python -m pipeline.adopt DIAGNOSIS.json RUN_DIR\n       python -m pipeline.adopt --remove RUN_DIR\n"
     )
     columns = " ".join(programs.run("pipeline.simulate", "--help").stdout.split())
     assert columns.startswith("usage: python -m pipeline.simulate ") and "two columns: time_s, and what" in columns
-
-
-def test_the_command_that_takes_effects_out_stands_directly_below_the_warning(folder: Path, diagnosis: Path) -> None:
-    content = json.loads(named(diagnosis, whole_s=200.0, straight_mm=1e-6).read_text())
-    right = content["parameters"]["radius_mm"]["value"] / 1.02
-    text = (folder / "run.yaml").read_text()
-    (folder / "run.yaml").write_text(text.replace(f"radius_mm: {right:g}", f"radius_mm: {1.2 * right:g}"))
-    content["parameters"]["radius_mm"]["value"] = right
-    diagnosis.write_text(json.dumps(content))
-    said = programs.run("pipeline.adopt", diagnosis, folder).stdout
-    remove = f"  python -m pipeline.adopt --remove {folder}"
-    lines = said.splitlines()
-    warned = next(number for number, line in enumerate(lines) if line.startswith("Beware: do not predict"))
-    below = next(line for line in lines[warned + 1 :] if line.startswith("  python") or not line.startswith("  "))
-    assert below == remove and said.count("--remove") == 1
 
 
 def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None:
@@ -316,7 +316,8 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     assert content["verdict"] in ("explained", "ambiguous") and pasted.is_file()
     own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
     own |= {"tied": content["alternatives"], "runs": [folder.name]}
-    own |= {"diagnosis": str(out / folder.name / "diagnosis.json")}
+    own |= {"diagnosis": str(out / folder.name / "diagnosis.json"), "dimensions": fitted(content, folder.name)}
+    assert own["dimensions"]["radius_mm"]["measured"] == content["parameters"]["radius_mm"]["nominal"]
     asked = content["next_experiment"]
     useless = "Hardly worth making" in (asked or "")
     own |= (
@@ -369,14 +370,3 @@ def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_ol
     assert shlex.split(record)[2:] == ["pipeline.capture", "PORT", str(new)]
     both = [str(folder), str(new), "--together", "--out", str(folder.parent / "out-next")]
     assert shlex.split(diagnose)[2:] == ["pipeline.diagnose", *both]
-
-
-def test_what_a_verdict_says_to_wait_with_is_adopted_only_anyway(folder: Path, diagnosis: Path) -> None:
-    content, before = json.loads(named(diagnosis, **DRIFT).read_text()), (folder / "run.yaml").read_bytes()
-    moved = {"radius_mm": 2.9, "length_mm": -1.4}
-    diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
-    done = programs.run("pipeline.adopt", diagnosis, folder)
-    assert done.returncode == 2 and (folder / "run.yaml").read_bytes() == before
-    assert "says not to adopt yet: calibration moved the radius (2.9 times its tolerance). Mend: " in done.stderr
-    done = programs.run("pipeline.adopt", "--anyway", diagnosis, folder)
-    assert done.returncode == 0 and (folder / "run.yaml").read_bytes() != before

@@ -98,12 +98,12 @@ def test_a_run_is_a_step_as_far_as_it_decides(then, said):
     assert (where in steps(made)) is (then > 6.0)
 
 
-def test_prediction_and_adopting_come_with_their_commands_and_adopting_waits_for_far_dimensions():
+def test_prediction_and_adopting_come_with_their_commands_after_what_is_to_be_measured():
     near, source = steps(content(evidence__moved_sigma=NEAR)), "reports/nylon-3/diagnosis.json"
     for text in (near, steps()):
         assert f"python -m pipeline.simulate raw/nylon-3 --simulation {source} --out FILE" in text
-    assert f"python -m pipeline.adopt {source} raw/nylon-3" in near and "Do not adopt" not in near
-    assert "pipeline.adopt" not in steps() and "Do not adopt the effects into run.yaml yet" in steps()
+        assert f"python -m pipeline.adopt {source} raw/nylon-3" in text
+    assert steps().startswith("1. Measure again") and "Measure again" not in near
     assert "pipeline.simulate" not in page(out=None), "no diagnosis.json, no command that reads it"
 
 
@@ -157,9 +157,14 @@ def test_after_adopting_dimensions_that_moved_far_are_measured_and_the_effects_t
     made["adopted"] = [one | {"next_experiment": "Hardly worth making", "diagnosis": "reports/old/diagnosis.json"}]
     made["evidence"]["explanations"] = []
     said = steps(made)
-    assert "Measure again what calibration moved far." in said
+    assert "2. Measure again what calibration moved far:" in said
     assert "python -m pipeline.adopt --remove raw/nylon-3" in said
     assert "python -m pipeline.simulate raw/nylon-3 --simulation reports/old/diagnosis.json --out FILE" in said
+    made["adopted"][0]["dimensions"] = {"radius_mm": {"measured": 0.55, "fitted": 0.5612}}
+    kept = steps(made)
+    assert "If nothing changed, keep what was adopted, and predict with python -m pipeline.simulate as it is." in kept
+    assert "--simulation" not in kept
+    assert "takes the dimensions that were adopted with it; here they are fitted anew" in " ".join(page(made).split())
 
 
 def test_slow_effects_under_one_load_are_said_to_look_alike():

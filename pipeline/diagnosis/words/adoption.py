@@ -11,7 +11,6 @@ from .quantity import listing
 from .rivals import called
 from .vocabulary import Vocabulary
 
-ANYWAY = "--anyway"
 NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = command("adopt")
 SIMULATE = command("simulate")
@@ -23,7 +22,11 @@ def cautions(content: dict[str, Any]) -> list[str]:
     if not ids:
         return doubtful(content)
     it = "it" if len(ids) == 1 else "them"
-    lines = [f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}.{_sight(content, ids)}"]
+    own = f" {program_name('simulate')} takes the dimensions that were adopted with {it}; here they are fitted anew."
+    own = own if dimensions_came(content) else ""
+    lines = [
+        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}.{own}{_sight(content, ids)}"
+    ]
     doubt = doubtful(content)
     if content["verdict"] in ("consistent", "parameters"):
         lines[0] += " An adopted effect can also cover another one that is really there."
@@ -32,6 +35,11 @@ def cautions(content: dict[str, Any]) -> list[str]:
             "ambiguous, it is so still, and its run decides."
         ]
     return lines + doubt
+
+
+def dimensions_came(content: dict[str, Any]) -> bool:
+    """Whether the adopted effects brought the dimensions with them that they were fitted with."""
+    return any(one.get("dimensions") for one in content.get("adopted", []))
 
 
 def _sight(content: dict[str, Any], ids: list[str]) -> str:
@@ -77,20 +85,10 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
     source = out / "diagnosis.json"
     lines = ["To predict with it, dimensions included:"]
     lines += [f"  {line}" for line in predictions(source, folders)]
-    far = len(far_moved(content))
-    if far:
-        moved = "a dimension" if far == 1 else f"{far} dimensions"
-        lines.append(
-            f"Do not adopt it yet: calibration moved {moved} far, and adopting takes over the effects alone. With the "
-            "dimensions of run.yaml as they are now the simulator would err by more than the table above says of it "
-            f"as diagnosed ({program_name('adopt')} prints by how much). If measuring changes run.yaml, diagnose again "
-            "into another folder, and adopt what the new verdict names. If it changes nothing, predict with the "
-            f"command above. Who wants the effects in run.yaml all the same adds {ANYWAY}:"
-        )
-    else:
-        lines.append("To adopt its effects: they go into run.yaml, whose dimensions stay as measured:")
-    anyway = f" {ANYWAY}" if far else ""
-    lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}{anyway}" for folder in folders]
+    lines.append("To put its effects into run.yaml, with the dimensions that fit with them; yours stay as measured:")
+    lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]
+    if far_moved(content):
+        lines.append("Measure again first: adopting takes effects that stand on dimensions which may be wrong.")
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
         can = bool(run) and "parts" in run and worth.decides(run)

@@ -32,20 +32,24 @@ def multiplied(words: dict[str, str], names: Sequence[str]) -> list[str]:
 
 def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]:
     """Each effect with its equation, then its coefficients by what they do, then the shape that they were found at."""
-    said = []
-    for act in acts:
-        mechanism = mechanisms()[act.id]
-        said.append(f"  {act.id}: {mechanism.equation}")
-        groups: dict[str, list[str]] = {}
-        values = iter(act.coefficients)
-        for shape in act.shapes:
-            for term in mechanism.terms(drivers, shape):
-                if next(values):
-                    unit = said_unit(drivers.units.unit(term.unit)) or "a share"
-                    does = f"in {unit}, {DOES[term.port].format(motion=words.motion, string=words.string)}"
-                    groups.setdefault(does, []).append(drivers.units.name(term.name))
-        said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
-        said += multiplied(mechanism.names, [name for names in groups.values() for name in names])
-        fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
-        said += [f"    {listing(list(fixed))}: the shape, chosen and held"] if fixed else []
+    blocks = dict.fromkeys(tuple(_block(act, drivers, words)) for act in acts)  # an effect may act several times
+    said = [line for block in blocks for line in block]
     return [HEAD, *said] if said else []
+
+
+def _block(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
+    mechanism = mechanisms()[act.id]
+    said = [f"  {act.id}: {mechanism.equation}"]
+    groups: dict[str, list[str]] = {}
+    values = iter(act.coefficients)
+    for shape in act.shapes:
+        for term in mechanism.terms(drivers, shape):
+            if next(values):
+                unit = said_unit(drivers.units.unit(term.unit)) or "a share"
+                does = f"in {unit}, {DOES[term.port].format(motion=words.motion, string=words.string)}"
+                groups.setdefault(does, []).append(drivers.units.name(term.name))
+    said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
+    said += multiplied(mechanism.names, [name for names in groups.values() for name in names])
+    fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
+    said += [f"    {listing(list(fixed))}: the shape, chosen and held"] if fixed else []
+    return said

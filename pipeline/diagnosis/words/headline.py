@@ -91,7 +91,9 @@ def as_it_stands(content: dict[str, Any], words: Vocabulary) -> str:
 
 
 def errors_of_adopted(content: dict[str, Any], words: Vocabulary) -> tuple[float, float] | None:
-    """The errors of run.yaml with its adopted effects, nominal and calibrated; None where none is adopted or known."""
+    """The errors of run.yaml with adopted effects and its own dimensions, nominal and calibrated; else None."""
+    if any(one.get("dimensions") for one in content.get("adopted", [])):
+        return None  # run.yaml simulates with these
     nominal, calibrated = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
     return (nominal, calibrated) if sight.included(content) and nominal and calibrated else None
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from ...ground.command import command
 from . import experiment, report, sight, still, to_measure, unseen, worth
-from .adoption import ANYWAY, predictions
+from .adoption import dimensions_came, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
 from .quantity import listing
@@ -22,13 +22,12 @@ NAMED = ("explained", "ambiguous")
 def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
     """The steps, numbered where there are several; what belongs to a step stands below it, indented."""
     steps = _named(content, words, folders, out) if content["verdict"] in NAMED else _unnamed(content, words, folders)
-    wait = _wait(content, words, out)
     if len(steps) == 1:
-        return [*steps[0], *wait]
+        return steps[0]
     found = []
     for place, (first, *rest) in enumerate(steps, start=1):
         found += [f"{place}. {first}", *(f"   {line}" for line in rest)]
-    return [*found, *wait]
+    return found
 
 
 def _named(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
@@ -97,32 +96,13 @@ def _use(content: dict[str, Any], folders: list[Path], out: Path | None) -> list
 
 
 def _adopt(content: dict[str, Any], folders: list[Path], out: Path | None) -> list[list[str]]:
-    """The command that puts the effects into run.yaml, or why to wait with it."""
+    """The command that puts the effects into run.yaml."""
     if out is None or not content.get("simulation", [True]):
         return []
-    if far_moved(content):
-        return []
-    what = "To put the effects into run.yaml, for all later simulations and diagnoses (dimensions stay as measured):"
+    what = "To make this the run's own simulator (effects into run.yaml, with the dimensions that fit with them):"
     source = shlex.quote(str(out / "diagnosis.json"))
     commands = [f"  {command('adopt')} {source} {shlex.quote(str(folder))}" for folder in folders]
-    wait = "Another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
-    return [[what, *commands, *([f"{wait}: the next verdict goes on saying so."] if wait else [])]]
-
-
-def _wait(content: dict[str, Any], words: Vocabulary, out: Path | None) -> list[str]:
-    """Why not to adopt yet; nothing where it may be done, or nothing is named."""
-    if (
-        out is None
-        or content["verdict"] not in NAMED
-        or unseen.harmful(content, words)
-        or not far_moved(content)
-        or not content.get("simulation", [True])
-    ):
-        return []
-    return [
-        "Do not adopt the effects into run.yaml yet: they fit the calibrated dimensions, not those that run.yaml has. "
-        f"Adopt what the verdict after step 1 names. (All the same: {ANYWAY}, see {DETAILS} under To use it.)"
-    ]
+    return [[what, *commands]]
 
 
 def _report(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
@@ -166,15 +146,18 @@ def _anew(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
     """What to measure again after adopting, and what follows for the adopted effects."""
     if not far_moved(content):
         return []
-    adopted = [one["diagnosis"] for one in content.get("adopted", []) if one.get("diagnosis")][-1:]
     remove = [f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders]
+    again = ["Measure again what calibration moved far:", *to_measure.table(content, words)]
+    change = (
+        "Where you find another value, take the adopted effects out, write the value into run.yaml, diagnose again, "
+        "and adopt what the new verdict names: effects and dimensions were fitted together."
+    )
+    if dimensions_came(content):
+        keep = f"If nothing changed, keep what was adopted, and predict with {command('simulate')} as it is."
+        return [again, [change, *remove], [keep]]
+    adopted = [one["diagnosis"] for one in content.get("adopted", []) if one.get("diagnosis")][-1:]
     predict = [f"  {line}" for source in adopted for line in predictions(Path(source), folders)]
-    return [
-        ["Measure again what calibration moved far.", *to_measure.table(content, words)],
-        ["Take the adopted effects out of run.yaml, for they were fitted together with the dimensions:", *remove],
-        [
-            "If a value has changed, write it into run.yaml, diagnose again, and adopt what the new verdict names. If "
-            f"none has, predict with {'the diagnosis that was adopted' if adopted else 'the adopted diagnosis.json'}:",
-            *predict,
-        ],
-    ]
+    keep = (
+        f"If nothing changed, predict with {'the diagnosis that was adopted:' if adopted else 'that diagnosis.json.'}"
+    )
+    return [again, [change, *remove], [keep, *predict]]
