@@ -25,7 +25,7 @@ from .ground.outputs import folder_to_write
 from .run.samples import read_samples
 from .string.beside import jumps_into
 
-MODULES = tuple(f"{__package__}.{name}" for name in ("diagnose", "diagnosis.figures"))  # of each of many runs
+MODULES = tuple(f"{__package__}.diagnosis.{name}" for name in ("whole", "figures"))  # of each of many runs
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
 
 

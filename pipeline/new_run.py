@@ -112,7 +112,7 @@ def arguments_to_content(arguments: argparse.Namespace) -> dict[str, Any]:
         content["actuator"] = arguments.actuator or STRING_ACTUATORS[0]
     content["string"] = {key: value for key, value in string.items() if value is not None}
     content["rig"] = {key: value for key, value in rig.items() if value is not None}
-    for key in ("file", "channels"):
+    for key in ("file", "channels", "tolerance"):
         if getattr(arguments, key) is not None:
             content[key] = parse_yaml(getattr(arguments, key), Path(f"--{key}"))
     return with_given(as_in(arguments.like), content, arguments.like) if arguments.like else content
@@ -162,6 +162,9 @@ def main() -> None:
     )
     parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
+    parser.add_argument(
+        "--tolerance", metavar="YAML", help="how well its dimensions were measured: '{radius: 0.01, length_mm: 0.5}'"
+    )
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument(
         "--out",
@@ -178,6 +181,8 @@ def main() -> None:
     folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
     recorded = any((folder / name).exists() for name in RECORDINGS)
     print(f"{folder} is there; {following(folder, recorded, arguments.like)}")
+    if "tolerance" not in content:
+        print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")
     effects = ", ".join(entry["id"] for entry in content.get("simulation", []))
     if effects:
         mend = f"{command('adopt')} --remove {shlex.quote(str(folder))}"

@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 import pytest
+import yaml
 from made_recording import content, recording
 
 from pipeline.ground.strict_yaml import read_yaml
@@ -274,3 +275,14 @@ def test_every_option_of_new_run_says_what_it_is(monkeypatch, capsys):
     words = " ".join(capsys.readouterr().out.split())
     assert "strokes that the string had done before its first recording; default: 0" in words
     assert "with the columns time_s, motor_turns, displacement_mm" in words and "contract" not in words
+
+
+def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp_path):
+    status, said, _ = new("a-01", samples=GOOD)
+    assert status == 0 and "How well you measured its dimensions belongs into its run.yaml, as `tolerance`" in said
+    status, said, _ = new("b-01", "--tolerance", "{radius: 0.01, length_mm: 0.5}", samples=GOOD)
+    assert status == 0 and "How well" not in said
+    written = yaml.safe_load((tmp_path / "raw" / "b-01" / "run.yaml").read_text())
+    assert written["tolerance"] == {"radius": 0.01, "length_mm": 0.5}
+    status, _, said = new("c-01", "--tolerance", "{radius: much}", samples=GOOD)
+    assert status == 2 and "tolerance" in said and not (tmp_path / "raw" / "c-01").exists()

@@ -58,7 +58,7 @@ def ways(drivers: Drivers) -> tuple[str, str]:
 def briefly(one: dict[str, Any]) -> str:
     """What stands beside an explanation's point: its probability, and why a probable one is none."""
     share = one.get("probability")
-    said = [] if share is None else [percent(share)]
+    said = [] if share is None else [percent(share) if share else "less than 1 %"]
     return ", ".join(said + ["its effects cancel"] * bool(one.get("balanced")))
 
 

@@ -16,8 +16,8 @@ def each_alone(
 ) -> list[Result]:
     """What `work(item, *told)` gives for each item, in their order, each in a fresh process, `jobs` at a time.
 
-    One item is worked on in this process. `preload` are modules that each process finds imported, where the system can
-    do that. An error of `work` is raised here.
+    One item is worked on in this process. `preload` are modules that each process finds imported, where the system
+    can do that; the program itself is none, for a process runs it anew. An error of `work` is raised here.
     """
     if len(items) < 2:
         return [work(item, *told) for item in items]

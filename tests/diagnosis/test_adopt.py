@@ -323,7 +323,7 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     own |= (
         {"next_experiment": "Hardly worth making: no run that was tried decides" if useless else asked} if asked else {}
     )
-    assert "last 30 % of strokes (seen by the adopted effects)" in said and "unseen" not in said
+    assert "last 30 % of strokes (seen before)" in said and "unseen" not in said
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
     assert programs.run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]

@@ -27,13 +27,14 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 MECHANISM = Mechanism(
     id="backlash",
     driver="direction",
-    equation="theta_s = play(theta, w)",
+    equation="theta_s = sum a_i play(theta, b_i w), w: half the play",
     source="Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38, 2002",
     confused_with="friction_hysteresis, sensor_lag, viscous_loss",
     told_apart_by="a second load: the play keeps its width",
     meaning="play of constant width, whatever the load.",
     sentence="After each reversal the motor moves a little before the {string} follows, worth {size}.",
     details=("half the play is {half_width_turns}",),
+    names={"share": "play of the whole width (b = 1)", "inner_share": "play of half the width (b = 1/2)"},
     shapes=shapes,
     terms=terms,
 )

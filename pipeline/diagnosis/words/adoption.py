@@ -92,7 +92,7 @@ def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Pa
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
         can = bool(run) and "parts" in run and worth.decides(run)
-        mend = "make the run above first" if can else "no run that was tried decides between them"
+        mend = "make the run above first" if can else "no run that was tried is sure to decide between them"
         lines.append(f"Another explanation may be the right one: {mend}.")
     lines.append("Diagnose again into another folder (--out): in the same one this verdict is replaced.")
     return lines

@@ -52,7 +52,7 @@ def asks(content: dict[str, Any], words: Vocabulary) -> list[str]:
     found = [entry["parameters"].values() for entry in content["mechanisms"] if entry["id"] in there]
     times = [float(each["value"]) for one in found for each in one if each.get("unit") == "s"]
     least = f" Hold and rest for {duration(2.0 * max(times))} or longer each: twice its time constant." if times else ""
-    run = " The run below is not this test." if content.get("next_run") else ""
+    run = " The run to make next is not this test." if content.get("next_run") else ""
     return [f"What tells {listing(there)} from what looks like it: {tests}.{least}{run}"]
 
 

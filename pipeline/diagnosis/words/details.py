@@ -156,7 +156,8 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
     again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
-    hiding = each_moved(content, words, far_moved(content)) if rivals.hidden(content, words) else []
+    named = content["verdict"] in ("explained", "ambiguous")
+    hiding = each_moved(content, words, far_moved(content)) if named else []
     written = in_run_yaml(content) if content["verdict"] in ("explained", "ambiguous") else []
     return [*corrected(content, words), *again, *hiding, *written, *tolerances.in_force(content, words)]
 

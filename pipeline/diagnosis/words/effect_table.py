@@ -13,7 +13,9 @@ HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 NO_SIZE = "–"  # of an effect that the best explanation has not
 POORLY, HIDDEN = ", poorly known", ", mostly hidden"
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of it."
-TAKEN_BACK = "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions take the rest back."
+TAKEN_BACK = (
+    "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
+)
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -25,9 +27,10 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     rows = [[entry["id"], how_sure(content, entry["id"]), own_size(entry, content, words)] for entry in entries]
     rows += [[id_, how_sure(content, id_), NO_SIZE] for id_ in only_elsewhere(content)]
     head, *table = aligned([HEAD, *rows])
+    does = {entry["id"]: entry["sentence"] for entry in entries}
     said = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
-        said += [row, f"    {on_rig(meaning(id_), words).rstrip('.')}"]
+        said += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     best = " + ".join(entry["id"] for entry in content["mechanisms"])
     return [

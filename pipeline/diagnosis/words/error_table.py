@@ -12,14 +12,18 @@ HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 UNKNOWN, GAP = "–", 3  # what an older file does not hold; spaces between columns
 WHOLE = "whole recording (seen by the fit)"
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
-ANEW = "For the right column all was fitted anew without those strokes."
+WHOSE = {
+    sight.UNSEEN: "For the right column all was fitted anew without those strokes.",
+    sight.SEEN: "Seen before: the adopted effects were fitted to these strokes too, so it is no test.",
+    sight.PERHAPS: "Perhaps seen before: the adopted effects may have been fitted to these strokes, too.",
+}
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The table, a line each row, and what must be known to read it."""
     seen, held = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
-    told = [ANEW if sight.sight(content) == sight.UNSEEN else ""] if held else [TOO_FEW]
+    told = [WHOSE[sight.sight(content)]] if held else [TOO_FEW]
     told += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
     return [*aligned(_rows(content, words)), *(line for line in told if line)]
 
@@ -78,8 +82,8 @@ def held_out(content: dict[str, Any]) -> str:
     split = content["fit"]["heldout"]["split"]
     return {
         sight.UNSEEN: f"{split} (seen by no fit)",
-        sight.SEEN: f"{split} (seen by the adopted effects)",
-        sight.PERHAPS: f"{split} (perhaps seen by the adopted effects)",
+        sight.SEEN: f"{split} (seen before)",
+        sight.PERHAPS: f"{split} (perhaps seen before)",
     }[sight.sight(content)]
 
 

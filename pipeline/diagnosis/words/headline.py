@@ -13,7 +13,7 @@ UNNAMED = ("consistent", "parameters")
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
-    "explained": "physics is missing, and named.",
+    "explained": "physics is missing, and named{sure}.",
     "ambiguous": "physics is missing; this recording cannot decide between {count} explanations{sure}.",
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
@@ -23,6 +23,7 @@ WITH_ADOPTED = {
 }
 HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
 FAR = ", some by three times their tolerance: measure them again before you trust it"
+PARTLY = "physics is missing, and named in part{sure}."
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named beside what was adopted ({})"
 NONE_NEEDED = {
@@ -47,6 +48,8 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
     said = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
     if fitted is not None and fitted > unseen.STILL_MISSING:
         said = LEFT_OVER
+    elif verdict == "explained" and unseen.partly(content, words):
+        said = PARTLY
     elif verdict == "parameters" and moved_in_vain(content, words):
         said = HARDLY_MOVED
     evidence, named = content["evidence"], NOTHING_FURTHER.format(listing(adopted)) if adopted else NOTHING_NAMED
@@ -101,7 +104,8 @@ def errors_of_adopted(content: dict[str, Any], words: Vocabulary) -> tuple[float
 def how_sure(content: dict[str, Any]) -> str:
     """How probable the best explanation is; nothing where no probability is known."""
     share = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    return "" if share is None else f"; the best one has a probability of {percent(share)}"
+    which = "the best one" if content["alternatives"] else "the explanation"
+    return "" if share is None else f"; {which} has a probability of {percent(share)}"
 
 
 def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:

@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from . import certainty, sight, unseen
+from . import certainty, rivals, sight, unseen
 from .dimensions import far_moved
-from .quantity import listing, size, times
+from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
 
 
@@ -16,7 +16,7 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     nominal = content["evidence"].get(f"nominal_{words.ending}")
     if far_moved(content) and nominal is not None:
         missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
-    said = [missing, *_unseen(content, words), *_sure(content, words)]
+    said = [missing, *_unseen(content, words), *_sure(content, words), *_best(content)]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
     return [f"You can report{when}:", *(f"- {one};" for one in said[:-1]), f"- {said[-1]}.", *_not_yet(content, words)]
 
@@ -41,6 +41,18 @@ def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
     but = f" ({listing(alike)} as the library's name for a slow effect: one load cannot tell it from others)"
     said = f"of the library's effects {listing(sure)} {'are' if len(sure) > 1 else 'is'} sure"
     return [f"{said}{but if alike else ''}"] if sure else []
+
+
+def _best(content: dict[str, Any]) -> list[str]:
+    """How likely the one explanation is that is named, and that there may be physics that the library lacks."""
+    none = content["evidence"].get("probability_of_none")
+    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    if content["alternatives"] or share is None or none is None:
+        return []
+    name = rivals.called([entry["id"] for entry in content["mechanisms"]])
+    return [
+        f"{name} explains it with a probability of {percent(share)}; physics that the library lacks has {percent(none)}"
+    ]
 
 
 def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:

@@ -75,7 +75,8 @@ def _run(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
     if worth.decides(run):
         return [[f"Make the run that can decide {worth.question(content)}. {where}"]]
     if worth.raises(run):
-        need = f"Only if you need to know {worth.question(content)}: try the run that parts them most."
+        hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
+        need = f"Only if you need to know {worth.question(content)}{hard}: try the run that parts them most."
         return [[f"{need} About half of such runs decided in tests. {where}"]]
     return [[f"Make no other run: none that was tried decides {worth.question(content)}."]]
 
@@ -125,10 +126,11 @@ def _unnamed(content: dict[str, Any], words: Vocabulary, folders: list[Path]) ->
         return [[said], *_anew(content, words, folders)]
     if tied:
         return [
+            *_anew(content, words, folders),
             [
                 "Decide between what was adopted and what was likely as well, if you need to know: the run is in "
                 f"{DETAILS} under {RUN}."
-            ]
+            ],
         ]
     if unseen.left_over(content, words):
         return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]

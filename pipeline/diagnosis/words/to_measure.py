@@ -2,25 +2,36 @@
 
 from typing import Any
 
+from . import tolerances
 from .dimensions import assumed, exactness, far_moved, from_to, name_of, tolerance_keys
 from .error_table import aligned
 from .tolerances import stem
 from .vocabulary import Vocabulary
 
-HEAD = ["dimension", "run.yaml says", "fits best", "measure to"]
+HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
+BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
+
+
+def to_measure(content: dict[str, Any]) -> list[str]:
+    """The dimensions to measure again, the farthest first; none where none moved far."""
+    moved = content["evidence"]["moved_sigma"] if far_moved(content) else {}
+    again = [name for name, sigma in moved.items() if abs(sigma) >= BESIDE and name in content["parameters"]]
+    return sorted(again, key=lambda name: -abs(moved[name]))
 
 
 def table(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """Each dimension that calibration moved far, the farthest first, with how it is measured below it."""
-    moved = sorted(far_moved(content).items(), key=lambda item: -abs(item[1]))
-    rows = []
-    for name, _ in moved:
+    """Each dimension to measure again, with how it is measured below it."""
+    names, rows = to_measure(content), []
+    for name in names:
         nominal, value = from_to(content, name)
-        said = f"nothing ({nominal} is assumed)" if assumed(name) else nominal
-        rows.append([name_of(name), said, value, f"{exactness(content, name)} or better"])
+        said = f"– ({nominal} assumed)" if assumed(name) else nominal
+        known = tolerances.said(content, name, words) or "–"
+        if tolerances.is_default(content, name, words):
+            known = f"{known.removesuffix(')')}, default)" if known.endswith(")") else f"{known} (default)"
+        rows.append([name_of(name), said, known, value, f"{exactness(content, name)} or better"])
     head, *lines = aligned([HEAD, *rows])
     found = [head]
-    for (name, _), line in zip(moved, lines, strict=True):
+    for name, line in zip(names, lines, strict=True):
         how = words.measured.get(stem(name))
         found += [line, *([f"    {how}"] if how else [])]
     return found
@@ -28,16 +39,16 @@ def table(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 def consequences(content: dict[str, Any], then: str) -> list[str]:
     """What to do with what was measured; `then` is what to do where nothing changed."""
-    moved = far_moved(content)
+    moved = to_measure(content)
     where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))
     exact = (
-        f"- the same value, but more exactly: write how exactly (`tolerance: {{{where}}}`, see details.txt under "
-        "Dimensions), and diagnose again;"
+        f"- the same value, and you know it better than its tolerance says: write how well (`tolerance: {{{where}}}`, "
+        "see details.txt under Dimensions), and diagnose again;"
     )
     gain = " (a gain as `scale`, see details.txt)" if any(stem(name) == "scale" for name in moved) else ""
     return [
         f"- another value: write it into run.yaml{gain}, and diagnose again: this verdict can change;",
         *([exact] if where else []),
-        f"- the same as before, for all: leave run.yaml as it is, and {then}. Then physics that the library lacks may "
+        f"- the same values, no better known: leave run.yaml as it is, and {then}. Physics that the library lacks may "
         "have moved them; no percentage covers that.",
     ]

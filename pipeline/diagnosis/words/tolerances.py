@@ -43,6 +43,13 @@ def said(content: dict[str, Any], name: str, words: Vocabulary) -> str:
     return f"{own} ({percent(part)})" if unit not in ("", "1") else percent(part)
 
 
+def is_default(content: dict[str, Any], name: str, words: Vocabulary) -> bool:
+    """Whether a tolerance is that which is taken where run.yaml says nothing."""
+    sigma, part = content["evidence"].get("tolerance", {}).get(name), share(content, name, words)
+    usual = words.usual.get(key_of(name))
+    return bool(sigma and usual) and math.isclose(sigma if part is None else part, usual or 0.0, rel_tol=1e-6)
+
+
 def percent(part: float) -> str:
     """A share as run.yaml gives it, in per cent: 3 %, 0.5 %, 1.25 %."""
     return f"{number(100.0 * part, 3)} %"

@@ -59,7 +59,7 @@ def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
         said.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
     elif named and explained > NO_BETTER * calibrated:
         said.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
-    if explained > STILL_MISSING * noise and content["verdict"] != "unknown":
+    if partly(content, words) and content["verdict"] != "unknown":
         said.append(still_missing(content, words, explained / noise, named))
     return [*said, *level.beaten(content, words)]
 
@@ -71,6 +71,12 @@ def harmful(content: dict[str, Any], words: Vocabulary) -> bool:
         return False
     _, calibrated, explained = found
     return explained > max(WORSE * calibrated, calibrated + 0.1 * float(content["fit"][f"noise_floor_{words.ending}"]))
+
+
+def partly(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether unseen strokes are missed by more than the noise."""
+    found = errors(content, words)
+    return found is not None and found[2] > STILL_MISSING * float(content["fit"][f"noise_floor_{words.ending}"])
 
 
 def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, named: bool) -> str:

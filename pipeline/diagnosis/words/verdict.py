@@ -58,6 +58,11 @@ def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
             f"Calibration moved {names} by {_span(moved)} times {their} tolerance; three is the most that it may. "
             f"Until {are} measured again (below), {_what(content)} provisional."
         )
+    if moved and adoption.dimensions_came(content):
+        lines.append(
+            "What was adopted fitted with other dimensions (`adopted` in run.yaml): dimensions take each other's "
+            "place, so these need not be the wrong ones."
+        )
     slow = certainty.slow_alike(content, words)
     if slow:
         others = listing(certainty.slow_others(slow), "or")
