@@ -80,6 +80,16 @@ def test_an_index_that_fails_leaves_the_pages_of_before(reports, tmp_path):
     assert {path.name: path.read_text() for path in (place / "pages").iterdir()} == before
 
 
+def clicked(page, script, place):
+    """The title of a page after a script at its end ran in a browser."""
+    copy = page.with_name("clicked.html")
+    copy.write_text(page.read_text().replace("</body>", script))
+    command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={place / 'home'}"]
+    done = subprocess.run([*command, "--dump-dom", copy.as_uri()], capture_output=True, text=True, timeout=120)
+    copy.unlink()
+    return done.stdout.partition("<title>")[2].partition("</title>")[0]
+
+
 @pytest.mark.skipif(not shutil.which("chromium"), reason="there is no chromium here")
 def test_a_browser_shows_some_rows_sorts_all_of_them_and_shows_one_verdict_alone(reports, tmp_path):
     click = """<script>
@@ -95,10 +105,20 @@ def test_a_browser_shows_some_rows_sorts_all_of_them_and_shows_one_verdict_alone
       said.push(rows().length);
       document.title = said.join("|");
     </script></body>"""
-    page = reports / "clicked.html"
-    page.write_text((reports / "index.html").read_text().replace("</body>", click))
-    home = f"--user-data-dir={tmp_path / 'home'}"
-    command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", home, "--dump-dom", page.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-    title = done.stdout.partition("<title>")[2].partition("</title>")[0]
-    assert title == "15|‹ before 1 to 15 of 60 next › show all|m-2-19|5|true|20", done.stderr[-500:]
+    said = clicked(reports / "index.html", click, tmp_path)
+    assert said == "15|‹ before 1 to 15 of 60 next › show all|m-2-19|5|true|20"
+
+
+@pytest.mark.skipif(not shutil.which("chromium"), reason="there is no chromium here")
+def test_a_click_enlarges_a_figure_and_another_ends_it(reports, tmp_path):
+    click = """<script>
+      const shown = () => document.querySelector("dialog").open, said = [shown()];
+      document.querySelector("a.enlarge img").click();
+      said.push(shown(), document.querySelector("dialog img").getAttribute("src"));
+      said.push(location.href.endsWith("clicked.html"));
+      document.querySelector("dialog img").click();
+      said.push(shown());
+      document.title = said.join("|");
+    </script></body>"""
+    figure = f"../diagnosis/{RUNS[0]}/diagnosis.png"
+    assert clicked(reports / "pages" / f"run-{RUNS[0]}.html", click, tmp_path) == f"false|true|{figure}|true|false"
