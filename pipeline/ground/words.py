@@ -12,18 +12,19 @@ from .files import write_text
 SIGN = "@"  # an argument parser's fromfile_prefix_chars
 
 
-def by_file(words: Iterable[str], folder: Path) -> str:
+def by_file(words: Iterable[str], folder: Path, start: Path | str = "") -> str:
     """Write words, one a line, into a file of a folder, and return the word that stands for all of them.
 
-    Raises ValueError for a word of several lines.
+    `start` is where the command starts, if that is elsewhere: `folder` is meant from there. Raises ValueError for a word
+    of several lines.
     """
     words = list(words)
     text = "".join(f"{word}\n" for word in words)
     if text.splitlines() != words:
         raise ValueError("a word of several lines cannot stand in a file of words")
     path = folder / hashlib.sha256(text.encode()).hexdigest()[:16]
-    if not path.is_file():
-        write_text(path, text)
+    if not Path(start, path).is_file():
+        write_text(Path(start, path), text)
     return f"{SIGN}{path}"
 
 

@@ -133,11 +133,12 @@ JUMPS = expand("processed/{material}/zero_jumps.json", material=MATERIALS)
 
 def words_of_index(wildcards):
     named = [*MATERIALS, "--runs", *DIAGNOSED, "--strings", json.dumps(PLAN.materials)]
-    return by_file([*named, "--left-out", *LEFT_OUT, "--planned", to_json(PLAN.left_out), "--jumps", *JUMPS], WORDS)
+    named += ["--left-out", *LEFT_OUT, "--planned", to_json(PLAN.left_out), "--jumps", *JUMPS]
+    return by_file(named, WORDS, COPY)
 
 
 def words_of_left_out(wildcards):
-    return by_file(["--left-out", *LEFT_OUT, "--planned", to_json(PLAN.refused)], WORDS)
+    return by_file(["--left-out", *LEFT_OUT, "--planned", to_json(PLAN.refused)], WORDS, COPY)
 
 
 rule index:

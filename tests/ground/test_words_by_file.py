@@ -3,6 +3,7 @@
 import argparse
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -20,6 +21,13 @@ def test_a_parser_reads_what_was_written_and_the_same_words_have_the_same_name(t
     assert by_file(["--", *ODD], tmp_path / "words") == stands != by_file(ODD, tmp_path / "words")
     assert spread(["x", stands, "@nowhere"]) == ["x", "--", *ODD, "@nowhere"]
     assert spread([by_file([], tmp_path / "words")]) == []
+
+
+def test_a_command_that_starts_elsewhere_finds_its_words_there(tmp_path, monkeypatch):
+    stands = by_file(ODD, Path("words"), tmp_path / "elsewhere")
+    assert stands.startswith("@words/") and spread([stands]) == [stands]
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert spread([stands]) == ODD
 
 
 def test_a_shell_takes_more_words_than_its_command_may_have(tmp_path):
