@@ -15,8 +15,8 @@ SIGN = "@"  # an argument parser's fromfile_prefix_chars
 def by_file(words: Iterable[str], folder: Path, start: Path | str = "") -> str:
     """Write words, one a line, into a file of a folder, and return the word that stands for all of them.
 
-    `start` is where the command starts, if that is elsewhere: `folder` is meant from there. Raises ValueError for a word
-    of several lines.
+    `start` is where the command starts, if that is elsewhere: `folder` is meant from there. Raises ValueError for a
+    word of several lines.
     """
     words = list(words)
     text = "".join(f"{word}\n" for word in words)
