@@ -2,7 +2,7 @@
 
 import math
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
@@ -76,11 +76,17 @@ def capture_lines(
 
 
 def capture(
-    name: str, folder: Path, baud: int, longest_s: float = math.inf, legs: Sequence[Leg] = ()
+    name: str,
+    folder: Path,
+    baud: int,
+    longest_s: float = math.inf,
+    legs: Sequence[Leg] = (),
+    stopped: Callable[[], bool] = lambda: False,
 ) -> dict[str, Any]:
     """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written.
 
-    With `legs` the rig follows them: it takes them as a whole before START, or the run is not begun.
+    With `legs` the rig follows them: it takes them as a whole before START, or the run is not begun. `stopped` says
+    whether somebody has asked to stop in another way than by Ctrl-C; before START that is a KeyboardInterrupt too.
     """
     asked = Asked()
     check_folder(folder)
@@ -97,12 +103,14 @@ def capture(
                 )
             if legs:
                 load(port, hello, legs, name)
+            if stopped():
+                raise KeyboardInterrupt
             until_committed.enter_context(asked.listening())
             log = Log(folder)
             try:
                 log.append(beginning)
                 began = datetime.now(UTC)
-                outcome = record(port, log, hello, asked, longest_s, beats=bool(legs))
+                outcome = record(port, log, hello, lambda: asked() + stopped(), longest_s, beats=bool(legs))
             except OSError as error:
                 mend = f"make room, then run {command('capture')} --recover {folder}"
                 raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None

@@ -7,10 +7,12 @@ from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
 from ..run.folder import read_run
-from .approve import WAYS
+from .alone import alone
+from .approve import UNATTENDED, WAYS
 from .choose import Budget
 from .limits import EXAMPLE, Allowed
 from .loop import Loop
+from .motor import Motor
 from .step import Place
 
 REPORTS = Path("reports/settle")
@@ -32,35 +34,35 @@ def main() -> int:
     """Exit 0 when it is settled or not approved, 1 after a fault of the rig, 2 on bad input, 130 when stopped."""
     parser = argparse.ArgumentParser(prog=command("settle"), description=__doc__)
     parser.add_argument(
-        "run_dir", metavar="RUN_DIR", type=Path, nargs="+", help="runs of one rig that are there already"
+        "run_dir",
+        metavar="RUN_DIR",
+        type=Path,
+        nargs="+",
+        help="recorded runs of one rig, or one that is not recorded yet",
     )
     parser.add_argument("--port", help="the rig's serial port; without one each run is a sheet for a person")
     parser.add_argument("--baud", type=int, default=1_000_000)
-    parser.add_argument("--approve", choices=WAYS, default="ask", help="auto needs --limits; default: ask")
+    parser.add_argument("--approve", choices=WAYS, default="ask", help="auto and page need --limits; default: ask")
     parser.add_argument("--limits", metavar="YAML", help=f"what no run may go beyond: {EXAMPLE}")
-    parser.add_argument("--runs", type=int, default=3, help="at most so many (3)")
+    parser.add_argument("--runs", type=int, default=3, help="at most so many, but for a first recording (3)")
     parser.add_argument("--minutes", type=float, default=30.0, help="of motion in all, at most (30)")
     parser.add_argument("--strokes", type=int, default=40, help="spent in all, at most (40)")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="the folder in which its steps lie; default: reports/settle/<run>"
     )
     arguments = parser.parse_args()
-    if arguments.approve == "auto" and not arguments.limits:
-        parser.error(f"--approve auto needs --limits, such as {EXAMPLE}: nothing moves without them")
+    if arguments.approve in UNATTENDED and not arguments.limits:
+        parser.error(f"--approve {arguments.approve} needs --limits, such as {EXAMPLE}: nothing moves without them")
     if arguments.runs < 1 or not arguments.minutes > 0 or arguments.strokes < 1:
         parser.error("--runs, --minutes and --strokes must be above 0")
     runs = looked_at(arguments.run_dir)
-    loop = Loop(
-        runs,
-        Place(folder_to_write(arguments.out or REPORTS / runs[0].name)),
-        arguments.port,
-        arguments.baud,
-        arguments.approve,
-        Allowed.read(arguments.limits or "{}"),
-        Budget(arguments.runs, arguments.minutes, arguments.strokes),
-    )
+    allowed = Allowed.read(arguments.limits or "{}")
+    place = Place(folder_to_write(arguments.out or REPORTS / runs[0].name))
+    motor = Motor(arguments.port, arguments.baud, allowed, arguments.approve in UNATTENDED)
+    loop = Loop(runs, place, motor, arguments.approve, Budget(arguments.runs, arguments.minutes, arguments.strokes))
     try:
-        return loop.go()
+        with alone(place.out):
+            return loop.go()
     except KeyboardInterrupt:
         print("stopped: nothing moves; started again it goes on from here")
         return 130

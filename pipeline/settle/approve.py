@@ -2,26 +2,34 @@
 
 import sys
 
+from ..ground.command import command
 from ..ground.errors import BadInput
+from .answers import Answers
 from .step import Place, Step
 
-WAYS = ("ask", "auto")
+WAYS = ("ask", "auto", "page")
+UNATTENDED = ("auto", "page")  # nobody need stand at the terminal, so nothing moves without limits
 
 
 def told(step: Step, place: Place) -> str:
     """A proposed run in two lines."""
+    if not step.legs:
+        return f"step {step.number}: proposed: {step.proposal['title']}"
     figure = place.folder(step.number) / "proposed.png"
     gaps = "" if "gap_then" not in step.proposal else f", expected gap {step.proposal['gap_then']:.3g}"
     size = f"{step.seconds:.0f} s, {step.strokes} stroke{'s' * (step.strokes != 1)}{gaps}"
     return f"step {step.number}: proposed: {step.proposal['title']} ({size})\n  drawn before it is made: {figure}"
 
 
-def approved(step: Step, way: str) -> Step | None:
+def approved(step: Step, way: str, answers: Answers) -> Step | None:
     """The step, approved, or None where the person says no; raises BadInput where nobody can be asked."""
     if way == "auto":
         return step.at("approved", approved_by="--approve auto, within --limits")
+    if way == "page":
+        print(f"  waiting for somebody to approve it on the page of {command('watch')}", flush=True)
+        return step.at("approved", approved_by="a person, on the page") if answers.approved(step.number) else None
     if sys.stdin is None or not sys.stdin.isatty():
-        mend = "start it in a terminal, or give --approve auto with --limits"
+        mend = "start it in a terminal, or give --approve auto or page with --limits"
         raise BadInput("--approve", "ask", "there is no terminal in which to ask; nothing was moved", mend)
     answer = input("Make this run? The motor moves at once. Type yes, or anything else to leave it: ")
     return step.at("approved", approved_by="a person, asked") if answer.strip().lower() == "yes" else None

@@ -8,7 +8,7 @@ from typing import Any
 from ..capture.motion import as_legs
 from ..wire.motion import Leg, Limits
 from .limits import beyond
-from .step import Step
+from .step import Step, without_curves
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
@@ -27,7 +27,7 @@ def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
 
 @dataclass(frozen=True)
 class Budget:
-    """What may be spent in all."""
+    """What may be spent in all; a first recording is not counted among the runs."""
 
     runs: int
     minutes: float
@@ -35,9 +35,11 @@ class Budget:
 
     def left(self, steps: Sequence[Step]) -> "Budget":
         """What is left after so many steps."""
-        spent = [step for step in steps if step.number and step.state in ("recorded", "diagnosed")]
+        spent = [step for step in steps if step.state in ("recorded", "diagnosed")]
         seconds, strokes = sum(step.seconds for step in spent), sum(step.strokes for step in spent)
-        return Budget(self.runs - len(spent), self.minutes - seconds / 60.0, self.strokes - strokes)
+        return Budget(
+            self.runs - sum(step.number > 0 for step in spent), self.minutes - seconds / 60.0, self.strokes - strokes
+        )
 
     def lacks(self, step: Step) -> str | None:
         """What of a run is not left, in words."""
@@ -84,8 +86,7 @@ def chosen(
             {"seconds": leg.seconds, "motor_turns": leg.turns} | ({} if leg.load_n is None else {"load_n": leg.load_n})
             for leg in legs
         ]
-        proposal = {key: value for key, value in entry.items() if key != "curves"} | {"legs": plain}
-        step = Step(number, "proposed", proposal=proposal)
+        step = Step(number, "proposed", proposal=without_curves(entry) | {"legs": plain})
         why = beyond(legs, limits) or left.lacks(step)
         if why is None:
             return step, "; ".join(refused)

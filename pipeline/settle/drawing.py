@@ -17,7 +17,10 @@ SMOOTH_S = 0.25  # over which a recording is averaged before the small differenc
 
 
 def draw(entry: dict[str, Any], path: Path, title: str, came: Path | None = None) -> None:
-    """Draw a proposed run, and over it the run folder that came, as PNG and PDF; `path` goes without an ending."""
+    """Draw a proposed run, and over it the run folder that came, as PNG and PDF; `path` goes without an ending.
+
+    Where no explanations tie yet the simulator is drawn alone.
+    """
     curves = entry["curves"]
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title, fontsize=10)
@@ -25,7 +28,8 @@ def draw(entry: dict[str, Any], path: Path, title: str, came: Path | None = None
     time_s, base_mm = np.array(curves["time_s"]), np.array(curves["calibrated"])
     motion.plot(time_s, curves["motor_turns"], "0.4", lw=1.2)
     motion.set_ylabel("motor (turns)")
-    for number, (name, curve) in enumerate(curves["rivals"].items()):
+    alone = {} if curves["rivals"] else {"the simulator of run.yaml": base_mm}
+    for number, (name, curve) in enumerate((curves["rivals"] or alone).items()):
         colour = COLOURS[number % len(COLOURS)]
         reading.plot(time_s, curve, color=colour, lw=1.2)
         apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5, label=name)

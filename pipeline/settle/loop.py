@@ -1,45 +1,51 @@
 """The loop itself: each turn takes the last step one state further, so that it goes on wherever it was killed."""
 
-import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..capture.motion import as_legs
 from ..diagnose import diagnose
 from ..ground.errors import BadInput
 from ..ground.files import write_text
-from ..wire.motion import Limits
+from ..run.folder import read_run
 from . import move
+from .answers import Answers
 from .approve import approved, told
 from .choose import Budget, chosen, firm
 from .drawing import draw
-from .limits import Allowed, beyond
+from .ending import settled
+from .first import first_run
+from .limits import beyond
+from .motor import Motor
 from .sheet import sheet
-from .step import Place, Step
+from .step import Place, Step, without_curves
 
 DONE, FAULT, STOPPED = 0, 1, 130
 
 
 @dataclass(frozen=True)
 class Loop:
-    """What the loop was asked for; `port` is None where a person moves the rig."""
+    """What the loop was asked for; the folder of its steps, and what may move and be spent."""
 
     runs: list[Path]
     place: Place
-    port: str | None
-    baud: int
+    motor: Motor
     way: str
-    allowed: Allowed
     budget: Budget
+    answers: Answers = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "answers", Answers(self.place.out))
 
     def go(self) -> int:
         """Go on until it is settled; an exit status."""
+        self.answers.begin()
         steps = self.place.steps() or [self._begun()]
         before = steps[0].proposal.get("runs")
         if before != [str(run) for run in self.runs]:
             mend = "name another --out, or the runs with which it was begun"
             raise BadInput(self.place.out, "step-0", f"is of {' and '.join(before or [])}", mend)
-        while True:
+        while not self.answers.stopped():
             step = steps[-1]
             if step.state == "recorded":
                 steps[-1] = self._diagnosed(steps)
@@ -51,19 +57,35 @@ class Loop:
             elif step.state == "proposed":
                 if self._too_far(steps):
                     steps.pop()
+                    steps = steps or [self._begun()]
                     continue
                 found = self._approved(step)
-                if found is None:
+                if found is not None:
+                    steps[-1] = found
+                elif not self.answers.stopped():
                     print(f"step {step.number}: not approved: nothing was moved; started again it asks again")
                     return DONE
-                steps[-1] = found
             else:
                 steps[-1], status = self._recorded(step)
                 if status:
                     return status
+        print("stopped by somebody at the page: nothing moves; started again it goes on from here", flush=True)
+        return STOPPED
 
     def _begun(self) -> Step:
-        step = Step(0, "recorded", proposal={"runs": [str(run) for run in self.runs]})
+        """Step 0: the runs that are there, or a first recording that is proposed."""
+        runs = {"runs": [str(run) for run in self.runs]}
+        if len(self.runs) > 1 or move.begun(self.runs[0]):
+            return self.place.write(Step(0, "recorded", proposal=runs))
+        run_dir = self.runs[0]
+        entry = first_run(read_run(run_dir), self.motor.limits(), self.budget)
+        return self._written(Step(0, "proposed", str(run_dir), without_curves(entry) | runs), entry)
+
+    def _written(self, step: Step, entry: dict) -> Step:
+        """A proposed step with its run, drawn before it is made."""
+        self.place.write_run(step.number, entry)
+        if "curves" in entry:
+            self._draw(step)
         return self.place.write(step)
 
     def _all_runs(self, steps: list[Step]) -> list[Path]:
@@ -72,20 +94,23 @@ class Loop:
     def _diagnosed(self, steps: list[Step]) -> Step:
         """All runs so far in one diagnosis, and what came drawn over what was foretold."""
         step, folders = steps[-1], self._all_runs(steps)
+        if step.number == 0 and not step.used:
+            mend = "make another run's folder with new_run, and start settle with that one"
+            raise BadInput(step.run_dir or "", "first recording", f"is too short to be used ({step.ended})", mend)
         out = self.place.folder(step.number)
+        if step.legs and step.used:
+            self._draw(step, Path(step.run_dir or ""))
         diagnose(folders, out, together=len(folders) > 1, rivals=True)
         verdict = self.place.diagnosis(step.number)["verdict"]
-        if step.number and step.used:
-            self._draw(step, Path(step.run_dir or ""))
         print(
             f"step {step.number}: the verdict of {len(folders)} run{'s' * (len(folders) > 1)} is {verdict}", flush=True
         )
         return self.place.write(step.at("diagnosed", verdict=verdict))
 
     def _draw(self, step: Step, came: Path | None = None) -> None:
-        entry = next(one for one in self.place.next_runs(step.number - 1) if one["title"] == step.proposal["title"])
         path = self.place.folder(step.number) / ("came" if came else "proposed")
-        draw(entry, path, f"{step.proposal['title']}: what each explanation foretells", came)
+        foretells = "each explanation foretells" if step.number else "the simulator foretells"
+        draw(self.place.proposed_run(step.number), path, f"{step.proposal['title']}: what {foretells}", came)
 
     def _proposed(self, steps: list[Step]) -> Step | None:
         """The next run, drawn before it is made; None, and settled.json, where there is none."""
@@ -96,7 +121,7 @@ class Loop:
             self._settled(steps, "verdict", f"the verdict is {last.verdict}")
             return None
         left = self.budget.left(steps)
-        step, why = chosen(options, last.number + 1, self._limits(), left)
+        step, why = chosen(options, last.number + 1, self.motor.limits(), left)
         if step is None and last.verdict == "explained":
             self._settled(steps, "verdict", f"the verdict is explained; no other run confirms it: {why}")
             return None
@@ -108,34 +133,20 @@ class Loop:
         if why:
             print(f"step {step.number}: passed over: {why}")
         step = step.at("proposed", run_dir=str(move.free_dir(self.runs[0])))
-        self._draw(step)
-        return self.place.write(step)
+        return self._written(step, next(one for one in options if one["title"] == step.proposal["title"]))
 
     def _settled(self, steps: list[Step], why: str, sentence: str) -> None:
-        found, left = self.place.diagnosis(steps[-1].number), self.budget.left(steps)
-        spent = {"runs": self.budget.runs - left.runs, "strokes": self.budget.strokes - left.strokes}
-        content = {
-            "why": why,
-            "sentence": sentence,
-            "verdict": found["verdict"],
-            "mechanisms": [entry["id"] for entry in found["mechanisms"]],
-            "alternatives": found["alternatives"],
-            "runs": [str(run) for run in self._all_runs(steps)],
-            "spent": {**spent, "minutes": round(self.budget.minutes - left.minutes, 3)},
-        }
-        write_text(self.place.out / "settled.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-        named = f": {' + '.join(content['mechanisms'])}" if content["mechanisms"] else ""
-        print(f"settled: {sentence}{named if why == 'verdict' else ''}", flush=True)
+        settled(self.place, steps, self._all_runs(steps), self.budget, why, sentence)
 
     def _too_far(self, steps: list[Step]) -> bool:
         """Whether a run that was proposed earlier is beyond what is allowed now."""
         step, left = steps[-1], self.budget.left(steps[:-1])
-        return (beyond(as_legs(step.legs), self._limits()) or left.lacks(step)) is not None
+        return (beyond(as_legs(step.legs), self.motor.limits()) or left.lacks(step)) is not None
 
     def _approved(self, step: Step) -> Step | None:
         print(told(step, self.place), flush=True)
-        if self._rig() is not None:
-            found = approved(step, self.way)
+        if self.motor.takes() is not None:
+            found = approved(step, self.way, self.answers)
         else:
             found = step.at("approved", approved_by="the person who makes it")
         return self.place.write(found) if found else None
@@ -144,43 +155,26 @@ class Loop:
         """The run is made; the step, and an exit status where the loop is to end here."""
         folder = Path(step.run_dir or "")
         move.describe(folder, self.runs[-1])
-        if move.begun(folder) and self.port:
-            if not move.mended(folder):  # it was approved, and nothing moved
-                return self.place.write(step.at("approved", run_dir=str(move.free_dir(self.runs[0])))), DONE
-            return self.place.write(move.came(step)[0]), DONE
-        rig = self._rig()
-        if rig is not None:
-            self._move(step, rig)
+        if move.begun(folder) and self.motor.port:
+            if move.mended(folder):
+                return self.place.write(move.came(step)[0]), DONE
+            if step.number == 0:
+                mend = "remove that empty file and start again"
+                raise BadInput(folder, "recording.frames", "is empty: nothing was recorded", mend)
+            # it was approved, and nothing moved
+            return self.place.write(step.at("approved", run_dir=str(move.free_dir(self.runs[0])))), DONE
+        if self.motor.takes() is not None:
+            self.motor.follow(step, self.place, self.answers.stopped)
         else:
-            why = "the rig's HELLO declares no limits of a program" if self.port else "no --port was given"
+            why = "the rig's HELLO declares no limits of a program" if self.motor.port else "no --port was given"
             text = sheet(step, self.runs[-1], why)
             write_text(self.place.folder(step.number) / "sheet.txt", text)
             print(text, flush=True)
-            move.wait_for(folder)
+            if not move.wait_for(folder, self.answers.stopped):
+                return step, DONE
         found, by_person = move.came(step)
         self.place.write(found)
         if found.ended is None:
             return found, DONE
         print(f"step {step.number}: {folder}: {found.ended}; what came is kept. Started again it goes on from here")
         return found, STOPPED if by_person else FAULT
-
-    def _move(self, step: Step, rig: Limits) -> None:
-        """Make an approved run; raises BadInput where the limits of now forbid it."""
-        why = beyond(as_legs(step.legs), self.allowed.within(rig))
-        if why is not None:
-            mend = (
-                f"widen --limits if that is safe, or remove {self.place.folder(step.number)} to have another proposed"
-            )
-            raise BadInput(step.run_dir or "", "approved run", why, mend)
-        move.record(step, self.port or "", self.baud)
-
-    def _rig(self) -> Limits | None:
-        """What the rig takes of a program now; None where a person moves it. Raises BadInput for lack of limits."""
-        found = move.limits_of(self.port, self.baud) if self.port else None
-        if found is not None and self.way == "auto":
-            self.allowed.check_unattended(found)
-        return found
-
-    def _limits(self) -> Limits | None:
-        rig = self._rig()
-        return self.allowed.within(rig) if rig else None

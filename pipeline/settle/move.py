@@ -1,31 +1,20 @@
-"""A run is made: its folder, then the rig moves and is recorded by the capture program's own code."""
+"""The folder of a run that is made: named, described, waited for, and what came into it."""
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from ..capture.commit import recover
-from ..capture.handshake import greet
 from ..capture.log import NAME, in_use
-from ..capture.motion import as_legs
-from ..capture.port import Port
-from ..capture.session import capture
 from ..capture.stream import PERSON
 from ..new_run import make_run
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
 from ..run.like import as_in, with_given
-from ..wire.motion import Limits
 from .step import Step
 
-LONGER, AND_S = 2.0, 60.0  # than its legs take: then a recording is ended
 LEAST_SAMPLES = 200  # of a recording that was cut short, to be of use
 LOOKS_S = 0.5
-
-
-def limits_of(port: str, baud: int) -> Limits | None:
-    """What the rig at a port takes of a program now; None where it takes none. Raises BadInput for no rig."""
-    with Port(port, baud) as there:
-        return greet(there, port, baud)[0].program
 
 
 def free_dir(first: Path) -> Path:
@@ -61,15 +50,13 @@ def mended(folder: Path) -> bool:
     return True
 
 
-def record(step: Step, port: str, baud: int) -> None:
-    """Move the rig and record it. Raises BadInput."""
-    capture(port, Path(step.run_dir or ""), baud, LONGER * step.seconds + AND_S, as_legs(step.legs))
-
-
-def wait_for(folder: Path) -> None:
-    """Wait until a person has recorded a run."""
+def wait_for(folder: Path, stopped: Callable[[], bool]) -> bool:
+    """Wait until a person has recorded a run; False where somebody said stop before."""
     while not begun(folder) or unfinished(folder):
+        if stopped():
+            return False
         time.sleep(LOOKS_S)
+    return True
 
 
 def came(step: Step) -> tuple[Step, bool]:

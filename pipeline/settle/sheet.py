@@ -10,7 +10,8 @@ from .step import Step
 def sheet(step: Step, like: Path, why: str) -> str:
     """What to do, leg by leg, and how to record it; `why` says why the rig is not moved by this program."""
     folder = Path(step.run_dir or "")
-    lines = [f"Run {folder.name}: {step.proposal['title']}", f"By hand, since {why}.", "", "What the motor does:"]
+    lines = [f"Run {folder.name}: {step.proposal['title']}", f"By hand, since {why}.", ""]
+    lines += ["What the motor does:"] if step.legs else []
     at, hangs = step.proposal.get("from", 0.0), None
     for number, leg in enumerate(step.legs, 1):
         to, load = leg["motor_turns"], leg.get("load_n")
@@ -20,7 +21,7 @@ def sheet(step: Step, like: Path, why: str) -> str:
         at, hangs = to, load if load is not None else hangs
     record = f"{command('capture')} PORT {shlex.quote(str(folder))}"
     lines += [
-        "",
+        *([""] if step.legs else []),
         f"Record all of it as one run: {record} (add --text where the rig prints lines of numbers),",
         f"or put recording.csv into {folder}; its run.yaml is there, and says the string of {like}.",
         "When the recording is there, this program goes on by itself.",

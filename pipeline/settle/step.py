@@ -9,14 +9,14 @@ from ..ground.errors import BadInput
 from ..ground.files import write_text
 
 STATES = ("proposed", "approved", "recorded", "diagnosed")
-NAME = "state.json"
+NAME, PROPOSED = "state.json", "proposed.json"
 
 
 @dataclass(frozen=True)
 class Step:
-    """A step: step 0 is the diagnosis of what was there; each further one is a run that was proposed.
+    """A step: step 0 is what was there, or the first recording; each further one is a run that was proposed.
 
-    `run_dir` is the folder of the run, `proposal` its entry in `next_runs.json` without curves; `ended` says how its
+    `run_dir` is the folder of the run, `proposal` what `proposed.json` has of it without curves; `ended` says how its
     recording ended where that was not by itself.
     """
 
@@ -52,6 +52,11 @@ class Step:
         return sum(to > at for at, to in zip(before, ways, strict=False))
 
 
+def without_curves(entry: dict[str, Any]) -> dict[str, Any]:
+    """A run that could be made, without what is foretold of it."""
+    return {key: value for key, value in entry.items() if key != "curves"}
+
+
 @dataclass(frozen=True)
 class Place:
     """The folder in which the steps of one loop lie."""
@@ -79,6 +84,15 @@ class Place:
                 mend = "restore it, or name another --out to begin anew"
                 raise BadInput(path, "state", f"cannot be read ({error})", mend) from None
             found.append(step)
+        return found
+
+    def write_run(self, number: int, entry: dict[str, Any]) -> None:
+        """Write the run that a step proposes, with what is foretold of it."""
+        write_text(self.folder(number) / PROPOSED, json.dumps(entry, ensure_ascii=False) + "\n")
+
+    def proposed_run(self, number: int) -> dict[str, Any]:
+        """The run that a step proposes, with what is foretold of it."""
+        found: dict[str, Any] = json.loads((self.folder(number) / PROPOSED).read_text(encoding="utf-8"))
         return found
 
     def diagnosis(self, number: int) -> dict[str, Any]:

@@ -45,16 +45,21 @@ def program(place: Path, module: str, *words: object) -> subprocess.Popen:
 def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:
     """The same program at its end, with what it said."""
     process = program(place, module, *words)
-    said = process.communicate(timeout=120)[0]
+    said = process.communicate(timeout=400)[0]
     return subprocess.CompletedProcess(process.args, process.returncode, said)
+
+
+def described(place: Path) -> None:
+    """The folder of the poor run, without a recording."""
+    sizes = [word for name, value in SIZES.items() for word in (f"--{name}", value)]
+    made = ended(place, "new_run", "poor-1", "--material", "example", *sizes, "--string-id", "poor-1", "--out", "raw")
+    assert made.returncode == 0, made.stdout
 
 
 def begun(place: Path) -> str:
     """Record the poor run, and ask for the loop without a terminal; what was said."""
     set_up(place)
-    sizes = [word for name, value in SIZES.items() for word in (f"--{name}", value)]
-    made = ended(place, "new_run", "poor-1", "--material", "example", *sizes, "--string-id", "poor-1", "--out", "raw")
-    assert made.returncode == 0, made.stdout
+    described(place)
     with rig(place, "--pace", "inf") as port:
         made = ended(place, "capture", port, "raw/poor-1")
         assert made.returncode == 0, made.stdout

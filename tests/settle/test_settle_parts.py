@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.ground.errors import BadInput
+from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
 from pipeline.settle.choose import Budget, chosen, firm, reachable
 from pipeline.settle.drawing import simulated_mm, zero_mm
@@ -89,10 +90,10 @@ def test_the_way_to_where_a_run_begins_is_slow_enough_for_the_rig():
 @pytest.mark.parametrize(
     ("answer", "moves"), [("yes", True), (" YES ", True), ("y", False), ("", False), ("no", False)]
 )
-def test_a_person_is_asked_and_only_yes_is_yes(answer, moves, monkeypatch):
+def test_a_person_is_asked_and_only_yes_is_yes(answer, moves, monkeypatch, tmp_path):
     monkeypatch.setattr(sys.stdin, "isatty", lambda: True, raising=False)
     monkeypatch.setattr("builtins.input", lambda _: answer)
-    step = approved(Step(1, "proposed"), "ask")
+    step = approved(Step(1, "proposed"), "ask", Answers(tmp_path))
     assert (step is not None) == moves and (step is None or step.state == "approved")
 
 

@@ -1,0 +1,70 @@
+"""What a person says elsewhere than in the terminal, as files of the loop's folder: approve a run, or stop everything.
+
+An approval names the question that the loop asks at that moment: one of an earlier question, or of an earlier start of
+the program, moves nothing.
+"""
+
+import json
+import secrets
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from ..ground.files import write_text
+
+QUESTION, APPROVED, STOP = "question.json", "approved.json", "stop"
+LOOKS_S = 0.1
+
+
+class Answers:
+    """The files in the folder of one loop."""
+
+    def __init__(self, out: Path) -> None:
+        self.out = out
+
+    def begin(self) -> None:
+        """Forget what was said to an earlier start of the loop."""
+        for name in (STOP, QUESTION, APPROVED):
+            (self.out / name).unlink(missing_ok=True)
+
+    def stopped(self) -> bool:
+        """Whether somebody has said stop."""
+        return (self.out / STOP).exists()
+
+    def approved(self, number: int) -> bool:
+        """Ask whether a step's run is to be made, and wait; False where somebody says stop."""
+        question = {"step": number, "question": secrets.token_hex(16)}
+        write_text(self.out / QUESTION, json.dumps(question) + "\n")
+        try:
+            while not self.stopped():
+                if _read(self.out / APPROVED) == question:
+                    return True
+                time.sleep(LOOKS_S)
+            return False
+        finally:
+            for name in (QUESTION, APPROVED):
+                (self.out / name).unlink(missing_ok=True)
+
+    def question(self) -> dict[str, object] | None:
+        """What the loop asks now, or None: the step's number and a text that no other question has."""
+        return _read(self.out / QUESTION)
+
+    def approve(self, question: str) -> bool:
+        """Say yes; False where this is not what the loop asks now."""
+        asked = self.question()
+        if asked is None or asked["question"] != question:
+            return False
+        write_text(self.out / APPROVED, json.dumps(asked) + "\n")
+        return True
+
+    def stop(self) -> None:
+        """Say stop: the motor first, then the loop."""
+        write_text(self.out / STOP, "somebody said stop\n")
+
+
+def _read(path: Path) -> dict[str, object] | None:
+    with suppress(OSError, ValueError, RecursionError):
+        found = json.loads(path.read_text(encoding="utf-8"))
+        if isinstance(found, dict) and isinstance(found.get("question"), str) and isinstance(found.get("step"), int):
+            return found
+    return None

@@ -1,0 +1,53 @@
+"""The rig at a port and what a person allows of it: what it takes of a program now, and a program that it follows."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..capture.handshake import greet
+from ..capture.motion import as_legs
+from ..capture.port import Port
+from ..capture.session import capture
+from ..ground.errors import BadInput
+from ..wire.motion import Limits
+from .limits import Allowed, beyond
+from .step import Place, Step
+
+LONGER, AND_S = 2.0, 60.0  # than its legs take: then a recording is ended
+
+
+@dataclass(frozen=True)
+class Motor:
+    """`port` is None where a person moves the rig; with `all_limits` nothing moves before every limit is given."""
+
+    port: str | None
+    baud: int
+    allowed: Allowed
+    all_limits: bool
+
+    def takes(self) -> Limits | None:
+        """What the rig takes of a program now; None where it takes none. Raises BadInput for no rig, or lack of limits.
+
+        It asks the device each time: where the motor stands is in its answer.
+        """
+        if not self.port:
+            return None
+        with Port(self.port, self.baud) as there:
+            found = greet(there, self.port, self.baud)[0].program
+        if found is not None and self.all_limits:
+            self.allowed.check_unattended(found)
+        return found
+
+    def limits(self) -> Limits | None:
+        """What rig and person both allow."""
+        rig = self.takes()
+        return self.allowed.within(rig) if rig else None
+
+    def follow(self, step: Step, place: Place, stopped: Callable[[], bool]) -> None:
+        """Make an approved run and record it; raises BadInput where the limits of now forbid it."""
+        why = beyond(as_legs(step.legs), self.limits())
+        if why is not None:
+            mend = f"widen --limits if that is safe, or remove {place.folder(step.number)} to have another proposed"
+            raise BadInput(step.run_dir or "", "approved run", why, mend)
+        longest_s = LONGER * step.seconds + AND_S
+        capture(self.port or "", Path(step.run_dir or ""), self.baud, longest_s, as_legs(step.legs), stopped)
