@@ -16,7 +16,7 @@ import yaml
 from firmware.builds import FIRMWARE, SMALL, for_the_uno, for_this_computer, running, simulator
 
 from pipeline.ground import schemas
-from pipeline.wire import Decoder, Event, Kind, Reason, Recording, encode, read_recording
+from pipeline.wire import Decoder, Event, Frame, Kind, Reason, Recording, encode, read_recording
 from pipeline.wire.frames import END, EVENT
 
 FLASH_BYTES = 32 * 1024 - 512  # the boot loader takes the rest
@@ -162,6 +162,8 @@ class Talk:
     def __init__(self, port: str) -> None:
         self.end = os.open(port, os.O_RDWR | os.O_NOCTTY)
         self.decoder = Decoder()
+        self.came: list[Frame] = []
+        self.passed: list[Frame] = []
 
     def say(self, data: bytes) -> None:
         os.write(self.end, data)
@@ -173,6 +175,19 @@ class Talk:
             if select.select([self.end], [], [], left_s)[0]:
                 found += [one.raw for one in self.decoder.feed(os.read(self.end, 4096))]
         return found
+
+    def until(self, kind: int, within_s: float = 120.0) -> list[Frame]:
+        """Frames up to the first of a kind; a simulated board may be far slower than life."""
+        until_s = time.monotonic() + within_s
+        while time.monotonic() < until_s:
+            while self.came:
+                self.passed.append(self.came.pop(0))
+                if self.passed[-1].kind == kind:
+                    found, self.passed = self.passed, []
+                    return found
+            if select.select([self.end], [], [], 0.1)[0]:
+                self.came += [one.frame for one in self.decoder.feed(os.read(self.end, 4096))]
+        raise AssertionError(f"no frame of kind {kind:#x} came")
 
 
 def kinds(frames: list[bytes]) -> list[int]:

@@ -1,26 +1,43 @@
-"""Programs of motion on the reference firmware, compiled for this computer, over a pseudo-terminal."""
+"""Programs of motion on the reference firmware, for this computer and on an Arduino Uno in simavr."""
 
 import json
+import struct
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
 import pytest
-from firmware.builds import for_this_computer, running
+from firmware.builds import SMALL, for_the_uno, for_this_computer, running, simulator
 from firmware.test_firmware import Talk
 
 from pipeline.wire import Decoder, Event, Hello, Kind, Reason, encode, read_recording
-from pipeline.wire.frames import END
+from pipeline.wire.frames import END, EVENT
 from pipeline.wire.motion import PROGRAM, TAKEN, Answer, Leg, cruise, packed, refusal
 
 GOOD = [Leg(1.0, 0.0), Leg(2.0, 4.0), Leg(0.5, 4.0), Leg(4.0, 1.0), Leg(1.0, 2.5), Leg(2.0, 0.0)]
 
 
-@pytest.fixture(scope="module")
-def board(tmp_path_factory) -> Path:
-    return for_this_computer(tmp_path_factory.mktemp("firmware") / "board")
+COUNTS_PER_TURN, SAMPLE = 4096, struct.Struct("<IiiH")
+
+
+@pytest.fixture(scope="module", params=["here", "uno"])
+def board(request, tmp_path_factory) -> tuple[Path, ...]:
+    """The command that runs a board."""
+    place = tmp_path_factory.mktemp("firmware")
+    if request.param == "here":
+        return (for_this_computer(place / "board"),)
+    return simulator(place / "uno"), for_the_uno(place / "rig.elf", *SMALL)
+
+
+@contextmanager
+def talk(board: tuple[Path, ...], **settings: object) -> Iterator[Talk]:
+    """A host at a board that runs at about the pace of life."""
+    with running(*board, **({"PACE": 1} | settings)) as port:
+        yield Talk(port)
 
 
 def asked(host: Talk, legs: list[Leg], crc: int | None = None, leave_out: int | None = None) -> tuple[int, ...]:
@@ -29,21 +46,37 @@ def asked(host: Talk, legs: list[Leg], crc: int | None = None, leave_out: int | 
     for number, payload in enumerate(payloads):
         if number != leave_out:
             host.say(encode(Kind.LEG, number, payload))
+            time.sleep(0.002)
     host.say(encode(Kind.PROGRAM, 9, PROGRAM.pack(len(legs), ours if crc is None else crc)))
-    frames = [one.frame for one in Decoder().feed(b"".join(host.hear(0.4)))]
-    (taken,) = [frame for frame in frames if frame.kind == Kind.TAKEN]
-    return TAKEN.unpack(taken.payload)
+    return TAKEN.unpack(host.until(Kind.TAKEN)[-1].payload)
 
 
 def greeted(host: Talk) -> Hello:
     host.say(encode(Kind.GREET, 0))
-    frames = [one.frame for one in Decoder().feed(b"".join(host.hear(0.4)))]
-    return Hello.unpack([frame for frame in frames if frame.kind == Kind.HELLO][-1].payload)
+    return Hello.unpack(host.until(Kind.HELLO)[-1].payload)
+
+
+def begun(host: Talk, legs: list[Leg]) -> None:
+    """Hand a program over and start it."""
+    host.until(Kind.HELLO)  # of the boot
+    greeted(host)
+    assert asked(host, legs)[2] == Answer.TAKEN
+    host.say(encode(Kind.START, 1))
+
+
+def ended(host: Talk, reason: Reason) -> float:
+    """Where the motor stands after END has come and been acknowledged; it stands there still when asked again."""
+    last = host.until(Kind.END)[-1]
+    assert END.unpack(last.payload)[1] == reason
+    host.say(encode(Kind.ACK, last.seq))
+    at_turns = greeted(host).program.at_turns
+    time.sleep(0.3)
+    assert greeted(host).program.at_turns == at_turns
+    return at_turns
 
 
 def test_it_declares_its_limits_and_refuses_what_is_beyond_them_as_the_host_does(board):
-    with running(board, PACE=4) as port:
-        host = Talk(port)
+    with talk(board, PACE=2) as host:
         limits = greeted(host).program
         assert limits is not None and limits.turns == (0.0, 5.0) and limits.at_turns == 0 and limits.load_n is None
         assert (limits.turns_per_s, limits.legs, limits.silence_s) == (4.0, 48, 1.5)
@@ -70,9 +103,9 @@ def test_it_declares_its_limits_and_refuses_what_is_beyond_them_as_the_host_does
 def test_it_follows_a_program_leg_by_leg(board, tmp_path):
     program = tmp_path / "program.json"
     program.write_text(json.dumps([{"seconds": leg.seconds, "motor_turns": leg.turns} for leg in GOOD]))
-    with running(board, PACE=4) as port:
+    with running(*board, PACE=1) as port:  # silence of the host is counted in the board's time
         words = [sys.executable, "-m", "pipeline.capture", port, str(tmp_path / "pc-1"), "--program", str(program)]
-        done = subprocess.run(words, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(words, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
     recording = read_recording((tmp_path / "pc-1" / "recording.frames").read_bytes())
     assert recording.account.end.reason == Reason.COMPLETE and recording.account.lost == 0
@@ -87,20 +120,45 @@ def test_it_follows_a_program_leg_by_leg(board, tmp_path):
 
 
 def test_it_stops_when_the_host_goes_silent_and_says_where(board):
-    with running(board, PACE=1) as port:
-        host = Talk(port)
-        greeted(host)
-        assert asked(host, [Leg(10.0, 5.0)])[2] == Answer.TAKEN
-        host.say(encode(Kind.START, 1))
-        until_s = time.monotonic() + 2.0
-        frames = []
-        while time.monotonic() < until_s:
+    with talk(board) as host:
+        begun(host, [Leg(10.0, 5.0)])
+        for _ in range(8):
             host.say(encode(Kind.BEAT, 2))
-            frames += host.hear(0.2)
-        assert not [one for one in Decoder().feed(b"".join(frames)) if one.frame.kind == Kind.END]
-        heard = Decoder().feed(b"".join(host.hear(2.0)))
-        end = next(one.frame for one in heard if one.frame.kind == Kind.END)
-        assert END.unpack(end.payload)[1] == Reason.SILENCE
-        at_turns = greeted(host).program.at_turns
-        assert 1.0 < at_turns < 2.5
-        assert greeted(host).program.at_turns == at_turns  # it stands
+            assert not [one for one in Decoder().feed(b"".join(host.hear(0.25))) if one.frame.kind == Kind.END]
+        assert 0.1 < ended(host, Reason.SILENCE) < 2.5
+
+
+def test_stop_stops_it_at_once_and_the_next_program_begins_where_it_stands(board):
+    with talk(board) as host:
+        begun(host, [Leg(10.0, 5.0)])
+        counts = 0
+        while counts < 0.5 * COUNTS_PER_TURN:
+            counts = SAMPLE.unpack(host.until(Kind.SAMPLE)[-1].payload)[1]
+            host.say(encode(Kind.BEAT, 2))
+        host.say(encode(Kind.STOP, 2))
+        stands = ended(host, Reason.STOPPED)
+        assert 0.5 <= stands < 2.0
+        assert asked(host, [Leg(1.0, stands + 3.2)])[2:] == (Answer.SPEED, 1)
+        assert asked(host, [Leg(1.0, stands + 2.8)])[2] == Answer.TAKEN, "from 0 turns it were too far"
+
+
+def test_a_stall_stops_a_program_as_a_fault(board):
+    with talk(board, STALL_TURNS=1.0) as host:
+        begun(host, [Leg(2.0, 4.0), Leg(2.0, 0.0)])
+        told = [EVENT.unpack(one.payload)[1:] for one in host.until(Kind.END) if one.kind == Kind.EVENT]
+        assert told == [(Event.STROKE_START, 1), (Event.FAULT, 1)]
+        host.say(encode(Kind.GREET, 0))
+        assert 1.2 < Hello.unpack(host.until(Kind.HELLO)[-1].payload).program.at_turns < 1.6
+
+
+def test_half_a_program_moves_nothing(board):
+    with talk(board) as host:
+        host.until(Kind.HELLO)
+        greeted(host)
+        payloads, _ = packed([Leg(2.0, 4.0), Leg(2.0, 0.0)])
+        host.say(encode(Kind.LEG, 0, payloads[0]))
+        host.say(encode(Kind.BEAT, 2))
+        host.hear(0.5)
+        assert greeted(host).program.at_turns == 0.0
+        assert asked(host, [Leg(2.0, 4.0), Leg(2.0, 0.0)], leave_out=0)[2] == Answer.BROKEN
+        assert greeted(host).program.at_turns == 0.0
