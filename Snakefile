@@ -29,6 +29,7 @@ TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
+PAGES += ["croissant.json"]
 STAGES = "marks record ingest strokes dataset train floor evaluate leak report diagnose proof real campaign known said"
 
 # Jobs end with this Snakemake, and say at once what they say. How many threads one has is the package's own rule.

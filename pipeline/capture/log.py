@@ -4,6 +4,7 @@ import os
 import shutil
 import time
 from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -82,6 +83,8 @@ class Log:
             fcntl.flock(self._file, fcntl.LOCK_EX)
         sync_folder(folder)
         self._synced_s = time.monotonic()
+        self._beside = ThreadPoolExecutor(max_workers=1)
+        self._syncing: Future[None] | None = None
 
     def _withdraw_beside_another(self, name: str) -> None:
         """Two recordings in one folder are none: the later one, which is empty still, goes."""
@@ -93,15 +96,25 @@ class Log:
             raise
 
     def append(self, data: bytes) -> None:
-        """Write bytes through to the kernel, and every second to the disk."""
+        """Write bytes through to the kernel, and every second begin to put them on the disk.
+
+        That goes on beside: a disk that is slow for a while keeps no rig waiting, and a rig that hears nothing stops.
+        """
         while data:
             data = data[os.write(self._file, data) :]
-        if time.monotonic() - self._synced_s >= SYNC_S:
-            self.sync()
+        if time.monotonic() - self._synced_s >= SYNC_S and (self._syncing is None or self._syncing.done()):
+            self._check()
+            self._syncing, self._synced_s = self._beside.submit(_to_disk, self._file), time.monotonic()
+
+    def _check(self) -> None:
+        """Wait until nothing is put on the disk any more; raises OSError where it could not be."""
+        if self._syncing is not None:
+            self._syncing.result()
 
     def sync(self) -> None:
         """Put everything written so far on the disk."""
-        getattr(os, "fdatasync", os.fsync)(self._file)
+        self._check()
+        _to_disk(self._file)
         self._synced_s = time.monotonic()
 
     @property
@@ -111,7 +124,12 @@ class Log:
 
     def close(self) -> None:
         """Release it."""
+        self._beside.shutdown()
         os.close(self._file)
+
+
+def _to_disk(file: int) -> None:
+    getattr(os, "fdatasync", os.fsync)(file)
 
 
 def in_use(path: Path) -> bool:

@@ -75,8 +75,6 @@ def serve(end: int, device: Device, pace: float = math.inf) -> bool:
                 return False
         else:
             ended_s = None
-        if device.silence_s is not None and now_s - told_s > device.silence_s:
-            device.alone()
         writers = [end] if pending else []
         waits = math.isinf(pace) and device.silence_s is None
         patience_s = REPEAT_END_S if device.waiting else None if waits else 0.02
@@ -86,6 +84,8 @@ def serve(end: int, device: Device, pace: float = math.inf) -> bool:
             device.hear(os.read(end, 4096))
             if device.recording and not before:
                 started_s = time.monotonic()
+        elif device.silence_s is not None and time.monotonic() - told_s > device.silence_s:
+            device.alone()  # only where nothing waits to be read: this program may have been slow itself
         if writable:
             pending = pending[os.write(end, pending) :]
         if not (readable or writable) and device.waiting and not pending:

@@ -81,6 +81,22 @@ rule models:
         " --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
 
 
+rule croissant:
+    input:
+        "processed/{material}/dataset.parquet",
+    output:
+        "reports/{material}/croissant.json",
+    log:
+        "processed/logs/croissant-{material}.log",
+    params:
+        made_by=mark_of_material,
+        code=fingerprint("pipeline.report.croissant"),
+    message:
+        "describe the dataset of {wildcards.material} for other programs"
+    shell:
+        "exec python -m pipeline.report.croissant {input:q} --made-by {params.made_by:q} --out {output:q} > {log:q} 2>&1"
+
+
 rule figures:
     input:
         dataset="processed/{material}/dataset.parquet",

@@ -1,26 +1,56 @@
-"""Show RUN_DIR on a page of this machine while it is recorded; only reads files. Ctrl-C ends it."""
+"""Show RUN_DIR on a page of this machine while it is recorded; approve or stop what settles its tie. Ctrl-C ends it."""
 
 import argparse
 import secrets
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from .jobs import Jobs
 from .recording import Followed
-from .server import LOCAL, Server
+from .server import LOCAL, Page, Server
+from .settling import Settling
 from .snapshot import snapshot
 
 EVERY_S = 0.5
 
 
-def follow(followed: Followed, server: Server) -> None:
+class Buttons:
+    """What the two buttons do: files that the loop reads, written one after the other."""
+
+    def __init__(self, settling: Settling) -> None:
+        self._settling, self._lock = settling, threading.Lock()
+
+    def __call__(self, button: str, given: dict[str, Any]) -> str | None:
+        """Press one; why it did nothing, or None."""
+        with self._lock:
+            told = self._settling.told(self._settling.step())
+            if told is None or not told["at_work"]:
+                return "no loop is at work"
+            if button == "stop":
+                self._settling.answers.stop()
+                return None
+            question = given.get("question")
+            if isinstance(question, str) and question == told["question"] and self._settling.answers.approve(question):
+                return None
+            return "this is not what is asked now: look again"
+
+
+def follow(run_dir: Path, settling: Settling, page: Page) -> None:
     """Read what is new and lay it out for all clients, twice a second; a file that cannot be read is tried again."""
+    followed, jobs = Followed(run_dir), Jobs(page.reports.parent)
     while True:
         try:
+            step = settling.step()
+            now = settling.run_dir(step)
+            if now != followed.folder:
+                followed = Followed(now)
             followed.poll()
-            server.data = snapshot(followed, server.reports)
+            jobs.poll()
+            page.data = snapshot(followed, page.reports, {"loop": settling.told(step), "jobs": jobs.told()})
         except OSError:  # removed or replaced between two looks
             pass
         time.sleep(EVERY_S)
@@ -31,30 +61,31 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(prog=command("watch"), description=__doc__)
     parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="raw/<run>, which may be recorded later")
-    parser.add_argument("--host", default="127.0.0.1", help="any but 127.0.0.1 needs the token that is printed")
+    parser.add_argument("--host", default="127.0.0.1", help="from any but 127.0.0.1 reading needs the token too")
     parser.add_argument("--port", type=int, default=8770, help="0: any that is free")
     parser.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR", help="served for reading")
+    settle = f"the --out of {command('settle')}; default: settle/<run> below --reports"
+    parser.add_argument("--settle", type=Path, metavar="DIR", help=settle)
     arguments = parser.parse_args()
-    folder: Path = arguments.run_dir
+    folder: Path = arguments.run_dir.resolve()
     if not (folder / "run.yaml").is_file():
-        raise BadInput(folder, "run.yaml", "is missing", f"make the run's folder with {command('new_run')}")
+        raise BadInput(arguments.run_dir, "run.yaml", "is missing", f"make the run's folder with {command('new_run')}")
     if not 0 <= arguments.port <= 65535:
         parser.error("--port must be from 0 to 65535")
-    token = None if arguments.host in LOCAL else secrets.token_urlsafe(24)
+    settling = Settling((arguments.settle or arguments.reports / "settle" / folder.name).resolve(), folder)
+    token = secrets.token_urlsafe(24)
+    page = Page(arguments.reports, token, arguments.host in LOCAL, Buttons(settling))
     try:
-        server = Server((arguments.host, arguments.port), arguments.reports, token)
+        server = Server(arguments.host.strip("[]"), arguments.port, page)
     except OSError as error:
         mend = "choose another --port, or end the program that has it"
         raise BadInput("arguments", "--host, --port", f"cannot be served at ({error.strerror})", mend) from None
-    threading.Thread(target=follow, args=(Followed(folder.resolve()), server), daemon=True).start()
-    query = f"/?token={token}" if token else "/"
-    print(f"http://{arguments.host}:{server.server_address[1]}{query}", flush=True)
+    threading.Thread(target=follow, args=(folder, settling, page), daemon=True).start()
+    print(f"http://{arguments.host}:{server.port}/?token={token}", flush=True)
     try:
-        server.serve_forever()
-    except KeyboardInterrupt:
-        pass
+        server.run()
     finally:
-        server.server_close()
+        server.close()
 
 
 if __name__ == "__main__":

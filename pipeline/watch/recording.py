@@ -14,6 +14,7 @@ from ..ground.kinematics import Array
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
 from .envelope import Envelope
+from .noise import Noise
 from .nominal import Nominal
 from .source import Frames, Printed, Source
 
@@ -21,6 +22,7 @@ PIECE = 1 << 20  # bytes that are read at once
 BUDGET_S = 0.4  # a long recording is caught up with in steps of this
 WHOLE, STROKE = 1200, 600  # parts that are kept of all, and of a stroke
 KEPT = 3  # strokes
+READING = "displacement_mm"
 CUT_S = 20.0  # what counts as a stroke where nothing tells of strokes
 
 
@@ -41,6 +43,7 @@ class Followed:
         self.strokes: deque[Envelope] = deque(maxlen=KEPT)
         self._cut_s, self._told = 0.0, False
         self._nominal: Nominal | None = None
+        self._noise = Noise()
         self._new_s: float | None = None
 
     def poll(self) -> None:
@@ -81,6 +84,8 @@ class Followed:
                 self._nominal.at(rows)
         self.samples, self.last = self.samples + len(rows), rows[-1]
         self.whole.add(rows)
+        if READING in self.source.columns:
+            self._noise.add(rows[:, 1 + self.source.columns.index(READING)])
         self._told |= bool(piece.strokes)
         begins = piece.strokes
         if not self._told and rows[-1, 0] - self._cut_s > CUT_S:
@@ -95,6 +100,11 @@ class Followed:
             self.strokes.append(Envelope(rows.shape[1], STROKE))
             at = begin
         self.strokes[-1].add(rows[at:])
+
+    @property
+    def noise_mm(self) -> float | None:
+        """The noise of a single reading of the displacement, or None before there is any."""
+        return self._noise.sigma
 
     def run(self) -> Run | None:
         """What run.yaml says, or None where it is missing or cannot be read."""

@@ -1,16 +1,20 @@
-"""The page over HTTP: four fixed addresses and the files of reports/, for reading alone."""
+"""The page over HTTP: a few fixed addresses, the files of reports/ for reading, and two buttons that need the token."""
 
+import contextlib
 import hmac
+import json
+import logging
 import mimetypes
 import os
-import threading
-from http.cookies import CookieError, SimpleCookie
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from collections.abc import Callable
 from pathlib import Path
-from urllib.parse import parse_qs, unquote, urlsplit
+from typing import Any
+
+import bottle
+from waitress.server import create_server
 
 PAGE = Path(__file__).parent / "page"
-OWN = {"/": "watch.html", "/watch.css": "watch.css", "/watch.js": "watch.js"}
+OWN = {"": "watch.html", "watch.css": "watch.css", "watch.js": "watch.js", "plot.js": "plot.js"}
 OWN_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -20,105 +24,117 @@ REPORT_POLICY = (  # reports bring their own style; nothing of theirs runs, and 
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
-CLIENTS = 16  # at once; the next ones are closed
-PIECE = 1 << 16
+TOKEN = "X-Watch-Token"  # a header that no other page can send, as no answer here allows it
+LIMITS = {  # of clients that are slow, many or hostile
+    "threads": 8,
+    "connection_limit": 64,
+    "channel_timeout": 10,
+    "cleanup_interval": 2,
+    "max_request_header_size": 16_384,
+    "max_request_body_size": 4096,
+}
+Say = Callable[[str, dict[str, Any]], str | None]  # a button and what came with it; why not, or None
 
 
-class Server(ThreadingHTTPServer):
-    """Serves `data` as it is at the time; with a token nothing is served without it."""
+class Page:
+    """What is served: `data` as it is at the time, `reports/`, and what the buttons do.
 
-    daemon_threads = True
+    Reading needs the token unless `local`; a button always needs it, in a header and from this page alone.
+    """
 
-    def __init__(self, address: tuple[str, int], reports: Path, token: str | None) -> None:
-        self.reports, self.token, self.data = reports.resolve(), token, b"{}"
-        self._room = threading.BoundedSemaphore(CLIENTS)
-        super().__init__(address, Handler)
-        self.cookie = f"twistbench_watch_{self.server_address[1]}"  # a browser keeps cookies by host, not by port
+    def __init__(self, reports: Path, token: str, local: bool, say: Say) -> None:
+        self.reports, self.token, self.local, self.say = reports.resolve(), token, local, say
+        self.data, self.cookie = b"{}", "twistbench_watch"
+        self.app = bottle.Bottle()
+        self.app.route("/<name:path>", "GET", self._read)
+        self.app.route("/", "GET", self._read)
+        self.app.route("/<button:re:approve|stop>", "POST", self._press)
+        self.app.default_error_handler = lambda error: error.status_line + "\n"
 
-    def process_request(self, request, client_address) -> None:  # type: ignore[no-untyped-def]
-        """Answer in a thread of its own, or not at all when there are too many."""
-        if self._room.acquire(blocking=False):
-            super().process_request(request, client_address)
-        else:
-            self.shutdown_request(request)
+    def _read(self, name: str = "") -> bottle.HTTPResponse:
+        if not self._may_read():
+            return self._answer(403, b"not allowed: open the address that was printed, with its token\n")
+        if name == "data.json":
+            return self._answer(200, self.data, "application/json")
+        if name in OWN:
+            return self._answer(200, (PAGE / OWN[name]).read_bytes(), mimetypes.guess_type(OWN[name])[0])
+        if name.startswith("reports/"):
+            return self._report(name.removeprefix("reports/"))
+        return self._answer(404, b"there is nothing here\n")
 
-    def process_request_thread(self, request, client_address) -> None:  # type: ignore[no-untyped-def]
-        """Answer, and make room for the next."""
-        try:
-            super().process_request_thread(request, client_address)
-        finally:
-            self._room.release()
+    def _press(self, button: str) -> bottle.HTTPResponse:
+        request, host = bottle.request, bottle.request.get_header("Host", "")
+        mine = request.get_header("Origin", f"http://{host}") == f"http://{host}"
+        known = self.same(request.get_header(TOKEN, ""))
+        if not (mine and known and self._named() and request.content_type.startswith("application/json")):
+            return self._answer(403, b"not allowed: open the address that was printed, with its token\n")
+        with contextlib.suppress(ValueError, RecursionError):
+            given = json.loads(request.body.read(LIMITS["max_request_body_size"]))
+            if isinstance(given, dict):
+                why = self.say(button, given)
+                return self._answer(200 if why is None else 409, f"{why or 'done'}\n".encode())
+        return self._answer(400, b"send one object of JSON\n")
 
-    def handle_error(self, request, client_address) -> None:  # type: ignore[no-untyped-def]
-        """A client that went away in the middle is no matter."""
+    def same(self, given: str) -> bool:
+        """Whether this is the token."""
+        return hmac.compare_digest(given.encode(), self.token.encode())
 
+    def _named(self) -> bool:
+        """Whether the page was asked for by a name of this machine; a name of elsewhere may lead here too."""
+        host = bottle.request.get_header("Host", "")
+        return not self.local or (host.rpartition(":")[0] if not host.endswith("]") and ":" in host else host) in LOCAL
 
-class Handler(BaseHTTPRequestHandler):
-    """One request."""
+    def _may_read(self) -> bool:
+        if self.local:
+            return self._named()
+        return self.same(bottle.request.query.get("token", "")) or self.same(bottle.request.get_cookie(self.cookie, ""))
 
-    server: Server
-    timeout = 10
-    server_version, sys_version = "twistbench", ""
-
-    def do_GET(self) -> None:
-        """Answer."""
-        parts = urlsplit(self.path)
-        if not self._allowed(parts.query):
-            self._send(403, b"not allowed: open the address that was printed, with its token\n")
-        elif parts.path == "/data.json":
-            self._send(200, self.server.data, "application/json")
-        elif parts.path in OWN:
-            name = OWN[parts.path]
-            self._send(200, (PAGE / name).read_bytes(), mimetypes.guess_type(name)[0] or "text/plain")
-        elif parts.path.startswith("/reports/"):
-            self._report(unquote(parts.path.removeprefix("/reports/")))
-        else:
-            self._send(404, b"there is nothing here\n")
-
-    def _allowed(self, query: str) -> bool:
-        token = self.server.token
-        if token is None:  # a name of elsewhere that leads here is not this machine's page
-            host = self.headers.get("Host", "")
-            return (host.rpartition(":")[0] if not host.endswith("]") and ":" in host else host) in LOCAL
-        try:
-            cookie = SimpleCookie(self.headers.get("Cookie", "")).get(self.server.cookie)
-        except CookieError:
-            cookie = None
-        given = [*parse_qs(query).get("token", []), *([cookie.value] if cookie else [])]
-        return any(hmac.compare_digest(one.encode(), token.encode()) for one in given)
-
-    def _report(self, name: str) -> None:
-        """Send a file below reports/; what leads out of it, or begins with a dot, is not there."""
-        asked = self.server.reports / name
-        path = Path(os.path.realpath(asked)) if "\0" not in name else self.server.reports
-        inside = path.is_relative_to(self.server.reports) and not any(one.startswith(".") for one in name.split("/"))
+    def _report(self, name: str) -> bottle.HTTPResponse:
+        """A file below reports/; what leads out of it, or begins with a dot, is not there."""
+        path = Path(os.path.realpath(self.reports / name)) if "\0" not in name else self.reports
+        inside = path.is_relative_to(self.reports) and not any(one.startswith(".") for one in name.split("/"))
         if not inside or not path.is_file():
-            self._send(404, b"there is no such report\n")
-            return
-        kind = mimetypes.guess_type(path.name)[0] or "text/plain"
-        with open(path, "rb") as file:
-            self._head(200, kind, os.fstat(file.fileno()).st_size, REPORT_POLICY)
-            while piece := file.read(PIECE):
-                self.wfile.write(piece)
+            return self._answer(404, b"there is no such report\n")
+        found = bottle.static_file(path.name, str(path.parent))
+        for key, value in self._headers(REPORT_POLICY).items():
+            found.set_header(key, value)
+        return found
 
-    def _send(self, status: int, body: bytes, kind: str = "text/plain") -> None:
-        self._head(status, kind, len(body), OWN_POLICY)
-        self.wfile.write(body)
+    def _headers(self, policy: str) -> dict[str, str]:
+        return {
+            "Content-Security-Policy": policy,
+            "X-Content-Type-Options": "nosniff",
+            "Referrer-Policy": "no-referrer",
+            "Cache-Control": "no-store",
+        }
 
-    def _head(self, status: int, kind: str, size: int, policy: str) -> None:
-        self.send_response(status)
-        text = kind.startswith("text/") or kind in ("application/json", "image/svg+xml")
-        self.send_header("Content-Type", f"{kind}; charset=utf-8" if text else kind)
-        self.send_header("Content-Length", str(size))
-        self.send_header("Content-Security-Policy", policy)
-        self.send_header("X-Content-Type-Options", "nosniff")
-        self.send_header("Referrer-Policy", "no-referrer")
-        self.send_header("Cache-Control", "no-store")
-        if self.server.token and status == 200:
-            self.send_header(
-                "Set-Cookie", f"{self.server.cookie}={self.server.token}; HttpOnly; SameSite=Strict; Path=/"
-            )
-        self.end_headers()
+    def _answer(self, status: int, body: bytes, kind: str | None = None) -> bottle.HTTPResponse:
+        kind = kind or "text/plain"
+        text = kind.startswith("text/") or kind == "application/json"
+        found = bottle.HTTPResponse(body, status, self._headers(OWN_POLICY))
+        found.content_type = f"{kind}; charset=utf-8" if text else kind
+        if status == 200 and not self.local:
+            found.set_cookie(self.cookie, self.token, httponly=True, samesite="strict", path="/")
+        return found
 
-    def log_message(self, format: str, *values: object) -> None:
-        """Say nothing: a token would stand in it."""
+
+class Server:
+    """A page at an address of this machine; raises OSError where it cannot be served there."""
+
+    def __init__(self, host: str, port: int, page: Page) -> None:
+        logging.getLogger("waitress").setLevel(logging.CRITICAL)  # a client that went away in the middle is no matter
+        try:
+            self._server = create_server(page.app, host=host, port=port, ident=None, **LIMITS)
+        except ValueError as error:
+            raise OSError(0, str(error)) from None
+        listening = getattr(self._server, "effective_listen", None)
+        self.port = int(listening[0][1]) if listening else int(self._server.effective_port)
+        page.cookie = f"twistbench_watch_{self.port}"  # a browser keeps cookies by host, not by port
+
+    def run(self) -> None:
+        """Serve until Ctrl-C."""
+        self._server.run()
+
+    def close(self) -> None:
+        """Let the address go."""
+        self._server.close()

@@ -27,11 +27,19 @@ def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> dict[str, 
     }
 
 
-def snapshot(followed: Followed, reports: Path) -> bytes:
-    """All that the page shows, as JSON; never more than a few hundred kB, however long the recording is."""
+def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = None) -> bytes:
+    """All that the page shows, as JSON; never more than a few hundred kB, however long the recording is.
+
+    `beside`: what is shown of other things than the recording.
+    """
     columns, whole = followed.source.columns, followed.whole
     run = followed.run()
-    content: dict[str, Any] = {**followed.state(), "run": followed.folder.name, "columns": list(columns)}
+    content: dict[str, Any] = {
+        **(beside or {}),
+        **followed.state(),
+        "run": followed.folder.name,
+        "columns": list(columns),
+    }
     content["string"] = run.string_id if run else None
     content["material"] = run.string.material if run and run.string else None
     content["last"] = numbers(followed.last)
@@ -42,6 +50,7 @@ def snapshot(followed: Followed, reports: Path) -> bytes:
             low, high = numbers(whole.low[:, at]), numbers(whole.high[:, at])
             content["channels"].append({"name": name, "low": low, "high": high})
     content["loops"] = []
+    content["noise_mm"] = followed.noise_mm
     if {"motor_turns", "displacement_mm"} <= {*columns}:
         turns, mm = 1 + columns.index("motor_turns"), 1 + columns.index("displacement_mm")
         content["loops"] = [_loop(followed, part, turns, mm) for part in followed.strokes if len(part.first)]

@@ -1,5 +1,7 @@
 "use strict";
-const EVERY_MS = 500, STALE_S = 3;
+const EVERY_MS = 500, STALE_S = 3, BAND = 2; // sigma
+const COLOURS = ["#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b"];
+const KEY = "watch-token";
 const at = (id) => document.getElementById(id);
 
 function show(id, text) { at(id).textContent = text; }
@@ -31,57 +33,14 @@ function facts(d) {
     ...(d.replaced ? [fact("recording replaced", `${d.replaced} times`, "replaced")] : []));
 }
 
-function ticks(low, high) {
-  const raw = (high - low) / 5 || 1, ten = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((one) => one * ten).find((one) => one >= raw);
-  const found = [];
-  for (let one = Math.ceil(low / step) * step; one <= high + step * 1e-6; one += step) found.push(one);
-  return { found, digits: Math.max(0, -Math.floor(Math.log10(step))) };
-}
-
-function range(lists) {
-  let low = Infinity, high = -Infinity;
-  for (const list of lists) for (const one of list) if (one !== null) { low = Math.min(low, one); high = Math.max(high, one); }
-  if (low > high) return [0, 1];
-  const room = (high - low) * 0.04 || Math.abs(low) * 0.01 || 1;
-  return [low - room, high + room];
-}
-
-function axes(canvas, xs, ys, xLabel, yLabel) {
-  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
-  canvas.width = width * ratio; canvas.height = height * ratio;
-  const pen = canvas.getContext("2d");
-  pen.scale(ratio, ratio);
-  const [x0, x1] = range(xs), [y0, y1] = range(ys), left = 64, right = width - 8, top = 8, bottom = height - 36;
-  const x = (value) => left + (value - x0) / (x1 - x0) * (right - left), y = (value) => bottom - (value - y0) / (y1 - y0) * (bottom - top);
-  pen.font = "12px system-ui, sans-serif"; pen.fillStyle = "#444"; pen.strokeStyle = "#e4e4ea"; pen.textAlign = "center";
-  const across = ticks(x0, x1), up = ticks(y0, y1);
-  for (const one of across.found) { pen.beginPath(); pen.moveTo(x(one), top); pen.lineTo(x(one), bottom); pen.stroke(); pen.fillText(one.toFixed(across.digits), x(one), bottom + 14); }
-  pen.textAlign = "right";
-  for (const one of up.found) { pen.beginPath(); pen.moveTo(left, y(one)); pen.lineTo(right, y(one)); pen.stroke(); pen.fillText(one.toFixed(up.digits), left - 6, y(one) + 4); }
-  pen.textAlign = "center"; pen.fillText(xLabel, (left + right) / 2, height - 6);
-  pen.save(); pen.translate(12, (top + bottom) / 2); pen.rotate(-Math.PI / 2); pen.fillText(yLabel, 0, 0); pen.restore();
-  return { pen, x, y };
-}
-
-function band(plot, xs, low, high, colour, alpha) {
-  const { pen, x, y } = plot;
-  pen.globalAlpha = alpha; pen.strokeStyle = colour; pen.lineWidth = 1.4; pen.beginPath();
-  xs.forEach((one, k) => { if (one === null || low[k] === null) return; pen.lineTo(x(one), y(low[k])); pen.lineTo(x(one), y(high[k])); });
-  pen.stroke(); pen.globalAlpha = 1;
-}
-
-function label(name) {
-  const units = { motor_turns: "twist (turns)", displacement_mm: "displacement (mm)", load_n: "load (N)", temperature_c: "temperature (°C)", motor_current_a: "current (A)" };
-  return units[name] || name;
-}
-
 function draw(d) {
   const loops = d.loops;
   const plot = axes(at("loop"), loops.map((one) => one.motor_turns), loops.flatMap((one) => [one.low_mm, one.high_mm, one.simulated_mm]), "twist (turns)", "displacement (mm)");
   loops.forEach((one, k) => {
     band(plot, one.motor_turns, one.low_mm, one.high_mm, "#2166ac", 0.25 + 0.75 * (k + 1) / loops.length);
-    band(plot, one.motor_turns.slice(0, one.simulated_mm.length), one.simulated_mm, one.simulated_mm, "#d6604d", 0.8);
+    const turns = one.motor_turns.slice(0, one.simulated_mm.length);
+    if (d.noise_mm) strip(plot, turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
+    band(plot, turns, one.simulated_mm, one.simulated_mm, "#d6604d", 0.8);
   });
   const box = at("channels");
   while (box.children.length > d.channels.length) box.lastChild.remove();
@@ -107,6 +66,76 @@ function verdicts(d) {
   }));
 }
 
+function takeToken() {
+  const given = new URLSearchParams(location.search).get("token");
+  if (given) { sessionStorage.setItem(KEY, given); history.replaceState(null, "", "/"); }
+  return sessionStorage.getItem(KEY);
+}
+const token = takeToken();
+
+async function press(button) {
+  const body = JSON.stringify(button === "approve" ? { question: asked } : {});
+  const head = { "Content-Type": "application/json", "X-Watch-Token": token };
+  try {
+    const answer = await fetch("/" + button, { method: "POST", headers: head, body, signal: AbortSignal.timeout(5000) });
+    show("said", answer.ok ? (button === "stop" ? "Stop was said." : "Approved.") : await answer.text());
+  } catch (error) { show("said", `no answer (${error.message}); it may not have been heard`); }
+  at("clear").checked = false;
+}
+
+let asked = null;
+const STATES = { proposed: "proposed", approved: "is made now", recorded: "is being diagnosed", diagnosed: "diagnosed" };
+function loop(d) {
+  const l = d.loop;
+  at("loop-part").hidden = !l;
+  if (!l) return;
+  if (l.question !== asked) { asked = l.question; at("clear").checked = false; show("said", ""); }
+  const size = l.seconds ? ` (${Math.round(l.seconds)} s, ${l.strokes} stroke${l.strokes === 1 ? "" : "s"})` : "";
+  show("step", `Step ${l.step}: ${l.title || "the runs that were there"}${size}`);
+  const what = l.stopping ? "stopping" : l.question ? "waits for approval" : STATES[l.state];
+  show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
+  for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
+  at("approve").disabled = !token || !at("clear").checked;
+  at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
+  at("no-token").hidden = Boolean(token) || !l.at_work;
+  foretold(l.foretold, d);
+}
+
+function foretold(f, d) {
+  at("foretold-part").hidden = !f;
+  if (!f) return;
+  const rivals = Object.entries(f.rivals), since = (list) => list.map((one) => one === null ? null : one - list[0]);
+  at("rivals").replaceChildren(...rivals.map(([name], k) => {
+    const one = document.createElement("span");
+    one.textContent = name; one.style.color = COLOURS[k % COLOURS.length];
+    return one;
+  }));
+  const came = d.samples && d.loop.state !== "proposed" && d.channels.find((one) => one.name === "displacement_mm");
+  const low = came ? since(came.low) : [], times = [f.time_s, came ? d.time_s : []];
+  const whole = axes(at("foretold"), times, [...rivals.map((one) => one[1]), low], rivals.length < 2 ? "time (s)" : "", "displacement (mm)");
+  rivals.forEach(([, curve], k) => band(whole, f.time_s, curve, curve, COLOURS[k % COLOURS.length], 1));
+  if (came) band(whole, d.time_s, low, low, "#222", 1);
+  at("apart").hidden = rivals.length < 2;
+  if (rivals.length < 2) return;
+  const apart = rivals.map(([, curve]) => curve.map((one, k) => one - f.calibrated[k]));
+  const small = axes(at("apart"), [f.time_s], apart, "time (s)", "apart (mm)");
+  apart.forEach((curve, k) => band(small, f.time_s, curve, curve, COLOURS[k % COLOURS.length], 1));
+}
+
+function jobs(d) {
+  const j = d.jobs;
+  at("jobs-part").hidden = !j;
+  if (!j) return;
+  show("jobs", `${j.done} of ${j.total} done${j.ended ? ", ended" : ""}; ${j.failures} failed`);
+  at("jobs").className = j.failures ? "bad" : "";
+  const rows = [...j.failed.map((one) => ["failed", one]), ...j.running.map((one) => ["running", one])];
+  at("job-list").replaceChildren(...rows.map((cells) => {
+    const row = document.createElement("tr");
+    row.append(...cells.map((text) => { const cell = document.createElement("td"); cell.textContent = text; return cell; }));
+    return row;
+  }));
+}
+
 async function look() {
   try {
     const answer = await fetch("/data.json", { cache: "no-store", signal: AbortSignal.timeout(5000) });
@@ -115,7 +144,7 @@ async function look() {
     if (d.run !== undefined) {
       document.title = d.run; show("run", d.run);
       show("about", [d.material, d.string && `string ${d.string}`, d.device].filter(Boolean).join(" · "));
-      facts(d); draw(d); verdicts(d);
+      facts(d); loop(d); draw(d); jobs(d); verdicts(d);
       const link = at("link"); link.className = ""; link.textContent = "live";
     }
   } catch (error) {
@@ -123,4 +152,7 @@ async function look() {
   }
   setTimeout(look, EVERY_MS);
 }
+at("approve").addEventListener("click", () => press("approve"));
+at("stop").addEventListener("click", () => press("stop"));
+at("clear").addEventListener("change", () => { at("approve").disabled = !token || !at("clear").checked; });
 look();

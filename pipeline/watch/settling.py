@@ -1,0 +1,69 @@
+"""The loop that settles this run's tie, as its folder tells of it: the step, what it proposes, and what it asks."""
+
+from pathlib import Path
+from typing import Any
+
+from ..ground.errors import BadInput
+from ..run.description import RUN_NAME
+from ..settle.alone import at_work
+from ..settle.answers import Answers
+from ..settle.ending import NAME as SETTLED
+from ..settle.step import Place, Step
+
+SHOWN = ("proposed", "approved", "recorded")  # while what is foretold is of interest
+RIVALS = 6
+
+
+class Settling:
+    """The folder of one loop, read anew at each look."""
+
+    def __init__(self, out: Path, run_dir: Path) -> None:
+        self.place, self.answers, self._first = Place(out), Answers(out), run_dir
+
+    def step(self) -> Step | None:
+        """The last step; None where there is no loop, or its state cannot be read."""
+        try:
+            steps = self.place.steps()
+        except (BadInput, OSError):
+            return None
+        return steps[-1] if steps else None
+
+    def run_dir(self, step: Step | None) -> Path:
+        """The folder that is recorded now: the one of the last step's run, which lies beside the first run."""
+        name = Path(step.run_dir).name if step and step.run_dir else ""
+        there = self._first.parent / name
+        return there if RUN_NAME.fullmatch(name) and (there / "run.yaml").is_file() else self._first
+
+    def told(self, step: Step | None) -> dict[str, Any] | None:
+        """What the page is told, or None where there is no loop."""
+        if step is None:
+            return None
+        question = self.answers.question()  # before the proposal: of one that was replaced since nothing is approved
+        working = at_work(self.place.out)
+        return {
+            "at_work": working,
+            "stopping": working and self.answers.stopped(),
+            "settled": (self.place.out / SETTLED).is_file(),
+            "step": step.number,
+            "state": step.state,
+            "title": str(step.proposal.get("title", "")),
+            "seconds": step.seconds,
+            "strokes": step.strokes,
+            "verdict": step.verdict,
+            "approved_by": step.approved_by,
+            "question": question["question"] if working and question and question["step"] == step.number else None,
+            "foretold": self._foretold(step) if step.state in SHOWN else None,
+        }
+
+    def _foretold(self, step: Step) -> dict[str, Any] | None:
+        try:
+            curves = self.place.proposed_run(step.number)["curves"]
+            rivals = curves["rivals"] or {"the simulator of run.yaml": curves["calibrated"]}
+            return {
+                "time_s": curves["time_s"],
+                "motor_turns": curves["motor_turns"],
+                "calibrated": curves["calibrated"],
+                "rivals": dict([*rivals.items()][:RIVALS]),
+            }
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+            return None

@@ -1,0 +1,169 @@
+"""The page's two buttons, on the real programs: a loop on a synthetic rig, the page, and a real browser."""
+
+import http.client
+import json
+import time
+from pathlib import Path
+
+import pytest
+from settle.settle_bench import LIMITS, described, program, rig, set_up, started, state, until
+from watch.browser import CHROMIUM, browser
+from watch.test_watch import told, watched
+
+from pipeline.settle.answers import Answers
+from pipeline.wire import Reason, read_recording
+
+FRAMES = "recording.frames"
+
+
+@pytest.fixture
+def place(tmp_path) -> Path:
+    set_up(tmp_path)
+    described(tmp_path)
+    return tmp_path
+
+
+def page(place: Path, *options: object):
+    """The page of the run that the loop in `out` settles."""
+    return watched(place / "raw" / "poor-1", "--settle", place / "out", *options)
+
+
+def press(port: int, button: str, token: str, body: object = None, **headers: str) -> int:
+    """Press a button as a client says; the status of the answer."""
+    text = body if isinstance(body, bytes) else json.dumps({} if body is None else body).encode()
+    head = {"Content-Type": "application/json", "X-Watch-Token": token} | headers
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=20)
+    try:
+        connection.request("POST", f"/{button}", text, {name.replace("_", "-"): one for name, one in head.items()})
+        return connection.getresponse().status
+    finally:
+        connection.close()
+
+
+def token_of(printed: str) -> str:
+    return printed.partition("?token=")[2]
+
+
+def waits(place: Path, *words: object):
+    """A loop that is started and asks the page."""
+    fixed = ["raw/poor-1", "--port", "port", "--out", "out", "--approve", "page", "--limits", LIMITS]
+    one = program(place, "settle", *fixed, *words)
+    until(one, place / "out" / "question.json")
+    return one
+
+
+def test_a_button_needs_the_token_and_this_page_and_what_is_asked_now(place):
+    with rig(place, "--pace", "inf"), page(place) as (port, printed):
+        token = token_of(printed)
+        assert press(port, "stop", token) == 409, "no loop is at work"
+        one = waits(place)
+        asked = told(port, lambda found: found["loop"] and found["loop"]["question"])["loop"]["question"]
+        yes = {"question": asked}
+        foreign = {"Origin": "http://127.0.0.1:9"}
+        for status, told_it in (
+            (403, press(port, "approve", "", yes)),
+            (403, press(port, "approve", token + "x", yes)),
+            (403, press(port, "approve", token, yes, **foreign)),
+            (403, press(port, "approve", token, yes, Host="elsewhere.example")),
+            (403, press(port, "approve", token, yes, Content_Type="text/plain")),
+            (403, press(port, "approve", "", yes, Cookie=f"twistbench_watch_{port}={token}")),
+            (409, press(port, "approve", token, {"question": "of another run"})),
+            (409, press(port, "approve", token, {"question": ["a"]})),
+            (400, press(port, "approve", token, b"{")),
+            (400, press(port, "approve", token, b"[" * 3000)),
+            (413, press(port, "approve", token, b'{"question":"' + b"a" * 100_000)),
+            (405, press(port, "erase", token)),
+        ):
+            assert told_it == status
+        time.sleep(0.5)
+        assert state(place, 0)["state"] == "proposed" and not (place / "raw" / "poor-1" / FRAMES).exists()
+        assert press(port, "approve", token, yes) == 200
+        until(one, place / "raw" / "poor-1" / FRAMES)
+        assert press(port, "approve", token, yes) == 409, "a second browser comes too late"
+        assert press(port, "stop", token) == 200 and press(port, "stop", token) in (200, 409)
+        said = one.communicate(timeout=120)[0]
+        assert one.returncode == 130, said
+        assert not told(port, lambda found: not found["loop"]["at_work"])["loop"]["question"]
+
+
+def test_a_question_that_nobody_asks_any_more_is_not_shown(place):
+    with rig(place, "--pace", "inf"), page(place) as (port, printed):
+        one = waits(place)
+        asked = told(port, lambda found: found["loop"] and found["loop"]["question"])["loop"]["question"]
+        one.kill()
+        one.communicate()
+        found = told(port, lambda found: not found["loop"]["at_work"])
+        assert found["loop"]["question"] is None and found["loop"]["state"] == "proposed"
+        assert press(port, "approve", token_of(printed), {"question": asked}) == 409
+        one = waits(place)
+        new = told(port, lambda found: found["loop"]["question"])["loop"]["question"]
+        assert new != asked and press(port, "approve", token_of(printed), {"question": asked}) == 409
+        Answers(place / "out").stop()
+        assert one.communicate(timeout=120) and one.returncode == 130
+        assert not (place / "raw" / "poor-1" / FRAMES).exists()
+
+
+def test_a_loop_whose_state_is_damaged_is_not_shown(place):
+    (place / "out" / "step-0").mkdir(parents=True)
+    (place / "out" / "step-0" / "state.json").write_text('{"number": 0, "state": "proposed", "run_dir": "../../etc"}')
+    with page(place) as (port, _):
+        found = told(port)
+        assert found["run"] == "poor-1" and found["loop"]["foretold"] is None
+        (place / "out" / "step-0" / "state.json").write_text("{")
+        assert told(port, lambda found: found["loop"] is None)["run"] == "poor-1"
+
+
+@CHROMIUM
+def test_in_a_browser_a_person_approves_looks_and_stops(place):
+    run = place / "raw" / "poor-1"
+    with rig(place, "--pace", 5), page(place) as (port, printed), browser(place) as seen:
+        one = waits(place)
+        seen.open(f"http://127.0.0.1:{port}/")  # without the token it can be read
+        seen.until("document.getElementById('approve')?.hidden === false")
+        seen.press("clear")
+        assert seen.run("document.getElementById('approve').disabled")
+        assert "with its token" in seen.run("document.body.innerText")
+        seen.open(printed)
+        seen.until("document.getElementById('loop-state')?.textContent == 'waits for approval'")
+        assert seen.text("step").startswith("Step 0: a first recording: 6 equal strokes to 21 turns (73 s, 6 strokes)")
+        assert seen.run("location.search") == "" and seen.run("document.getElementById('approve').disabled")
+        seen.picture(place / "proposed.png")
+        seen.press("clear")
+        seen.press("approve")
+        until(one, run / FRAMES, 15_000)
+        seen.until("document.getElementById('loop-state').textContent == 'is made now'")
+        seen.until("parseInt(document.getElementById('samples').textContent.replace(',', '')) > 400")
+        seen.picture(place / "moves.png")
+        seen.press("stop")
+        said = one.communicate(timeout=120)[0]
+        assert one.returncode == 130, said
+        seen.until("document.getElementById('state').textContent == 'aborted'")
+        recording = read_recording((run / FRAMES).read_bytes())
+        assert recording.account.end.reason == Reason.STOPPED and state(place, 0)["approved_by"].endswith("on the page")
+        seen.until(f"document.getElementById('samples').textContent == '{len(recording.time_s):,}'")
+        assert seen.text("lost") == "0, 0" and "no loop is at work" in seen.text("loop-state")
+        assert seen.run("document.getElementById('stop').hidden")
+        dark = "[...document.getElementById('foretold').getContext('2d').getImageData(0,0,800,100).data].some(v => v)"
+        assert seen.run(dark), "something is drawn"
+        seen.picture(place / "stopped.png")
+
+
+@CHROMIUM
+def test_a_page_of_elsewhere_in_the_same_browser_stops_nothing(place):
+    with rig(place, "--pace", "inf"), page(place) as (port, printed), browser(place) as seen:
+        one = started(place, "--approve", "page")
+        until(one, place / "out" / "question.json")
+        told(port, lambda found: found["loop"] and found["loop"]["question"])
+        seen.open(printed)
+        seen.until("document.getElementById('loop-state')?.textContent == 'waits for approval'")
+        seen.open("data:text/html,<p>elsewhere")
+        seen.until("document.body?.innerText == 'elsewhere'")
+        for words in (
+            "{method: 'POST', mode: 'no-cors', credentials: 'include', body: '{}'}",
+            "{method: 'POST', headers: {'Content-Type': 'application/json', 'X-Watch-Token': 'x'}, body: '{}'}",
+        ):
+            seen.run(f"fetch('http://127.0.0.1:{port}/stop', {words}).then(a => a.status, e => 'refused')")
+        time.sleep(0.5)
+        assert one.poll() is None and not (place / "out" / "stop").exists()
+        Answers(place / "out").stop()
+        one.communicate(timeout=120)
