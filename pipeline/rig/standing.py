@@ -40,6 +40,12 @@ class Standing:
             load_n=(min(loads) / HEAVIER, HEAVIER * max(loads)) if load else None,
         )
         self._before: tuple[String, Commands] | None = None
+        self._rehearse()
+
+    def _rehearse(self) -> None:
+        """Let what is loaded and made at the first motion be there before a host waits for it."""
+        still = followed([Leg(1.0, self.at_turns)], self.at_turns, self.hangs_n, self._limits.turns_per_s2, self.step_s)
+        sampled(self.setup, still, copy.deepcopy(self.string), self.seed)
 
     @property
     def limits(self) -> Limits:
