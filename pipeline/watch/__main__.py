@@ -1,6 +1,7 @@
 """Show RUN_DIR on a page of this machine while it is recorded; approve or stop what settles its tie. Ctrl-C ends it."""
 
 import argparse
+import os
 import secrets
 import threading
 import time
@@ -56,6 +57,11 @@ def follow(run_dir: Path, settling: Settling, page: Page) -> None:
         time.sleep(EVERY_S)
 
 
+def real(path: Path) -> Path:
+    """Where a path leads, whatever becomes of the working folder; a link that leads to itself stays as it is."""
+    return Path(os.path.realpath(path))
+
+
 @program
 def main() -> None:
     """Command line."""
@@ -67,14 +73,14 @@ def main() -> None:
     settle = f"the --out of {command('settle')}; default: settle/<run> below --reports"
     parser.add_argument("--settle", type=Path, metavar="DIR", help=settle)
     arguments = parser.parse_args()
-    folder: Path = arguments.run_dir.resolve()
+    folder = real(arguments.run_dir)
     if not (folder / "run.yaml").is_file():
         raise BadInput(arguments.run_dir, "run.yaml", "is missing", f"make the run's folder with {command('new_run')}")
     if not 0 <= arguments.port <= 65535:
         parser.error("--port must be from 0 to 65535")
-    settling = Settling((arguments.settle or arguments.reports / "settle" / folder.name).resolve(), folder)
+    settling = Settling(real(arguments.settle or arguments.reports / "settle" / folder.name), folder)
     token = secrets.token_urlsafe(24)
-    page = Page(arguments.reports, token, arguments.host in LOCAL, Buttons(settling))
+    page = Page(real(arguments.reports), token, arguments.host in LOCAL, Buttons(settling))
     try:
         server = Server(arguments.host.strip("[]"), arguments.port, page)
     except OSError as error:

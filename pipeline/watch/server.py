@@ -37,13 +37,13 @@ Say = Callable[[str, dict[str, Any]], str | None]  # a button and what came with
 
 
 class Page:
-    """What is served: `data` as it is at the time, `reports/`, and what the buttons do.
+    """What is served: `data` as it is now, `reports`, a folder with no links on its way, and what the buttons do.
 
     Reading needs the token unless `local`; a button always needs it, in a header and from this page alone.
     """
 
     def __init__(self, reports: Path, token: str, local: bool, say: Say) -> None:
-        self.reports, self.token, self.local, self.say = reports.resolve(), token, local, say
+        self.reports, self.token, self.local, self.say = reports, token, local, say
         self.data, self.cookie = b"{}", "twistbench_watch"
         self.app = bottle.Bottle()
         self.app.route("/<name:path>", "GET", self._read)
