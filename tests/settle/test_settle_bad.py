@@ -38,7 +38,7 @@ def rig(*answers: tuple[float, bytes], limits: Limits = RIG) -> ScriptedRig:
         ([(0.0, TAKEN.pack(14, 7, Answer.BROKEN, 0))] * 3, "the device refused it: it did not get it whole"),
         ([(0.0, TAKEN.pack(28, 7, Answer.LOAD, 3))], "leg 3: the device refused it: it does not have that load"),
         ([(0.0, TAKEN.pack(28, 7, 77, 0))], "the device refused it: its reason is 77"),
-        ([(1.6, b"")] * 3, "the device did not answer it; nothing was moved"),
+        ([(60.0, b"")], "the device did not answer it; nothing was moved"),
     ],
     ids=["took half of it", "says that it has half", "lacks a load", "a reason of its own", "answers too late"],
 )
@@ -48,8 +48,6 @@ def test_a_program_that_is_not_taken_moves_nothing_and_is_a_sentence(answers, sa
     assert done.returncode == 2 and said in done.stdout and "Mend:" in done.stdout, done.stdout
     assert Kind.START not in one.heard and not (place / "raw" / "poor-1" / "recording.frames").exists()
     assert state(place, 0)["state"] == "approved"
-    again = ended(place, "settle", *words(rig(*answers)))  # it goes on from there, and no further
-    assert again.returncode == 2 and said in again.stdout
 
 
 def test_an_answer_that_comes_late_is_taken(place):
