@@ -88,6 +88,8 @@ rule croissant:
         "reports/{material}/croissant.json",
     log:
         "processed/logs/croissant-{material}.log",
+    resources:
+        **NEEDS["croissant"],
     params:
         made_by=mark_of_material,
         code=fingerprint("pipeline.report.croissant"),
