@@ -107,6 +107,15 @@ def test_two_equal_stamps_are_spread_up_to_the_next():
     assert recording.mended == {"repeated_time_stamps": 1} and recording.account.repeated_stamps == 1
 
 
+@pytest.mark.parametrize("at", [499, 500])
+def test_a_bad_stamp_before_a_pause_leaves_the_pause_and_what_is_lost_after_it_where_they_are(at):
+    numbers = np.delete(np.arange(1000), [at + 2, at + 3])
+    truth = numbers * STEP_US + (numbers > at) * 2_000_000
+    time_us, mended = mend(truth - (numbers == at) * 30_000, numbers)
+    np.testing.assert_allclose(time_us, truth, atol=1.0)
+    assert mended == {"backward_time_stamps": 1}
+
+
 def test_a_clock_that_is_set_back_for_good_goes_on_one_step_later():
     t_us = [number * STEP_US - (number >= 500) * 9_000_000 + 10_000_000 for number in range(1000)]
     recording = read_recording(stamped(t_us))
