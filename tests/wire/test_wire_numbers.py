@@ -116,6 +116,15 @@ def test_a_bad_stamp_before_a_pause_leaves_the_pause_and_what_is_lost_after_it_w
     assert mended == {"backward_time_stamps": 1}
 
 
+@pytest.mark.parametrize("first_right", [True, False])
+def test_a_first_or_a_last_stamp_that_leaps_is_put_beside_its_neighbour(first_right):
+    truth = np.arange(200) * STEP_US
+    leaps = np.where(np.arange(200) == (199 if first_right else 0), 1, 0) * (1 if first_right else -1)
+    time_us, mended = mend(truth + leaps * 60_000_000, np.arange(200))
+    np.testing.assert_allclose(time_us - time_us[0], truth, atol=1.0)
+    assert mended == {"leaping_time_stamps": 1}
+
+
 def test_a_clock_that_is_set_back_for_good_goes_on_one_step_later():
     t_us = [number * STEP_US - (number >= 500) * 9_000_000 + 10_000_000 for number in range(1000)]
     recording = read_recording(stamped(t_us))
