@@ -50,6 +50,16 @@ def test_a_whole_recording_is_read_in_the_channels_units():
     assert (event.time_s, event.code, event.value) == (pytest.approx(0.012345), Event.STROKE_START, 1)
 
 
+def test_the_count_while_it_grows_is_of_what_came_so_far_and_names_the_events():
+    frames = log(100)
+    ledger = Ledger()
+    assert ledger.tally().received == ledger.tally().lost == 0
+    ledger.feed(b"".join([*frames[:10], *frames[13:40], b"\7garbage\0", *frames[41:60]]))
+    tally = ledger.tally()
+    assert (tally.received, tally.lost, tally.bad) == (56, 4, 1)
+    assert tally.events == ((2, Event.STROKE_START, 1),)
+
+
 def test_the_clock_may_wrap():
     recording = read_recording(b"".join(log(100, first_us=2**32 - 10_000)))
     np.testing.assert_allclose(recording.time_s, np.arange(100) * 0.02)
