@@ -34,7 +34,7 @@ def listed(found: Study) -> list[Explanation]:
         for one in found.search.all_of(size)[: SINGLES if size == 1 else OTHERS]:
             if len(shown) < LISTED:
                 shown.setdefault(one.ids, one)
-    return sorted(shown.values(), key=lambda one: one.energy, reverse=True)
+    return sorted(shown.values(), key=lambda one: (-float(f"{one.energy:.6g}"), len(one.ids)))  # no rounding
 
 
 def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
