@@ -5,13 +5,13 @@ import shlex
 import shutil
 import sys
 from pathlib import Path
-from typing import Any
 
 from pydantic import ValidationError
 
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
 from .diagnosis.adopt import acts_from, adoptions, checked
+from .diagnosis.content import Verdict
 from .diagnosis.own_rate import at_own_rate
 from .diagnosis.simulation import of_run, read_diagnosis
 from .diagnosis.words import coefficients
@@ -31,25 +31,25 @@ from .run.samples import read_samples
 MOST = 5  # explanations that are named
 
 
-def check(content: dict[str, Any], source: Path, folder: Path) -> list[str]:
+def check(content: Verdict, source: Path, folder: Path) -> list[str]:
     """What adopting changes, in words: the errors on the run's recording, dimensions, and what the numbers mean.
 
     A run without a recording takes any known names. Raises BadInput unless what a diagnosis names can act in the run.
     """
-    for number, entry in enumerate(content[KEY]):
+    for number, entry in enumerate(content["simulation"]):
         checked(entry, f"{KEY}[{number}]", str(source))
     if not any((folder / name).exists() for name in RECORDINGS):
         return []
     run, samples = read_samples(folder)
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-    acts = acts_from(content[KEY], bare.drivers, str(source))
-    adopting = run.model_copy(update={KEY: content[KEY], ORIGIN: origin_of(content, source, run)})
+    acts = acts_from(content["simulation"], bare.drivers, str(source))
+    adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
     said = before_after.told(bare, of_run(run), of_run(adopting), source)
     meant = coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
     return [*said, *before_after.dimensions(content), *meant]
 
 
-def origin_of(content: dict[str, Any], source: Path, run: Run) -> list[Adopted]:
+def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
     """What a run.yaml says of where its effects are from, once it has adopted a diagnosis. Raises BadInput."""
     try:
         return [Adopted.model_validate(one) for one in adoptions(content, str(source), run.run)]
@@ -113,8 +113,9 @@ def adopt(source: Path, folder: Path) -> None:
     """Put what a diagnosis names into a run's `run.yaml`, and say what that does. Raises BadInput."""
     run, content = read_run(folder), read_diagnosis(source)
     path = (folder / "run.yaml").resolve()
-    names = listing(list(dict.fromkeys(str(entry.get("id")) for entry in content[KEY] if isinstance(entry, dict))))
-    if not content[KEY]:
+    acting = [entry for entry in content["simulation"] if isinstance(entry, dict)]
+    names = listing(list(dict.fromkeys(str(entry.get("id")) for entry in acting)))
+    if not content["simulation"]:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
     errors = check(content, source, folder)
@@ -123,7 +124,7 @@ def adopt(source: Path, folder: Path) -> None:
         print(f"beware: {said}", file=sys.stderr)
     origin = adoptions(content, str(source), run.run)
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
-    made = adopted(text, content[KEY], path, origin)
+    made = adopted(text, content["simulation"], path, origin)
     if parse_yaml(made, path) == parse_yaml(text, path):
         print(f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is")
         return

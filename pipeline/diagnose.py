@@ -7,10 +7,10 @@ import sys
 import time
 import traceback
 from pathlib import Path
-from typing import Any
 
 from .diagnosis import library
 from .diagnosis.adopt import adoptions, block
+from .diagnosis.content import Verdict
 from .diagnosis.foretold import foretold
 from .diagnosis.judge import judge
 from .diagnosis.outcome import Study
@@ -67,14 +67,14 @@ def diagnose(
     optional("the page of figures", name, lambda: draw(found, content, out / "diagnosis"))
     write_block(content, out)
     doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
-    told = (content, runs[0].system, folders, out, doubts)
+    told = (dict(content), runs[0].system, folders, out, doubts)
     words = verdict_text(*told)
     write_text(out / "details.txt", details_text(*told) + "\n")
     write_text(out / "verdict.txt", words + "\n")
     return words
 
 
-def draw(found: Study, content: dict[str, Any], path: Path) -> None:
+def draw(found: Study, content: Verdict, path: Path) -> None:
     """Draw the page of figures; what draws takes 40 MB, and is imported when the search has let go of more."""
     found.search.linear.let_go()
     from .diagnosis import figures
@@ -82,7 +82,7 @@ def draw(found: Study, content: dict[str, Any], path: Path) -> None:
     figures.page(found, content, path)
 
 
-def write_block(content: dict[str, Any], out: Path) -> None:
+def write_block(content: Verdict, out: Path) -> None:
     """Write the `simulation` of a diagnosis that names something, ready to be pasted into run.yaml; else remove it."""
     path = out / "simulation.yaml"
     if content["mechanisms"] and content["simulation"]:

@@ -1,9 +1,9 @@
 """What adopting a diagnosis does to the simulator of a run, in words: its errors before and after, its dimensions."""
 
 from pathlib import Path
-from typing import Any
 
 from ..diagnosis.adopt import fitted, is_number
+from ..diagnosis.content import Simulated, Verdict
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
 from ..diagnosis.words.dimensions import name_of
@@ -21,7 +21,7 @@ NEXT = (
 HARDLY, FAR, MOST = 0.05, 2.5, 8  # sigma: a dimension that stayed, one to measure again; dimensions that are named
 
 
-def dimensions(content: dict[str, Any]) -> list[str]:
+def dimensions(content: Verdict) -> list[str]:
     """The dimensions that come with the effects, each from what was measured to what fits; which to measure again."""
     evidence = content.get("evidence")
     sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
@@ -46,7 +46,7 @@ def dimensions(content: dict[str, Any]) -> list[str]:
     return lines
 
 
-def probable(ids: list[str], content: dict[str, Any]) -> str:
+def probable(ids: list[str], content: Verdict) -> str:
     """An explanation by its name, with its probability where the diagnosis holds one."""
     evidence = content.get("evidence")
     shown = evidence.get("explanations") if isinstance(evidence, dict) else None
@@ -56,20 +56,20 @@ def probable(ids: list[str], content: dict[str, Any]) -> str:
     return called(ids)
 
 
-def is_of(content: dict[str, Any], run: str) -> bool:
+def is_of(content: Verdict, run: str) -> bool:
     """Whether a diagnosis is of a run; one that names none is taken to be."""
     of = content.get("run", run)
     return run in (of if isinstance(of, list) else [of])
 
 
-def told(problem: Problem, before: dict[str, Any], now: dict[str, Any], path: Path) -> list[str]:
+def told(problem: Problem, before: Simulated, now: Simulated, path: Path) -> list[str]:
     """What `pipeline.simulate` errs by on a run's own recording, before and from now on.
 
     `problem` is the run's without any effect; `before` and `now` are what its run.yaml simulates. Raises BadInput.
     """
     unit = problem.drivers.units.reading
     columns = {"before": before, "now": now}
-    errors = [off(problem.measured, tared(problem, one, path, one["run"])) for one in columns.values()]
+    errors = [off(problem.measured, tared(problem, one, path, str(one["run"]))) for one in columns.values()]
     rows = [["error on this recording, rms of single samples", *columns]]
     if problem.system.free_zero:
         rows.append([f"zero set in the first second, as {program_name('simulate')} does"])

@@ -2,21 +2,22 @@
 
 import json
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from ..diagnosis.adopt import block
+from ..diagnosis.content import Adoption
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import parse_yaml
-from ..run.description import parse_run
+from ..run.description import Included, parse_run
 
 KEY, ORIGIN = "simulation", "adopted"
 
 
-def with_block(text: str, entries: Sequence[Mapping[str, Any]], named: str = KEY) -> str:
+def with_block(text: str, entries: Sequence[Included | Adoption], named: str = KEY) -> str:
     """Text of a `run.yaml` with the key `named` replaced, or added after the last key; all other text is kept.
 
     `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
@@ -50,7 +51,7 @@ def _end(node: yaml.Node) -> int:
     return int(node.end_mark.index)
 
 
-def adopted(text: str, entries: list[dict[str, Any]], path: Path, origin: list[dict[str, Any]] | None = None) -> str:
+def adopted(text: str, entries: Sequence[Included], path: Path, origin: list[Adoption] | None = None) -> str:
     """The text with the entries, parsed to see that it says just that and else what it said; raises BadInput.
 
     `origin` is where they came from, as the run.yaml shall say it; an empty one replaces an older one only.

@@ -18,7 +18,10 @@ ROUNDS = 4  # of the inverse: correct the contraction, invert, correct again
 
 
 def terms(points: pd.DataFrame) -> Array:
-    """What an error may look like over twist, direction and strokes, shape (points, terms)."""
+    """What an error may look like over twist, direction and strokes, shape (points, terms).
+
+    Each without a unit.
+    """
     zone_mm = points["torsion_zone_mm"].fillna(points["length_mm"]).to_numpy()  # a pair's is its whole length
     wound = point_contraction_mm(points) / zone_mm / TOP
     way, one = points["direction"].to_numpy(float), np.ones(len(points))

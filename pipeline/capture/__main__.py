@@ -3,10 +3,10 @@
 import argparse
 import math
 from pathlib import Path
-from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from ..run.capture_json import CaptureJson
 from ..run.folder import read_run
 from .commit import recover
 from .fields import names
@@ -19,7 +19,7 @@ from .table import recover_lines
 GAPS_TOLD = 5
 
 
-def tell(info: dict[str, Any], folder: Path) -> None:
+def tell(info: CaptureJson, folder: Path) -> None:
     """Say what was recorded, and what is missing for the run to be used."""
     if "lines" in info:
         tell_lines(info, folder)
@@ -36,7 +36,7 @@ def tell(info: dict[str, Any], folder: Path) -> None:
         print(f"{error} Until then nothing can use this run.")
 
 
-def tell_frames(info: dict[str, Any], folder: Path) -> None:
+def tell_frames(info: CaptureJson, folder: Path) -> None:
     """Say how many frames came, and where others were lost."""
     frames, samples = info["frames"], info["samples"]
     print(
@@ -53,13 +53,14 @@ def tell_frames(info: dict[str, Any], folder: Path) -> None:
         print(f"{folder}: and in {len(info['gaps']) - GAPS_TOLD} more places, see capture.json")
     if samples["out_of_order"]:
         print(f"{folder}: samples came out of order ({samples['out_of_order']} times); their numbers put them right")
-    clock = {word: samples[f"{word}_time_stamps"] for word in ("backward", "repeated")}
+    clock = {"backward": samples["backward_time_stamps"], "repeated": samples["repeated_time_stamps"]}
     if any(clock.values()) and info["exit_status"] != "fault":
         counted = " and ".join(f"{times} {word}" for word, times in clock.items() if times)
         print(f"{folder}: the device's clock gave {counted} time stamps; they are mended when the run is read")
-    if samples["sent"] is not None and not 0 <= samples["sent"] - samples["received"] <= frames["lost"]:
+    sent = samples["sent"]
+    if sent is not None and not 0 <= sent - samples["received"] <= frames["lost"]:
         print(
-            f"{folder}: warning: the device counted {samples['sent']} samples, {samples['received']} can be read, and "
+            f"{folder}: warning: the device counted {sent} samples, {samples['received']} can be read, and "
             "lost frames do not explain it: check its firmware against docs/protocol.md"
         )
 

@@ -3,14 +3,14 @@
 import hashlib
 import json
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.files import write_text
+from ..run.capture_json import CaptureJson
 from ..run.folder import capture_info
 from ..wire import Account, Hello, Reason, read_account
 from .log import NAME, in_use, sync_folder
@@ -43,7 +43,7 @@ def told(frames: Account) -> Outcome:
     return Outcome("complete" if frames.end.reason == Reason.COMPLETE else "aborted")
 
 
-def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: Outcome) -> CaptureJson:
     """What capture.json says of any recording: when it was made, how it ended, and which bytes it is."""
     return {
         "schema": SCHEMA,
@@ -83,7 +83,7 @@ class Read:
         return Read(hello, frames, size, digest.hexdigest())
 
 
-def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> CaptureJson:
     """Content of capture.json; sent = received + lost holds for its frames."""
     frames, hello = read.frames, read.hello
     return {
@@ -97,7 +97,7 @@ def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> d
             "resets": frames.resets,
             "tail_bytes": frames.tail_bytes,
         },
-        "gaps": [asdict(loss) for loss in locate(frames, hello.strokes if hello else 0)],
+        "gaps": locate(frames, hello.strokes if hello else 0),
         "samples": {
             "sent": frames.samples_sent,
             "received": frames.samples,
@@ -109,7 +109,7 @@ def account(read: Read, began: datetime, ended: datetime, outcome: Outcome) -> d
     }
 
 
-def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> dict[str, Any]:
+def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> CaptureJson:
     """Account for `recording.frames` of a run folder and commit it; returns what capture.json says.
 
     Raises BadInput when it cannot be written.
@@ -117,7 +117,7 @@ def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> 
     return seal(folder, NAME, account(Read.of(folder / NAME), began, ended, outcome))
 
 
-def seal(folder: Path, name: str, info: dict[str, Any]) -> dict[str, Any]:
+def seal(folder: Path, name: str, info: CaptureJson) -> CaptureJson:
     """Write capture.json, and let nobody write to recording `name` any more.
 
     Raises BadInput when they cannot be written, or capture.json is that of another recording.
@@ -151,7 +151,7 @@ def unwritten(folder: Path, name: str, error: OSError) -> BadInput:
     return BadInput(folder, name, problem, mend)
 
 
-def committed(folder: Path) -> dict[str, Any]:
+def committed(folder: Path) -> CaptureJson:
     """Content of capture.json; nothing where there is none, or one that cannot be read and is to be made again."""
     try:
         return capture_info(folder)
@@ -159,7 +159,7 @@ def committed(folder: Path) -> dict[str, Any]:
         return {}
 
 
-def recover(folder: Path) -> dict[str, Any]:
+def recover(folder: Path) -> CaptureJson:
     """Commit a recording whose capture program was killed, as `recovered` or as its END says; it is kept as it is.
 
     Its start is reckoned back from the file's last change. Raises BadInput when there is nothing to recover.

@@ -3,6 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from ..run.capture_json import Lost
+
 KEPT = 1 << 14  # steps from which the usual one is taken
 HOLE = 1.5  # usual steps
 LISTED = 1000
@@ -38,14 +40,15 @@ class Steps:
         return sorted(self._kept)[len(self._kept) // 2] if self._kept else 0.0
 
 
-def find(times: Iterable[float], usual: float) -> tuple[int, list[dict[str, float | int]]]:
+def find(times: Iterable[float], usual: float) -> tuple[int, list[Lost]]:
     """How many holes there are, and the first of them: samples before it, that time, and about how many are missing."""
-    found: list[dict[str, float | int]] = []
+    found: list[Lost] = []
     before, count = None, 0
     for number, time in enumerate(times):
         if before is not None and usual > 0 and time - before > HOLE * usual:
             count += 1
             missing = round(min((time - before) / usual, MOST)) - 1
-            found += [{"after_samples": number, "after_time": before, "samples_about": missing}][: LISTED - len(found)]
+            if len(found) < LISTED:
+                found.append({"after_samples": number, "after_time": before, "samples_about": missing})
         before = time
     return count, found

@@ -1,21 +1,11 @@
 """Where frames were lost: after how many samples, at what time, and in which strokes."""
 
-from dataclasses import dataclass
 from math import inf
 
+from ..run.capture_json import Lost
 from ..wire import Account, Event, Gap
 
 LISTED = 1000  # so many places are named; all are counted
-
-
-@dataclass(frozen=True)
-class Loss:
-    """`frames` that were lost in one place; `strokes` by number, from 1, are those that it may touch."""
-
-    after_samples: int
-    after_s: float | None  # time of the sample before it; None before the first one
-    frames: int
-    strokes: tuple[int, ...]
 
 
 def _strokes(account: Account, gap: Gap, planned: int) -> tuple[int, ...]:
@@ -38,14 +28,14 @@ def _strokes(account: Account, gap: Gap, planned: int) -> tuple[int, ...]:
     return tuple(range(first, min(last, first + 999) + 1))
 
 
-def locate(account: Account, planned: int) -> list[Loss]:
+def locate(account: Account, planned: int) -> list[Lost]:
     """The first losses of a recording of so many planned strokes; frames that only came out of order are none."""
     return [
-        Loss(
-            gap.after_samples,
-            None if gap.after_s is None else round(gap.after_s, 6),
-            gap.frames,
-            _strokes(account, gap, planned),
-        )
+        {
+            "after_samples": gap.after_samples,
+            "after_s": None if gap.after_s is None else round(gap.after_s, 6),
+            "frames": gap.frames,
+            "strokes": _strokes(account, gap, planned),
+        }
         for gap in account.gaps[:LISTED]
     ]

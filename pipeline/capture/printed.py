@@ -4,9 +4,9 @@ import math
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from ..ground.errors import BadInput
+from ..run.capture_json import CaptureJson, Lost
 from .fields import MAX_LINE, TIME, is_known
 from .lines import Lines, Splitter
 from .log import Log
@@ -134,7 +134,7 @@ def follow(
     return outcome
 
 
-def missing(holes: list[dict[str, Any]]) -> str:
+def missing(holes: list[Lost]) -> str:
     """Where samples seem to be missing: holes of the same size are told together, by the first of them."""
     sizes: dict[int, list[float]] = {}
     for hole in holes:
@@ -150,12 +150,12 @@ def missing(holes: list[dict[str, Any]]) -> str:
     return "; ".join(parts)
 
 
-def clock_of(info: dict[str, Any]) -> str:
+def clock_of(info: CaptureJson) -> str:
     """Name of the column that is read as the device's time, of what capture.json says."""
     return next((name for name in info["columns"] if TIME.fullmatch(name)), "time")
 
 
-def tell_lines(info: dict[str, Any], folder: Path) -> None:
+def tell_lines(info: CaptureJson, folder: Path) -> None:
     """Say what was recorded, what was no line of numbers and where samples seem to be missing."""
     lines = info["lines"]
     text = f", {lines['text']} lines of text passed over" if lines["text"] else ""

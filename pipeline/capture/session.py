@@ -7,10 +7,10 @@ from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
-from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput
+from ..run.capture_json import CaptureJson
 from ..wire.motion import Leg
 from .commit import commit
 from .handshake import check_rate, greet
@@ -55,7 +55,7 @@ def plain(text: str) -> str:
 
 def capture_lines(
     name: str, folder: Path, baud: int, columns: tuple[str, ...], longest_s: float = math.inf
-) -> dict[str, Any]:
+) -> CaptureJson:
     """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
     asked = Asked()
     check_folder(folder)
@@ -82,7 +82,7 @@ def capture(
     longest_s: float = math.inf,
     legs: Sequence[Leg] = (),
     stopped: Callable[[], bool] = lambda: False,
-) -> dict[str, Any]:
+) -> CaptureJson:
     """Record one run and commit it; returns what capture.json says. Raises BadInput before anything is written.
 
     With `legs` the rig follows them: it takes them as a whole before START, or the run is not begun. `stopped` says

@@ -4,11 +4,11 @@ import hashlib
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.files import sha256, whole
+from ..run.capture_json import CaptureJson
 from . import holes
 from .commit import PIECE, check_own, committed, opening, seal, unwritten
 from .fields import names
@@ -71,7 +71,7 @@ def _write(printed: Printed, path: Path) -> str:
 
 def commit_lines(
     folder: Path, columns: tuple[str, ...], began: datetime, ended: datetime, outcome: Outcome, anew: bool = False
-) -> dict[str, Any]:
+) -> CaptureJson:
     """Account for `recording.lines`, write the good ones as recording.csv, and commit; returns capture.json's content.
 
     Only `anew` replaces a table. Raises BadInput when no line is a sample, or the files cannot be written or are
@@ -94,7 +94,7 @@ def commit_lines(
         raise BadInput(folder, CSV, f"is there already; {LINES} is whole and kept", mend) from None
     except OSError as error:
         raise unwritten(folder, CSV, error) from None
-    info = {
+    info: CaptureJson = {
         **opening(printed.size, printed.sha256, began, ended, outcome),
         "csv_sha256": csv_sha256,
         "columns": list(lines.columns),
@@ -118,7 +118,7 @@ def commit_lines(
     return seal(folder, LINES, info)
 
 
-def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
+def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
     """Commit a text recording whose capture program was killed, as `recovered`, or one whose columns had other names.
 
     Nothing tells when a killed one began: its end, the file's last change, stands for that too. Raises BadInput.
@@ -141,7 +141,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> dict[str, Any]:
     return commit_lines(folder, columns, began, ended, outcome, anew=True)
 
 
-def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime, datetime, Outcome]:
+def _said(info: CaptureJson, folder: Path) -> tuple[tuple[str, ...], datetime, datetime, Outcome]:
     """What capture.json says of a text recording's columns, beginning, end and outcome; raises BadInput."""
     columns, status, fault, ended_by = (info.get(key) for key in ("columns", "exit_status", "fault", "ended_by"))
     mend = "restore it from a copy, or move it away and run --recover again"
@@ -150,9 +150,9 @@ def _said(info: dict[str, Any], folder: Path) -> tuple[tuple[str, ...], datetime
         if not isinstance(columns, list) or tuple(columns) != names(",".join(columns).encode()):
             raise ValueError
         field = "started_utc"
-        began = datetime.fromisoformat(info[field]).astimezone(UTC)
+        began = datetime.fromisoformat(info["started_utc"]).astimezone(UTC)
         field = "ended_utc"
-        ended = datetime.fromisoformat(info[field]).astimezone(UTC)
+        ended = datetime.fromisoformat(info["ended_utc"]).astimezone(UTC)
         field = "exit_status"
         if status not in ("ended", "fault", "recovered"):
             raise ValueError

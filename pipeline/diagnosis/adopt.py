@@ -2,12 +2,14 @@
 
 import re
 import sys
-from collections.abc import Mapping, Sequence
-from typing import Any, TypedDict
+from collections.abc import Sequence
+from typing import Any
 
 from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import write_yaml
+from ..run.description import Included
+from .content import Adoption, Verdict
 from .drivers import Drivers
 from .library import mechanisms
 from .problem import Act
@@ -17,16 +19,9 @@ NO_USE = "Hardly worth making"  # what `next_experiment` says of a run that deci
 NOTE = {"simulation": "  # numbers of the library's formulas, as a diagnosis found them: not to be edited by hand"}
 
 
-class Entry(TypedDict):
-    """One effect under `simulation`: its id, and its numbers by name, each in the unit that its name ends in."""
-
-    id: str
-    parameters: dict[str, float]
-
-
-def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Entry]:
+def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:
     """One entry a shape: its id and, by name, the shape's values and the coefficients that are not zero."""
-    found: list[Entry] = []
+    found: list[Included] = []
     for act in acts:
         mechanism, at = mechanisms()[act.id], 0
         for shape in act.shapes:
@@ -41,13 +36,13 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Entry]:
     return found
 
 
-def block(entries: Sequence[Mapping[str, Any]], key: str = "simulation") -> str:
+def block(entries: Sequence[Included | Adoption], key: str = "simulation") -> str:
     """The lines that say `simulation`, or another key, in a run.yaml, of its entries: ready to be pasted there."""
     head, _, rest = write_yaml({key: entries}).partition("\n")
     return f"{head}{NOTE.get(key, '')}\n{rest}"
 
 
-def fitted(content: dict[str, Any], run: str) -> dict[str, dict[str, float]]:
+def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     """The dimensions of a diagnosis for a run, by name: as run.yaml had them, and as they fit with the effects.
 
     A run that was diagnosed together with others may have a zero of the motor of its own, which is added.
@@ -68,7 +63,7 @@ def fitted(content: dict[str, Any], run: str) -> dict[str, dict[str, float]]:
     return found
 
 
-def adoptions(content: dict[str, Any], where: str, run: str = "") -> list[dict[str, Any]]:
+def adoptions(content: Verdict, where: str, run: str = "") -> list[Adoption]:
     """What a run.yaml says under `adopted` with a diagnosis in it: what was adopted before it, then what it names.
 
     `run` is the run that adopts. A file that tells no verdict adds nothing. Raises BadInput for sets of mechanisms
@@ -79,14 +74,14 @@ def adoptions(content: dict[str, Any], where: str, run: str = "") -> list[dict[s
         raise BadInput(where, "adopted", f"is {short(before)}, not a list", "give a diagnosis.json as it was made")
     if content.get("verdict") not in ("explained", "ambiguous") or not isinstance(named, list):
         return before
-    effects = [entry.get("id") if isinstance(entry, dict) else None for entry in named]
+    effects: list[Any] = [entry.get("id") if isinstance(entry, dict) else None for entry in named]
     tied = content.get("alternatives", [])
     sets = [effects, *tied] if isinstance(tied, list) else [None]
     for ids in sets:
         if not isinstance(ids, list) or not all(isinstance(id_, str) and id_ in mechanisms() for id_ in ids):
             problem = f"holds {short(ids)}, which is no list of mechanisms of the library"
             raise BadInput(where, "mechanisms, alternatives", problem, "give a diagnosis.json as it was made")
-    made: dict[str, Any] = {"effects": effects, "verdict": content["verdict"], "tied": tied, "diagnosis": where}
+    made: Adoption = {"effects": effects, "verdict": content["verdict"], "tied": tied, "diagnosis": where}
     runs, experiment = content.get("run"), content.get("next_experiment")
     if runs:
         made["runs"] = [runs] if isinstance(runs, str) else runs

@@ -13,6 +13,7 @@ def within(signals: Array, first: NDArray[np.intp], step_s: float, band_hz: floa
     """Signals along the last axis through a Butterworth low-pass, forward and backward, each run by itself.
 
     `first[i]` is the number of samples since the start of the run; without `band_hz` nothing changes.
+    Shape (..., samples), in the signals' unit.
     """
     if band_hz is None or band_hz * step_s >= HIGHEST / 2.0:
         return signals

@@ -27,7 +27,10 @@ def catalogue(problem: Problem, more: dict[str, list[Shape]]) -> dict[str, list[
 
 
 def without_physics(problem: Problem, more: dict[str, list[Shape]]) -> np.ndarray:
-    """The generic dictionary, and what acts on the reading alone in the shapes that a recording suggests."""
+    """The generic dictionary, and what acts on the reading alone in the shapes that a recording suggests.
+
+    Shape (columns, samples), in the reading's unit.
+    """
     terms = [
         term for id_, shapes in more.items() for shape in shapes for term in problem.terms(mechanisms()[id_], shape)
     ]

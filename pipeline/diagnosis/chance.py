@@ -14,7 +14,7 @@ LEAST_REST_S = 1.0
 
 
 def left(problem: Problem, state: State) -> Array:
-    """The residual of the samples that a fit sees."""
+    """The residual of the samples that a fit sees. Shape (rows,), in the reading's unit."""
     return (problem.measured - problem.simulate(state))[: problem.rows]
 
 
@@ -52,7 +52,10 @@ def size(problem: Problem, state: State) -> float:
 
 
 def trace(problem: Problem, state: State, floor: float) -> Array:
-    """How large the residual is from second to second, its noise taken off: where a random effect was at work."""
+    """How large the residual is from second to second, its noise taken off: where a random effect was at work.
+
+    Shape (samples,), in the reading's unit.
+    """
     width = max(int(1.0 / problem.drivers.step_s), 5)
     power = uniform_filter1d(np.square(problem.measured - problem.simulate(state)), width)
     return np.asarray(np.sqrt(np.maximum(power - floor**2, 0.0)))

@@ -59,7 +59,7 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
 
 
 def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
-    """Larger explanations that leave noise where the chosen one leaves more, which only a bent formula could mend.
+    """Larger explanations that leave noise where the chosen one leaves more, which only another formula could mend.
 
     Whether a formula is wrong or a weak mechanism is missing, the recording cannot tell.
     """
@@ -84,9 +84,9 @@ def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], fl
         return None
     smaller = [search.explain(tuple(other for other in one.ids if other != id_)) for id_ in one.ids]
     small = min(smaller, key=lambda other: other.cost)
-    bent, whole = search.with_discrepancy(small), search.with_discrepancy(one)
-    if bent.energy - whole.energy > (FLAW * search.mismatch(floor)) ** 2 or not explains(search, small, floor):
+    without, whole = search.with_discrepancy(small), search.with_discrepancy(one)
+    if without.energy - whole.energy > (FLAW * search.mismatch(floor)) ** 2 or not explains(search, small, floor):
         return None
-    needed = REPLACED * (bent.cost - whole.cost)
+    needed = REPLACED * (without.cost - whole.cost)
     others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]
-    return small if any(bent.cost - search.with_discrepancy(rival).cost >= needed for rival in others) else None
+    return small if any(without.cost - search.with_discrepancy(rival).cost >= needed for rival in others) else None

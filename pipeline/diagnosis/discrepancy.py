@@ -12,13 +12,16 @@ MEMORIES = (0.02, 0.08, 0.25)  # half-widths of plays, of the range of motion: h
 
 
 def effect(problem: Problem, state: State, id_: str) -> Array:
-    """What the prediction owes to the acts of one mechanism."""
+    """What the prediction owes to the acts of one mechanism. Shape (samples,), in the reading's unit."""
     rest = State(state.values, state.zeros, tuple(act for act in state.acts if act.id != id_))
     return problem.simulate(state) - problem.simulate(rest)
 
 
 def bumps(signal: Array, weight: Array, count: int) -> Array:
-    """Piecewise linear bumps over a signal, knots where the weight is: equal shares of it between two knots."""
+    """Piecewise linear bumps over a signal, knots where the weight is: equal shares of it between two knots.
+
+    Shape (bumps, samples), shares of 1.
+    """
     order = np.argsort(signal, kind="stable")
     share = np.cumsum(weight[order])
     if share[-1] <= 0.0:
@@ -51,12 +54,15 @@ def columns(problem: Problem, states: list[State]) -> dict[str, Array]:
     """By mechanism, what one sigma of each deviation from its formula adds to the reading; the first state counts.
 
     Where the reading has a true zero no deviation is a constant: that would be physics of its own.
+    Shape (columns, samples), in the reading's unit.
     """
     found: dict[str, Array] = {}
     for state in states:
         for act in state.acts:
             if act not in problem.included and act.id not in found:
                 acting = effect(problem, state, act.id)
-                bent = SIGMA * acting * factors(problem.drivers, acting)
-                found[act.id] = bent if problem.system.free_zero else bent - bent.mean(axis=1, keepdims=True)
+                deviations = SIGMA * acting * factors(problem.drivers, acting)
+                found[act.id] = (
+                    deviations if problem.system.free_zero else deviations - deviations.mean(axis=1, keepdims=True)
+                )
     return found

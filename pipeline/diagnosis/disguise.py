@@ -38,7 +38,7 @@ def _line(problem: Problem, term: Term) -> bool:
 def only_calibration(effect: Array, dimensions: Linear) -> bool:
     """Whether dimensions, each moved by no more than it may, take back all but a little of an effect.
 
-    `dimensions` is the simulator linearised with nothing acting in it.
+    `dimensions` is the simulator linearised with nothing acting in it. Shape (samples,), in the reading's unit.
     """
     own = dimensions.calibration
     reach = np.maximum(dimensions.high[own] - dimensions.low[own], 1e-12)

@@ -105,7 +105,7 @@ def fine_floor(fine: Problem, found: Study) -> float:
 def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, trim: float = 0.0) -> Noise:
     """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do.
 
-    `smooth` is the dictionary, where it is made already; of many samples it is large, and one made here is let go.
+    `smooth` is the dictionary, shape (columns, samples), in any unit, if it is made already: one made here is let go.
     """
     acts = tuple(act for act in state.acts if act not in problem.included)
     catalogue = {act.id: list(act.shapes) for act in acts}
@@ -145,9 +145,9 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
             place = min(range(len(own)), key=lambda i: bic(problem, own[i], refined[i]))
             best, noise = refined[place], own[place]
             shapes = candidates.with_refined(problem, shapes, refined)
-            bends = discrepancy.columns(problem, [best, *(state for state in refined if state is not best)])
+            deviations = discrepancy.columns(problem, [best, *(state for state in refined if state is not best)])
             del search  # it is large, and the next one is as large
-            search = Search(Linear(problem, best, noise, shapes, form=bends), least)
+            search = Search(Linear(problem, best, noise, shapes, deviations=deviations), least)
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) in (0, len(before.ids)):
                 break

@@ -40,7 +40,7 @@ def listed(found: Study) -> list[Explanation]:
 def explanations(found: Study, ending: str) -> list[dict[str, Any]]:
     """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
 
-    `bent`: what it leaves if its formulas may be a little wrong. `worse`: misfit over that of the first, which is minus
+    `bent`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first, which is minus
     twice the logarithm of how much likelier the first makes the recording.
     """
     search = found.search
@@ -95,13 +95,19 @@ def _of(found: Study, weighed: Mapping[tuple[str, ...], T], ids: tuple[str, ...]
 
 
 def fitted(search: Search, one: Explanation) -> Array:
-    """What an explanation predicts beside the linearised simulator, calibration included, one value a sample."""
+    """What an explanation predicts beside the linearised simulator, calibration included, one value a sample.
+
+    In the reading's unit.
+    """
     fit = search.linear.plain(search.linear.columns_of(one.keys))
     return np.asarray(search.linear.table[fit.columns].T @ fit.coefficients)
 
 
 def bases(problem: Problem) -> dict[str, Array]:
-    """Orthonormal columns of each driver of the generic dictionary, their means aside, shape (samples, columns)."""
+    """Orthonormal columns of each driver of the generic dictionary, their means aside, shape (samples, columns).
+
+    Without a unit.
+    """
     found = {}
     for name, group in generic.groups(problem.drivers).items():
         columns = group[:, : problem.rows] - group[:, : problem.rows].mean(axis=1, keepdims=True)
@@ -112,7 +118,10 @@ def bases(problem: Problem) -> dict[str, Array]:
 
 
 def follows(drivers: dict[str, Array], signal: Array) -> str | None:
-    """The one driver whose columns carry most of a signal; None where none carries half of it."""
+    """The one driver whose columns carry most of a signal; None where none carries half of it.
+
+    Shape (samples,), in any unit.
+    """
     signal = signal - signal.mean()
     carried = {name: float(np.sum(np.square(basis.T @ signal))) for name, basis in drivers.items()}
     name = max(carried, key=lambda key: carried[key])

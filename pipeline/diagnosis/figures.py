@@ -10,6 +10,7 @@ from matplotlib.patches import Patch
 from ..ground.page import write_page
 from . import panels
 from .bounds import at_bound
+from .content import Verdict
 from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
@@ -58,13 +59,14 @@ def warning(content: dict[str, Any], words: Vocabulary) -> str:
     return "\n".join(lines)
 
 
-def page(found: Study, content: dict[str, Any], path: Path) -> None:
+def page(found: Study, content: Verdict, path: Path) -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
     write_page(drawn(found, content), path)
 
 
-def drawn(found: Study, content: dict[str, Any]) -> Figure:
+def drawn(found: Study, said: Verdict) -> Figure:
     """The page as a figure of matplotlib, known to no window and no notebook."""
+    content: dict[str, Any] = dict(said)
     problem, drivers, floor = found.problem, found.problem.drivers, found.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     states = {"nominal": found.nominal, "calibrated": found.base, "as diagnosed": found.state}

@@ -27,7 +27,7 @@ class Foretold:
 def signals(drivers: Drivers) -> Array:
     """What the regression is told, shape (samples, columns): motion, its rates, its memory, and every other input.
 
-    Time is none of them: of strokes to come it would tell nothing.
+    Time is none of them: of strokes to come it would tell nothing. Each in its own unit.
     """
     columns = [drivers.motion, drivers.rate, drivers.slope(drivers.rate)]
     columns += [drivers.directed(share * drivers.span) for share in MEMORIES]
@@ -40,6 +40,7 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
     """What boosted trees learn of what a state leaves of the rows that a fit saw, told of all rows.
 
     `fine` is the recording at its own rate, `unseen` the rows of `problem` that no fit saw.
+    `unseen` has the shape (samples,); a mask has no unit.
     """
     from ..ground.regression import boosted_trees  # seconds to import, and asked only where something is left
 
@@ -54,7 +55,10 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
 
 
 def follows(drivers: Drivers, signal: Array) -> str:
-    """The driver whose own columns come nearest to a signal; not of the last strokes alone, which show little."""
+    """The driver whose own columns come nearest to a signal; not of the last strokes alone, which show little.
+
+    Shape (samples,), in any unit.
+    """
     left: dict[str, float] = {}
     for name, columns in generic.groups(drivers).items():
         if name == "time" or not len(columns):

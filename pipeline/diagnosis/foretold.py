@@ -1,11 +1,12 @@
 """Each run that could be made next, with what each explanation that ties, or nearly does, foretells of it."""
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ..ground.kinematics import Array
 from ..run.description import Run
+from .content import NextRun
 from .design import decides, raises
 from .interface import physics
 from .nextrun import Proposal, appended, lengthened, options
@@ -17,7 +18,7 @@ POINTS = 400  # of a curve
 SURE = 0.9  # probability from which one explanation needs no other run: of five firm wrong names none had more
 
 
-def foretold(found: Study, run: Run, fixed_load: bool) -> list[dict[str, Any]]:
+def foretold(found: Study, run: Run, fixed_load: bool) -> list[NextRun]:
     """Entries as `next_run` of diagnosis.json has them, best first; none without rivals.
 
     Each has `decides`, `raises` and `curves`. A curve begins at 0 with its run: `calibrated` is the simulator without
@@ -28,7 +29,8 @@ def foretold(found: Study, run: Run, fixed_load: bool) -> list[dict[str, Any]]:
         entry = proposal.entry(run, fixed_load)
         gaps = entry["gap_now"], entry["gap_then"]
         told = {"decides": decides(*gaps), "raises": raises(*gaps)}
-        entries.append({**tidy(entry), **told, "curves": curves(found, run, proposal, sets)})
+        drawn = curves(found, run, proposal, sets)
+        entries.append(cast(NextRun, {**tidy(entry), **told, "curves": drawn}))
     return entries
 
 

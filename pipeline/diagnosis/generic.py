@@ -16,7 +16,10 @@ def hats(signal: Array, count: int) -> Array:
 
 
 def around(drivers: Drivers) -> Array:
-    """Sines and cosines of the motor's turn and of its harmonics; none where nothing turns so far."""
+    """Sines and cosines of the motor's turn and of its harmonics; none where nothing turns so far.
+
+    Shape (columns, samples).
+    """
     if drivers.turn is None or (not drivers.levered and drivers.span < drivers.turn):
         return np.zeros((0, len(drivers.motion)))
     turn = 2.0 * np.pi * drivers.motion / drivers.turn
@@ -24,7 +27,7 @@ def around(drivers: Drivers) -> Array:
 
 
 def groups(drivers: Drivers) -> dict[str, Array]:
-    """Columns by the driver that they follow, each of shape (columns, samples)."""
+    """Columns by the driver that they follow, each of shape (columns, samples). Each without a unit."""
     side = drivers.directed(0.02 * drivers.span)
     rate, sine = drivers.rate if drivers.velocity is None else drivers.smooth(drivers.rate), drivers.sine
     found = {
@@ -50,5 +53,5 @@ def groups(drivers: Drivers) -> dict[str, Array]:
 
 
 def dictionary(drivers: Drivers) -> Array:
-    """All columns, shape (columns, samples)."""
+    """All columns, shape (columns, samples). Each without a unit."""
     return np.vstack(list(groups(drivers).values()))

@@ -57,7 +57,10 @@ def first_held_out(problem: Problem) -> int | None:
 
 
 def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
-    """Noise from one sample to the next, rms: no structure that is slower than that is counted as noise."""
+    """Noise from one sample to the next, rms: no structure that is slower than that is counted as noise.
+
+    In the reading's unit; `rows` is a mask of shape (samples,).
+    """
     bends = np.diff((fine.measured - fine.simulate(state))[rows], n=2)  # of white noise the root of 6 as large
     return float(1.4826 * np.median(np.abs(bends)) / np.sqrt(6.0))
 

@@ -52,8 +52,11 @@ def continuous(problem: Problem, act: Act) -> list[tuple[int, str]]:
     ]
 
 
-def bends(problem: Problem, state: State, act: Act) -> Array:
-    """How the prediction moves with each continuous shape parameter of an act, per half of its value."""
+def slopes_of_shape(problem: Problem, state: State, act: Act) -> Array:
+    """How the prediction moves with each continuous shape parameter of an act, per half of its value.
+
+    Shape (parameters, samples), in the reading's unit.
+    """
     before, found = problem.simulate(state), []
     for number, name in continuous(problem, act):
         moved = tuple({**old, name: old[name] * (1.0 + STEP * (i == number))} for i, old in enumerate(act.shapes))
@@ -77,8 +80,8 @@ def intervals(
     scale = np.sqrt(np.mean(np.square(smooth[:, : problem.rows]), axis=1))
     smooth = smooth[scale > 0] / scale[scale > 0][:, None] * noise.floor
     deviations = discrepancy.columns(problem, [state])
-    shaped = [bends(problem, state, act) for act in acts]
-    shaped = [np.vstack([bent, deviations[act.id]]) for act, bent in zip(acts, shaped, strict=True)]
+    shaped = [slopes_of_shape(problem, state, act) for act in acts]
+    shaped = [np.vstack([slopes, deviations[act.id]]) for act, slopes in zip(acts, shaped, strict=True)]
     extra = np.ascontiguousarray(np.vstack([*shaped, smooth]))
     linear = Linear(problem, state, noise, {act.id: list(act.shapes) for act in acts}, extra)
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
@@ -119,16 +122,16 @@ def intervals(
         parameters[problem.parameters[index].name] = interval(float(state.values[index]), weights)
     sizes_: dict[str, Interval] = {}
     shapes: dict[tuple[str, int, str], float] = {}
-    for act, bent, (part, effect) in zip(acts, shaped, effects, strict=True):
+    for act, ways, (part, effect) in zip(acts, shaped, effects, strict=True):
         rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
         rms = float(np.sqrt(np.mean(np.square((problem.simulate(state) - problem.simulate(rest))[: problem.rows]))))
         norm = linear.rows * (float(np.sqrt(np.mean(np.square(effect)))) or 1.0)
         weights = np.zeros(len(own))
         weights[part] = linear.table[own[part]] @ effect / norm
-        weights[at : at + len(bent)] = bent[:, : problem.rows] @ effect / norm
+        weights[at : at + len(ways)] = ways[:, : problem.rows] @ effect / norm
         for place, (number, name) in enumerate(continuous(problem, act), start=at):
             shapes[act.id, number, name] = 0.5 * Z90 * float(np.sqrt(covariance[place, place]))
-        at += len(bent)
+        at += len(ways)
         found = interval(rms, weights, FORM_SHARE)
         sizes_[act.id] = Interval(found.value, max(found.low, 0.0), found.high)
     return parameters, sizes_, shapes

@@ -42,7 +42,7 @@ class Judge:
     of_none: Array
 
     def basis(self, some: list[Weighed]) -> Array:
-        """What the weights multiply, shape (explanations, weights)."""
+        """What the weights multiply, shape (explanations, weights). Each without a unit."""
         signs = {name: np.array([one.signs.get(name, 0.0) for one in some]) for name in self.knots}  # 0: no such mark
         ramps = [
             np.clip((signs[name] - low) / (high - low), 0.0, 1.0)
@@ -75,14 +75,17 @@ class Judge:
         return found | {"names": float(parts[at:].sum())}
 
     def probabilities(self, some: list[Weighed]) -> Array:
-        """Of each explanation, and, last, of none of them."""
+        """Of each explanation, and, last, of none of them. Shape (explanations + 1,), shares of 1."""
         scores = np.append(self.basis(some) @ self.weights, none_of(some) @ self.of_none)
         odds = np.exp(scores - scores.max())
         return np.asarray(odds / odds.sum())
 
 
 def none_of(some: list[Weighed]) -> Array:
-    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is."""
+    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is.
+
+    Shape (weights,), each without a unit.
+    """
     singles = [one for one in some if len(one.ids) == 1]
     best = min(one.signs["left_share"] for one in some)
     return np.array([1.0, best, max(best, -3.0), min(one.signs["left_share"] for one in singles or some),

@@ -35,14 +35,20 @@ NOTHING = Judged([], {}, 1.0)
 
 
 def held(named: Array) -> list[int]:
-    """Places of the explanations that are held, the likeliest first, from the probability of each."""
+    """Places of the explanations that are held, the likeliest first, from the probability of each.
+
+    Shape (explanations,).
+    """
     likeliest = np.argsort(-named, kind="stable")
     reached = np.cumsum(named[likeliest]) / max(float(named.sum()), 1e-300)
     return [int(place) for place in likeliest[: int(np.argmax(reached >= HELD)) + 1]]
 
 
 def helpers_share(some: list[Weighed], named: Array) -> float:
-    """Probability of the explanations without physics of the library: it counts as that of "none of them"."""
+    """Probability of the explanations without physics of the library: it counts as that of "none of them".
+
+    `named` has the shape (explanations,).
+    """
     return float(sum(share for one, share in zip(some, named, strict=True) if not physics(one.ids)))
 
 
@@ -59,7 +65,7 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
     named = np.array(shares)
     untaught = np.array([len(one.ids) > TAUGHT for one in some])
     if len(chosen.ids) > TAUGHT and untaught.any() and set(some[int(np.argmax(named))].ids) < set(chosen.ids):
-        # no lesson has three effects: where a third is worth much more than bent formulas are, it is taken
+        # no lesson has three effects: where a third is worth much more than a discrepancy of formulas, it is taken
         named = np.where(untaught, named, 0.0)
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
     none += helpers_share(some, named)

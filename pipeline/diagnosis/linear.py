@@ -45,12 +45,12 @@ class Linear(Products):
         noise: Noise,
         catalogue: dict[str, list[Shape]],
         extra: Array | None = None,
-        form: dict[str, Array] | None = None,
+        deviations: dict[str, Array] | None = None,
     ) -> None:
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, catalogue
         rows = self.rows = problem.rows
         here = linearised(problem, state)
-        more = sum(map(len, (form or {}).values())) + (0 if extra is None else len(extra))
+        more = sum(map(len, (deviations or {}).values())) + (0 if extra is None else len(extra))
         columns = Columns(rows, FEW + PER_SHAPE * sum(map(len, catalogue.values())) + more)
         run_index = problem.record.run_index[:rows]
         reach, spread = (np.inf, ZERO_SIGMA) if problem.system.free_zero else (0.0, FIXED_SIGMA)
@@ -70,7 +70,7 @@ class Linear(Products):
                     columns.add(column(problem, term, here)[:rows], term.low, term.high, np.inf)
                 self.index[id_, number] = np.arange(before, len(columns))
         self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
-        self.form = {id_: columns.free(bent, 1.0) for id_, bent in (form or {}).items()}
+        self.deviations = {id_: columns.free(ways, 1.0) for id_, ways in (deviations or {}).items()}
         self.low, self.high, sigma, self.at = columns.numbers()
         target = (problem.measured - here.predicted)[:rows] + self.at[known] @ columns.table[known]
         for act in state.acts:
@@ -85,11 +85,14 @@ class Linear(Products):
         self.hold(columns.table, prior, noise, problem.drivers.first[:rows])
 
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
-        """Calibration's columns and those of some shapes."""
+        """Calibration's columns and those of some shapes. Shape (columns,)."""
         return np.concatenate([self.calibration, *(self.index[key] for key in keys)]).astype(int)
 
     def fit(self, columns: np.ndarray, above: Array | None = None, below: Array | None = None) -> Fit:
-        """Whitened joint fit of some columns; `above` and `below` bound their coefficients further."""
+        """Whitened joint fit of some columns; `above` and `below` bound their coefficients further.
+
+        Each of shape (columns,), in the column's unit.
+        """
         low, high, begin = self.low[columns], self.high[columns], self.begin[columns]
         if above is not None and below is not None:
             low, high = np.maximum(low, above), np.minimum(high, below)
@@ -99,7 +102,10 @@ class Linear(Products):
         return Fit(columns, solution, self.square + misfit, np.nan, active)
 
     def scan(self, keys: tuple[Key, ...], id_: str) -> tuple[Array, NDArray[np.intp]]:
-        """Whitened misfits, and numbers of active columns, of some shapes with each shape of one mechanism in turn."""
+        """Whitened misfits, and numbers of active columns, of some shapes with each shape of one mechanism in turn.
+
+        Both of shape (shapes,).
+        """
         blocks = [self.index[id_, number] for number in range(len(self.catalogue[id_]))]
         starts, counts = np.array([block[0] for block in blocks]), np.array([len(block) for block in blocks])
         columns, known = self.columns_of(keys), len(self.calibration)
@@ -109,12 +115,15 @@ class Linear(Products):
         return self.square + misfit, active
 
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:
-        """Squared residual per sample of a solution, not whitened."""
+        """Squared residual per sample of a solution, not whitened. Both of shape (columns,)."""
         gram, moment, square = self.raw(columns)
         return float(square - 2.0 * moment @ solution + solution @ gram @ solution) / self.rows
 
     def plain(self, columns: np.ndarray) -> Fit:
-        """Joint fit that weighs all samples alike: what is left after it is what a person sees in the plot."""
+        """Joint fit that weighs all samples alike: what is left after it is what a person sees in the plot.
+
+        Shape (columns,), places in the table, which are indices.
+        """
         gram, moment, _ = self.raw(columns)
         gram[np.arange(len(columns)), np.arange(len(columns))] += self.raw_prior[columns]
         start = np.clip(np.zeros(len(columns)), self.low[columns], self.high[columns])
@@ -122,7 +131,10 @@ class Linear(Products):
         return Fit(columns, solution, np.nan, self.raw_energy(columns, solution), 0)
 
     def gap(self, truth: Fit, rival: np.ndarray) -> float:
-        """Misfit that a rival would leave of a noise-free recording made by a fit: the Cox-type expected gap."""
+        """Misfit that a rival would leave of a noise-free recording made by a fit: the Cox-type expected gap.
+
+        Shape (columns,), places in the table; whitened.
+        """
         cross = self.gram[np.ix_(rival, truth.columns)]
         prior = self.gram[np.ix_(truth.columns, truth.columns)]
         moment = cross @ truth.coefficients

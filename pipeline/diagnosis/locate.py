@@ -41,7 +41,7 @@ def box(mismatch: Array, problem: Problem, share: float = SHARE) -> dict[str, An
     """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
 
     The box is the smallest that holds `share` of the energy: the whole recording with a share of 0 where there is no
-    mismatch.
+    mismatch. The mismatch has the shape (samples,).
     """
     drivers = problem.drivers
     low, high = float(drivers.motion.min()), float(drivers.motion.max())

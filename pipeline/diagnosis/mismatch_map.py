@@ -14,7 +14,10 @@ from .record import PHASES
 
 
 def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:
-    """Mean residual by stroke and place on the stroke (up, then down again); the strokes; edges of the motion."""
+    """Mean residual by stroke and place on the stroke (up, then down again); the strokes; edges of the motion.
+
+    Shapes (strokes, places), (strokes,) and (places + 1,); in the reading's unit, as a count, in the motion's unit.
+    """
     edges = np.linspace(drivers.motion.min(), drivers.motion.max() + 1e-9, BINS + 1)
     strokes = np.unique(drivers.stroke[drivers.stroke > 0])
     down = drivers.phase >= PHASES.index("unwinding")
@@ -29,7 +32,10 @@ def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], 
 
 
 def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float) -> Any:
-    """The map of a residual; returns the image, for its colour bar."""
+    """The map of a residual; returns the image, for its colour bar.
+
+    It has the shape (samples,), in the reading's unit, as `limit` is.
+    """
     mean, strokes, edges = map_of(drivers, residual)
     image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
                         extent=(0, 2 * BINS, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip

@@ -24,7 +24,10 @@ def as_entry(found: Interval) -> dict[str, float]:
 
 
 def effect_of(problem: Problem, state: State, act: Act) -> Array:
-    """The prediction with an act less the prediction without it, all else held."""
+    """The prediction with an act less the prediction without it, all else held.
+
+    Shape (samples,), in the reading's unit.
+    """
     rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
     return problem.simulate(state) - problem.simulate(rest)
 

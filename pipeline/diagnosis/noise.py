@@ -35,7 +35,10 @@ def white(floor: float) -> Noise:
 
 @njit(cache=True)
 def autocovariance(signal: Array, lags: int) -> Array:
-    """Autocovariance at lags 0…lags about zero."""
+    """Autocovariance at lags 0…lags about zero.
+
+    From shape (samples,) to shape (lags + 1,), in the signal's unit squared.
+    """
     n, out = signal.size, np.empty(lags + 1)
     for k in range(lags + 1):
         out[k] = np.dot(signal[: n - k], signal[k:]) / n
@@ -43,19 +46,28 @@ def autocovariance(signal: Array, lags: int) -> Array:
 
 
 def resolution(readings: Array) -> float:
-    """Smallest step between readings, in their unit; 0 where hardly any reading comes twice."""
+    """Smallest step between readings, in their unit; 0 where hardly any reading comes twice.
+
+    They have the shape (samples,).
+    """
     fine = 1e-7 * max(float(np.ptp(readings)), 1e-300)
     levels = np.unique(np.round(readings / fine))
     return float(np.diff(levels).min() * fine) if 1 < len(levels) < len(readings) / 4 else 0.0
 
 
 def in_blocks(signal: Array, lags: int) -> list[Array]:
-    """A signal cut into blocks that are well longer than its memory."""
+    """A signal cut into blocks that are well longer than its memory.
+
+    Each of shape (samples,), in the signal's unit.
+    """
     return np.array_split(signal, max(min(BLOCKS, len(signal) // (2 * (lags + 1))), 1))
 
 
 def trimmed(signal: Array, lags: int, trim: float) -> Array:
-    """Mean autocovariance of the quieter blocks: a share `trim` of the loudest is left out, for they hold surprises."""
+    """Mean autocovariance of the quieter blocks: a share `trim` of the loudest is left out, for they hold surprises.
+
+    From shape (samples,) to shape (lags + 1,).
+    """
     if trim == 0.0:
         return autocovariance(signal, lags)
     blocks = np.array([autocovariance(block, lags) for block in in_blocks(signal, lags)])
@@ -64,7 +76,10 @@ def trimmed(signal: Array, lags: int, trim: float) -> Array:
 
 
 def from_covariance(covariance: Array) -> Noise:
-    """Yule-Walker; what no noise can have, after mending, is faded with the lag until it is one's."""
+    """Yule-Walker; what no noise can have, after mending, is faded with the lag until it is one's.
+
+    It has the shape (lags + 1,).
+    """
     order = len(covariance) - 1
     covariance = covariance * np.concatenate([[1.0 + 1e-6], np.ones(order)])
     ar = solve_toeplitz(covariance[:-1], covariance[1:])
@@ -76,7 +91,7 @@ def from_covariance(covariance: Array) -> Noise:
 
 
 def robust(residual: Array) -> Array:
-    """A residual with outliers pulled to 5 robust spreads."""
+    """A residual with outliers pulled to 5 robust spreads. Shape (samples,), in the residual's unit."""
     spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
     return np.clip(residual, -5.0 * spread, 5.0 * spread) if spread > 0 else residual
 
@@ -87,7 +102,7 @@ def estimate(
     """Noise of a target that columns (shape (columns, samples)) explain but for noise.
 
     The columns swallow part of coloured noise; how much is found by feeding noise of the estimated colour through the
-    same fit, and added back.
+    same fit, and added back. In the reading's unit, time in s.
     """
     samples = len(target)
     order = int(np.clip(np.ceil(MEMORY_S / step_s), FEWEST, MOST))
@@ -131,6 +146,7 @@ def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
     """The noise of the quieter blocks, brought to the mean loudness of all: what is new in every sample tells it.
 
     Noise that grows loud for a while does so in its innovations; something that happened does not.
+    Both of shape (samples,), in the reading's unit; `first` counts samples since the start of each run.
     """
     innovations = whiten(own[None], noise.ar, first)[0]
     spreads = [1.4826 * float(np.median(np.abs(block))) for block in in_blocks(innovations, len(noise.ar))]

@@ -47,7 +47,7 @@ class Study:
 
 
 def rms(values: np.ndarray) -> float:
-    """Root of the mean square."""
+    """Root of the mean square. Values of any shape, in their unit."""
     return float(np.sqrt(np.mean(np.square(values))))
 
 

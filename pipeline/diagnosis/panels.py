@@ -42,7 +42,10 @@ RARE = 0.003  # of the samples: a bin with fewer shows no mean
 
 
 def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:
-    """Channels over time, thinned to what a page can show."""
+    """Channels over time, thinned to what a page can show.
+
+    Each channel has the shape (samples,), in the unit that its label says.
+    """
     show = slice(None, None, max(1, len(drivers.time_s) // 5000))
     for name, (values, style) in lines.items():
         axes.plot(drivers.elapsed_s[show], values[show], label=name, **style)
@@ -135,7 +138,10 @@ def held_out(
 
 
 def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
-    """Signals that a residual may follow, by their label, and the samples that count for each."""
+    """Signals that a residual may follow, by their label, and the samples that count for each.
+
+    Both of shape (samples,).
+    """
     everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
     units, going, (up, down) = drivers.units, MOTION.get(drivers.units.motion, MOTION[""]), ways(drivers)
@@ -171,7 +177,10 @@ def filled(figure: SubFigure, count: int) -> list[Axes]:
 
 
 def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str) -> None:
-    """Mean residual in bins of a signal, before and after, over the noise floor's band; rare values are left out."""
+    """Mean residual in bins of a signal, before and after, over the noise floor's band; rare values are left out.
+
+    Each of shape (samples,).
+    """
     low, high = (float(end) for end in np.percentile(signal, [0.5, 99.5]))
     edges = np.linspace(low, high, BINS + 1)
     bins = np.clip(np.digitize(signal, edges) - 1, 0, BINS - 1)

@@ -17,7 +17,10 @@ TOGETHER = 64  # columns that are laid side by side for a product
 
 @njit(cache=True)
 def mirrored(lower: Array, scale: float) -> Array:
-    """The symmetric matrix whose one half a lower triangle holds, divided by a scale; shape (n, n)."""
+    """The symmetric matrix whose one half a lower triangle holds, divided by a scale; shape (n, n).
+
+    In the unit squared of what it holds.
+    """
     whole = np.empty(lower.shape)
     for i in range(len(lower)):
         for j in range(i + 1):
@@ -39,7 +42,7 @@ class Products:
     def whitened(self) -> tuple[Array, Array, float]:
         """Products of the whitened columns, priors included, and with the target, and the target's square.
 
-        They are made stretch by stretch.
+        They are made stretch by stretch. Shapes (columns, columns) and (columns,).
         """
         count, samples = self.table.shape
         upper, room = np.zeros((count, count), order="F"), np.empty(count * min(STRETCH, samples))
@@ -54,12 +57,12 @@ class Products:
 
     @property
     def gram(self) -> Array:
-        """Products of the whitened columns, priors included."""
+        """Products of the whitened columns, priors included. Shape (columns, columns)."""
         return self.whitened[0]
 
     @property
     def moment(self) -> Array:
-        """Products of the whitened columns with the target."""
+        """Products of the whitened columns with the target. Shape (columns,)."""
         return self.whitened[1]
 
     @property
@@ -69,11 +72,14 @@ class Products:
 
     @cached_property
     def scale(self) -> Array:
-        """Lengths of the whitened columns, priors included."""
+        """Lengths of the whitened columns, priors included. Shape (columns,)."""
         return np.sqrt(np.diag(self.gram))
 
     def gather(self, columns: np.ndarray) -> None:
-        """Make the products of some columns that are not whitened, where they are not made: many at once cost least."""
+        """Make the products of some columns, not whitened, where they are not made: many at once cost least.
+
+        Places of columns, shape (columns,), which are indices.
+        """
         wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
         new = [column for column in wanted if column not in self._kept]
         if new:
@@ -91,6 +97,7 @@ class Products:
         """Products of some columns, not whitened; their products with the target; and the target's square.
 
         Few columns of many are ever asked for, so that products are made when they are, and kept.
+        Shapes (columns, columns) and (columns,).
         """
         self.gather(columns)
         place = np.array([self._kept[column] for column in columns.tolist()], np.intp)

@@ -12,7 +12,7 @@ from .shapes import varied
 LEAST_GAIN = 10.0
 EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
-LEAST_MORE = 100.0  # gain of a further mechanism, over whatever bent formulas of the others can do
+LEAST_MORE = 100.0  # gain of a further mechanism, over whatever a discrepancy of the others' formulas can do
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 INEXACT = 0.035  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
 LARGEST = 3
@@ -146,15 +146,15 @@ class Search:
 
     def with_discrepancy(self, one: Explanation) -> Explanation:
         """An explanation whose formulas may be wrong by a little, as smooth functions of the drivers."""
-        form = [self.linear.form[id_] for id_ in one.ids if id_ in self.linear.form]
-        columns = np.concatenate([self.linear.columns_of(one.keys), *form]).astype(int)
+        deviations = [self.linear.deviations[id_] for id_ in one.ids if id_ in self.linear.deviations]
+        columns = np.concatenate([self.linear.columns_of(one.keys), *deviations]).astype(int)
         fit = self.linear.fit(columns)
         active = one.fit.active
         cost = fit.misfit + self.penalty * (active + sum(self.free[id_] for id_, _ in one.keys))
         return Explanation(one.ids, one.keys, fit, cost, self.linear.plain(columns).energy)
 
     def more(self, small: Explanation, large: Explanation, floor: float) -> bool:
-        """Whether a larger explanation has physics that no bent formula of the smaller one makes up for."""
+        """Whether a larger explanation has physics that no discrepancy of the smaller one's formulas makes up for."""
         if not small.ids:
             enough = small.energy - large.energy >= max(LEAST_EFFECT * floor, self.least) ** 2
             return large.cost <= small.cost - LEAST_GAIN and enough

@@ -3,7 +3,7 @@
 import json
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pandas as pd
@@ -14,6 +14,7 @@ from ..ground.kinematics import Array
 from ..ground.regular_file import read_regular
 from ..run.description import Fitted, Run
 from .adopt import acts_from, is_number
+from .content import Part, Simulated, Verdict
 from .outcome import rms
 from .problem import Problem, State
 from .record import averaged, despiked, means, wild
@@ -22,7 +23,7 @@ TARE_S = 1.0
 LARGEST_DIAGNOSIS = 100_000_000  # bytes
 
 
-def state_of(content: dict[str, Any], problem: Problem, path: Path, run: str) -> State:
+def state_of(content: Simulated, problem: Problem, path: Path, run: str) -> State:
     """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
     values = [value_of(content, one.name, path, one.nominal) for one in problem.parameters]
     together = content.get("run")
@@ -35,7 +36,7 @@ def state_of(content: dict[str, Any], problem: Problem, path: Path, run: str) ->
     return State(np.array(values), np.zeros(problem.runs), acts)
 
 
-def value_of(content: dict[str, Any], name: str, path: Path, otherwise: float) -> float:
+def value_of(content: Simulated, name: str, path: Path, otherwise: float) -> float:
     """Value of a parameter in a diagnosis; raises BadInput when it is no number."""
     entry = content["parameters"].get(name, {"value": otherwise})
     value: Any = entry.get("value") if isinstance(entry, dict) else None
@@ -45,7 +46,7 @@ def value_of(content: dict[str, Any], name: str, path: Path, otherwise: float) -
     return float(value)
 
 
-def read_diagnosis(path: Path) -> dict[str, Any]:
+def read_diagnosis(path: Path) -> Verdict:
     """Content of a `diagnosis.json`; raises BadInput for anything else."""
     try:
         content = json.loads(read_regular(path, LARGEST_DIAGNOSIS))
@@ -57,15 +58,17 @@ def read_diagnosis(path: Path) -> dict[str, Any]:
     together = content.get("run", "")
     if not isinstance(together, str) and not (isinstance(together, list) and together):
         raise BadInput(path, "run", f"is {short(together)}, no run and no list of runs", "give a diagnosis.json")
-    return dict(content)
+    return cast(Verdict, content)
 
 
-def of_run(run: Run) -> dict[str, Any]:
+def of_run(run: Run) -> Simulated:
     """What a run's own `run.yaml` simulates, as a diagnosis would say it: what it has adopted, effects and dimensions.
 
     Dimensions are those of run.yaml where none were adopted, or where one has been measured again since.
     """
-    held = {} if measured_since(run) else {name: {"value": one.fitted} for name, one in _adopted(run).items()}
+    held: dict[str, Part] = (
+        {} if measured_since(run) else {name: {"value": one.fitted} for name, one in _adopted(run).items()}
+    )
     return {"run": run.run, "parameters": held, "simulation": run.simulation}
 
 
@@ -82,7 +85,7 @@ def _adopted(run: Run) -> dict[str, Fitted]:
     return with_some[-1] if with_some and run.simulation else {}
 
 
-def simulated(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
+def simulated(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
     """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample.
 
     Shape (samples,), in the channel's unit.
@@ -110,7 +113,7 @@ def tare(predicted: Array, measured: Array, time_s: Array) -> float:
     return float(np.median((measured - predicted)[start]))
 
 
-def tared(problem: Problem, content: dict[str, Any], path: Path, run: str) -> Array:
+def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
     """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does.
 
     Shape (samples,), in the channel's unit.

@@ -1,6 +1,6 @@
 """Everything found, as the content of `diagnosis.json`."""
 
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from ..run.description import Run
 from . import band, chance, generic, locate, nextrun
 from .adopt import entries
 from .bounds import at_bound
+from .content import Verdict
 from .detectable import detectable
 from .engine import fine_floor
 from .evidence import evidence
@@ -43,7 +44,10 @@ def tidy(value: Any) -> Any:
 
 
 def mismatch_signal(found: Study) -> tuple[Array, list[str]]:
-    """The mismatch without its noise, and the drivers it follows: by the best explanation, or by the dictionary."""
+    """The mismatch without its noise, and the drivers it follows: by the best explanation, or by the dictionary.
+
+    Shape (samples,), in the reading's unit.
+    """
     problem = found.problem
     before = problem.simulate(found.base)
     if found.verdict in ("explained", "ambiguous") or (found.sets and not physics(found.sets[0].ids)):
@@ -56,7 +60,10 @@ def mismatch_signal(found: Study) -> tuple[Array, list[str]]:
 
 
 def systematic(found: Study, state: State) -> tuple[Array, list[str]]:
-    """What the generic dictionary finds in the residual of a simulator, and the driver of most of it."""
+    """What the generic dictionary finds in the residual of a simulator, and the driver of most of it.
+
+    Shape (samples,), in the reading's unit.
+    """
     problem = found.problem
     columns = generic.groups(problem.drivers)
     linear = Linear(problem, state, white(found.floor), {}, np.vstack(list(columns.values())))
@@ -110,7 +117,7 @@ def diagnosis(
     runs: list[Run],
     experiment: nextrun.Proposal | None,
     without: frozenset[str],
-) -> dict[str, Any]:
+) -> Verdict:
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = found.problem
     unit = problem.system.channel.rpartition("_")[2]
@@ -184,4 +191,4 @@ def diagnosis(
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
-    return spoken(without_idle(tidied, unit), problem.system)
+    return cast(Verdict, spoken(without_idle(tidied, unit), problem.system))

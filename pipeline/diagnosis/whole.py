@@ -4,13 +4,14 @@ import sys
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import pandas as pd
 
 from ..ground.errors import BadInput
 from ..run.description import Run
 from . import engine, faint, heldout, own_rate, verdict
+from .content import Adoption, Verdict
 from .judge import Judge
 from .outcome import Study
 
@@ -25,7 +26,7 @@ def diagnosed(
     without: frozenset[str] = frozenset(),
     by: Judge | None = None,
     say: Say = lambda _: None,
-) -> tuple[dict[str, Any], Study]:
+) -> tuple[Verdict, Study]:
     """Diagnose one run, or several of one rig together: the content of `diagnosis.json`, and what it was made from.
 
     `tables` holds each run's checked samples, `folders` where each lies or would lie, for what is said of it. The
@@ -45,7 +46,7 @@ def diagnosed(
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
     content = verdict.diagnosis(found, fine, held, runs, experiment, without)
-    earlier = [one.model_dump(exclude_none=True) for run in runs for one in run.adopted]
+    earlier = [cast(Adoption, one.model_dump(exclude_none=True)) for run in runs for one in run.adopted]
     if earlier:
         content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
     return content, found

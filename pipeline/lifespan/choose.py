@@ -44,12 +44,15 @@ class Choice:
         return self.fits[int(np.argmax(self.weights))]
 
     def curve(self, n: Array) -> Array:
-        """Weighed mean of the laws at strokes n."""
+        """Weighed mean of the laws at strokes n. Shape (strokes,)."""
         return np.asarray(sum(weight * one.moments(n)[0] for weight, one in zip(self.weights, self.fits, strict=True)))
 
 
 def blocks(n: Array, values: Array, most: int = MOST_POINTS) -> tuple[Array, Array, Array]:
-    """Strokes, mean values and numbers of strokes of at most `most` blocks of equal length, outliers left out."""
+    """Strokes, mean values and numbers of strokes of at most `most` blocks of equal length, outliers left out.
+
+    From shape (strokes,) to shape (blocks,), values in the indicator's unit.
+    """
     kept = ~outliers(values)
     parts = np.array_split(np.flatnonzero(kept), min(most, int(kept.sum())))
     means = [(n[part].mean(), values[part].mean(), float(len(part))) for part in parts]
@@ -58,7 +61,10 @@ def blocks(n: Array, values: Array, most: int = MOST_POINTS) -> tuple[Array, Arr
 
 
 def outliers(values: Array, reach: int = 3) -> np.ndarray:
-    """Whether a value lies far off the median of its neighbours on either side, shape (strokes,)."""
+    """Whether a value lies far off the median of its neighbours on either side, shape (strokes,).
+
+    Values have any unit.
+    """
     if len(values) <= 2 * reach:
         return np.zeros(len(values), bool)
     padded = np.pad(values, reach, mode="reflect", reflect_type="odd")
@@ -69,7 +75,10 @@ def outliers(values: Array, reach: int = 3) -> np.ndarray:
 
 
 def forecasts(law: Law, n: Array, values: Array, weights: Array) -> list[Forecast | None]:
-    """For each origin the strokes ahead over those seen, a law's errors there, and their variance as it sees it."""
+    """For each origin the strokes ahead over those seen, a law's errors there, and their variance as it sees it.
+
+    `n`, values and weights have the shape (strokes,).
+    """
     found: list[Forecast | None] = []
     for share in ORIGINS:
         first = round(share * len(n))
@@ -87,14 +96,20 @@ def forecasts(law: Law, n: Array, values: Array, weights: Array) -> list[Forecas
 
 
 def likelihood(errors: Array, variance: Array) -> float:
-    """Mean log-likelihood of forecast errors under Student's t of the variance foreseen."""
+    """Mean log-likelihood of forecast errors under Student's t of the variance foreseen.
+
+    Both of shape (forecasts,).
+    """
     return float(
         np.mean(-0.5 * np.log(variance) - 0.5 * (TAIL + 1.0) * np.log1p(np.square(errors) / (TAIL * variance)))
     )
 
 
 def choose(n: Array, values: Array, laws: tuple[Law, ...] = LAWS) -> Choice:
-    """Weigh laws of an indicator over strokes n, both of shape (strokes,); at least LEAST_FITTED of them."""
+    """Weigh laws of an indicator over strokes n, both of shape (strokes,); at least LEAST_FITTED of them.
+
+    In the indicator's unit.
+    """
     n, values, counts = blocks(n, values)
     fits = [(law, fit(law, n, values, counts)) for law in laws]
     pairs = [(one, forecasts(law, n, values, counts)) for law, one in steps(fits, "law") if one is not None]

@@ -48,12 +48,15 @@ class Fit:
         return shape | {f"{name}_at_last_stroke": float(value) for name, value in table}
 
     def curve(self, n: Array) -> Array:
-        """The best shape's values at strokes n."""
+        """The best shape's values at strokes n. Shape (strokes,)."""
         shape = self.shapes[[self.best]]
         return np.asarray(self.law.table(n, shape, self.seen)[0] @ self.coefficients[self.best])
 
     def moments(self, n: Array) -> tuple[Array, Array]:
-        """Mean and variance at strokes n over all shapes and coefficients, noise left out."""
+        """Mean and variance at strokes n over all shapes and coefficients, noise left out.
+
+        Both of shape (strokes,), in the indicator's unit and its square.
+        """
         table = self.law.table(n, self.shapes, self.seen)
         means = (table @ self.coefficients[..., None])[..., 0]
         spread = np.sum((table @ self.covariance) * table, axis=-1)
@@ -82,7 +85,7 @@ class Fit:
 def fit(law: Law, n: Array, values: Array, weights: Array | None = None) -> Fit | None:
     """Fit a law to values over strokes n, both of shape (strokes,), weighed by how many strokes each stands for.
 
-    Gives None where there are too few to judge the law by.
+    Gives None where there are too few to judge the law by. In the indicator's unit.
     """
     weights = np.ones(len(n)) if weights is None else weights
     late = slice(len(n) - round(law.recent * len(n)), None)

@@ -12,7 +12,10 @@ CELLS = 20  # of the twist range, for winding and for unwinding
 
 
 def mean_error(values: Array) -> tuple[float, float]:
-    """Median of values and its standard error, which allows for each value's likeness to the one before."""
+    """Median of values and its standard error, which allows for each value's likeness to the one before.
+
+    They have the shape (values,).
+    """
     if len(values) < 2:
         return (float(values[0]) if len(values) else np.nan), np.nan
     middle = float(np.median(values))
@@ -24,7 +27,10 @@ def mean_error(values: Array) -> tuple[float, float]:
 
 
 def cells(turns: Array, rest_mm: Array, low: float, high: float) -> tuple[Array, Array]:
-    """Mean and variance of the mean of readings in equal cells between two twists; NaN and infinity where empty."""
+    """Mean and variance of the mean of readings in equal cells between two twists; NaN and infinity where empty.
+
+    From shape (samples,) to shape (cells,), in mm and its square; twists in turns.
+    """
     place = np.floor(CELLS * (turns - low) / (high - low)).astype(int)
     inside = (place >= 0) & (place < CELLS)
     place, rest_mm = place[inside], rest_mm[inside]

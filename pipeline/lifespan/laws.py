@@ -27,13 +27,16 @@ class Law:
     recent: float = 1.0
 
     def axes(self, seen: float) -> list[Array]:
-        """Values of each shape on the grid for so many strokes seen."""
+        """Values of each shape on the grid for so many strokes seen. Each of shape (values,)."""
         steps = STEPS if len(self.bounds) < 2 else STEPS // 2
         scale = [seen if name in ("tau", "N") else 1.0 for name, *_ in self.bounds]
         return [np.geomspace(low * by, high * by, steps) for (_, low, high), by in zip(self.bounds, scale, strict=True)]
 
     def table(self, n: Array, shapes: Array, seen: float) -> Array:
-        """Columns at strokes n for shapes, each column but the constant 1 at `seen`; (shapes, strokes, columns)."""
+        """Columns at strokes n for shapes, each column but the constant 1 at `seen`; (shapes, strokes, columns).
+
+        `n` has the shape (strokes,), `shapes` the shape (shapes, parameters).
+        """
         shape = [one[:, None] for one in shapes.T]
         rows = [np.ones((len(shapes), len(n)))]
         now = self.columns(np.array([[seen]]), *shape)

@@ -62,7 +62,10 @@ class Left:
 
 
 def futures(choice: Choice, ahead: Array, generator: np.random.Generator) -> Array:
-    """Values of the indicator so many strokes ahead of the last one seen; shape (FUTURES, strokes)."""
+    """Values of the indicator so many strokes ahead of the last one seen; shape (FUTURES, strokes).
+
+    In the indicator's unit.
+    """
     counts = generator.multinomial(FUTURES, choice.weights)
     seen = choice.fits[0].seen
     drawn = [
@@ -81,7 +84,10 @@ def futures(choice: Choice, ahead: Array, generator: np.random.Generator) -> Arr
 
 
 def passages(paths: Array, limit: Array, ahead: Array) -> Array:
-    """Strokes ahead at which each path first passes its limit, infinite where it does not; shape (paths,)."""
+    """Strokes ahead at which each path first passes its limit, infinite where it does not; shape (paths,).
+
+    Paths have the shape (paths, strokes), in the indicator's unit.
+    """
     past = paths >= limit[:, None]
     first = np.argmax(past, axis=1)
     before = np.maximum(first - 1, 0)
@@ -93,7 +99,10 @@ def passages(paths: Array, limit: Array, ahead: Array) -> Array:
 
 
 def surprises(seen: float, generator: np.random.Generator) -> Array:
-    """Strokes left until a sudden end: each doubling of the strokes seen is as dangerous as the one before."""
+    """Strokes left until a sudden end: each doubling of the strokes seen is as dangerous as the one before.
+
+    Shape (futures,), a count of strokes.
+    """
     return np.asarray(seen * (generator.random(FUTURES) ** (-1.0 / HAZARD) - 1.0))
 
 
@@ -103,7 +112,10 @@ def sudden(times: float) -> float:
 
 
 def first_passed(n: Array, values: Array, limit: float) -> float:
-    """First stroke at which the median of PASSED_OF strokes is past the limit, NaN where none is."""
+    """First stroke at which the median of PASSED_OF strokes is past the limit, NaN where none is.
+
+    Both of shape (strokes,), in the indicator's unit.
+    """
     windows = np.lib.stride_tricks.sliding_window_view(values, PASSED_OF)
     past = np.flatnonzero(np.median(windows, axis=1) >= limit)
     return float(n[past[0] + PASSED_OF // 2]) if len(past) else np.nan
@@ -145,7 +157,10 @@ def strokes_left(
 
 
 def drifts(n: Array, values: Array) -> bool:
-    """Whether the later strokes differ from the first ones by more than their noise."""
+    """Whether the later strokes differ from the first ones by more than their noise.
+
+    Both of shape (strokes,), values in the indicator's unit.
+    """
     noise = float(np.median(np.abs(np.diff(values)))) / (0.6745 * np.sqrt(2.0))
     third = max(len(n) // 3, 1)
     change = abs(values[-third:].mean() - values[:third].mean())

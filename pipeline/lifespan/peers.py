@@ -13,7 +13,10 @@ PEERS = ("line through all strokes", "line through the last third", "one logarit
 
 
 def peer(name: str, n: Array, values: Array, limit: float, seed: int = 0) -> Left:
-    """Strokes left by one of PEERS; the interval is that of its coefficients, with the limit as it is."""
+    """Strokes left by one of PEERS; the interval is that of its coefficients, with the limit as it is.
+
+    `n` and values have the shape (strokes,), in the indicator's unit.
+    """
     seen = float(n[-1] - n[0] + 1.0)
     horizon = HORIZON * seen
     ahead = np.concatenate([[0.0], np.geomspace(0.25, horizon, STEPS)])

@@ -15,6 +15,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..diagnosis import figures
+from ..diagnosis.content import Verdict
 from ..diagnosis.outcome import Study
 from ..diagnosis.simulation import read_diagnosis
 from ..diagnosis.whole import diagnosed
@@ -67,7 +68,7 @@ def _interval(entry: dict[str, Any], unit: str = "") -> Interval:
 class Diagnosis:
     """What a diagnosis says. `content` is what `diagnosis.json` holds; the other names give its parts as objects."""
 
-    content: dict[str, Any]
+    content: Verdict
     actuator: str
     _found: Study | None = field(default=None, compare=False)
 
@@ -128,12 +129,12 @@ class Diagnosis:
     @property
     def words(self) -> str:
         """The verdict on one page, as `verdict.txt` has it."""
-        return verdict_text(self.content, self.system, self._folders)
+        return verdict_text(dict(self.content), self.system, self._folders)
 
     @property
     def details(self) -> str:
         """All that the verdict stands on, in words, as `details.txt` has it."""
-        return details_text(self.content, self.system, self._folders)
+        return details_text(dict(self.content), self.system, self._folders)
 
     @property
     def _folders(self) -> list[Path]:

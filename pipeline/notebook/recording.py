@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 import pandas as pd
 
+from ..diagnosis.content import Simulated
 from ..diagnosis.own_rate import at_own_rate
 from ..diagnosis.simulation import of_run, tared
 from ..ground import schemas
@@ -29,7 +30,7 @@ class Explained(Protocol):
     """What says how a rig is simulated: a diagnosis."""
 
     @property
-    def content(self) -> dict[str, Any]:
+    def content(self) -> Simulated:
         """What `diagnosis.json` holds."""
 
 

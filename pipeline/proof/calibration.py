@@ -22,7 +22,10 @@ class Calibrated:
 
 
 def moved(measured: Geometry, sigmas: Array) -> Geometry:
-    """The dimensions, moved by so many sigma each."""
+    """The dimensions, moved by so many sigma each.
+
+    Shape (dimensions,), without a unit: shares of each tolerance.
+    """
     return replace(
         measured,
         radius_mm=measured.radius_mm * (1.0 + TOLERANCE["radius"] * sigmas[0]),
@@ -42,7 +45,10 @@ def _left(sigmas: Array, measured: Geometry, motor_turns: Array, load_n: Array, 
 def calibrate(
     measured: Geometry, motor_turns: Array, load_n: Array, displacement_mm: Array, noise_mm: float
 ) -> Calibrated:
-    """Plain least squares over the dimensions and the scale, each with its tolerance as prior and 3 sigma as limit."""
+    """Plain least squares over the dimensions and the scale, each with its tolerance as prior and 3 sigma as limit.
+
+    Each of shape (samples,), in turns, N and mm.
+    """
     thin = slice(None, None, max(1, len(motor_turns) // MOST_SAMPLES))
     few = (motor_turns[thin], load_n[thin], displacement_mm[thin])
     weight = np.sqrt(len(motor_turns) / len(few[0])) / noise_mm

@@ -14,7 +14,10 @@ PHASES = ("winding", "hold", "unwinding", "rest", "all")
 
 
 def location(performed: Performed, residual_mm: Array) -> dict[str, Any]:
-    """The box as the contract writes it; its size is the number of samples in it."""
+    """The box as the contract writes it; its size is the number of samples in it.
+
+    The residual has the shape (samples,), in mm.
+    """
     edges = np.linspace(performed.motor_turns.min(), performed.motor_turns.max(), BINS + 1)
     turn = np.clip(np.searchsorted(edges, performed.motor_turns, side="right") - 1, 0, BINS - 1)
     energy, whole = np.square(residual_mm), float(np.square(residual_mm).sum())

@@ -58,7 +58,7 @@ def draw_nuisance(rng: np.random.Generator, trap: bool = False) -> Nuisance:
 
 
 def late_s(nuisance: Nuisance, rate_hz: float, count: int, rng: np.random.Generator) -> Array:
-    """How late each sample is taken; never so late that it is taken after the next one."""
+    """How late each sample is taken; never so late that it is taken after the next one. Shape (count,)."""
     return np.clip(nuisance.jitter * rng.standard_normal(count), -0.4, 0.4) / rate_hz
 
 

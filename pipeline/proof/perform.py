@@ -40,7 +40,7 @@ def live(geometry: Geometry, told: Commands, hidden: Hidden, step_s: float) -> t
 def perform(bench: Bench, protocol: Protocol, hidden: Hidden, late_s: Array | None = None) -> Performed:
     """The bench with these effects in it, sampled at the protocol's rate or `late_s` after it.
 
-    The displacement has the sensor's scale and zero.
+    The displacement has the sensor's scale and zero. `late_s` has the shape (samples,).
     """
     told = protocol.told
     reading_mm, temperature_c = live(bench.true, told, hidden, protocol.step_s)

@@ -38,7 +38,10 @@ class Protocol:
 
     @cached_property
     def phases(self) -> tuple[NDArray[np.intp], NDArray[np.str_]]:
-        """Stroke and phase of every sample that is taken in time; both of shape (samples,)."""
+        """Stroke and phase of every sample that is taken in time; both of shape (samples,).
+
+        A stroke is a count.
+        """
         return phases(self.told, self.told.time_s[::STEPS_PER_SAMPLE])
 
 
@@ -90,7 +93,10 @@ def _poor(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
 
 
 def phases(told: Commands, time_s: Array) -> tuple[NDArray[np.intp], NDArray[np.str_]]:
-    """Stroke (0 before the first) and phase of every sample, as they were commanded; both of shape (samples,)."""
+    """Stroke (0 before the first) and phase of every sample, as they were commanded; both of shape (samples,).
+
+    A stroke is a count.
+    """
     marks_s = told.strokes_s.ravel()
     mark = np.searchsorted(marks_s, time_s, side="right")
     stroke = (mark + 3) // 4

@@ -38,7 +38,7 @@ class Size:
 
 
 def rms(values: Array) -> float:
-    """Root of the mean square."""
+    """Root of the mean square. Values of any shape, in their unit."""
     return float(np.sqrt(np.square(values).mean()))
 
 

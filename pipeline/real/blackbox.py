@@ -64,7 +64,7 @@ class Learnt:
     slope: Array
 
     def predict(self, asked: Asked) -> Array:
-        """Prediction of each seed for every row, shape (seeds, rows)."""
+        """Prediction of each seed for every row, shape (seeds, rows). In the reading's unit."""
         table = (asked.table[self.columns].to_numpy() - self.mean) / self.spread
         straight = self.constant + table @ self.slope
         return np.array([straight + predict(table) for predict in self.predictors])

@@ -12,7 +12,10 @@ DELAYS_S = (0.02, 0.1)
 
 
 def low_pass(signal: Array, step_s: float, band_hz: float) -> Array:
-    """A signal below a frequency, with zero phase; unchanged where its rate is too low to hold more."""
+    """A signal below a frequency, with zero phase; unchanged where its rate is too low to hold more.
+
+    Shape (samples,), in the signal's unit.
+    """
     if band_hz * step_s >= 0.45:
         return signal
     sections = butter(ORDER, band_hz, fs=1.0 / step_s, output="sos")
@@ -20,7 +23,10 @@ def low_pass(signal: Array, step_s: float, band_hz: float) -> Array:
 
 
 def memory(motion: Array, width: float) -> Array:
-    """Which way the motion came, between -1 and 1: it takes `width` of travel to turn from zero to either end."""
+    """Which way the motion came, between -1 and 1: it takes `width` of travel to turn from zero to either end.
+
+    Shape (samples,).
+    """
     state, found = 0.0, np.empty(len(motion))
     for row, step in enumerate(np.diff(motion, prepend=motion[0]).tolist()):
         state = min(1.0, max(-1.0, state + step / width))

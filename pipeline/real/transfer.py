@@ -2,11 +2,12 @@
 
 import argparse
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import TypedDict
 
 import numpy as np
 import pandas as pd
 
+from ..diagnosis.content import Simulated
 from ..diagnosis.own_rate import at_own_rate
 from ..diagnosis.simulation import read_diagnosis, state_of, tare
 from ..ground.errors import BadInput, program
@@ -26,7 +27,10 @@ Samples = tuple[Run, pd.DataFrame]
 
 
 def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tuple[float, float]:
-    """Rms error with the zero set on the first second, where `tared`, and with the best zero of all."""
+    """Rms error with the zero set on the first second, where `tared`, and with the best zero of all.
+
+    Each given has the shape (samples,).
+    """
     left = measured - predicted
     first = left - tare(predicted, measured, time_s) if tared else left
     return float(np.sqrt(np.mean(np.square(first)))), float(
@@ -34,8 +38,11 @@ def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tup
     )
 
 
-def simulated(content: dict[str, Any], about: Samples, path: Path) -> tuple[Array, Array, Array]:
-    """Prediction of a diagnosis for another recording, what that measured, and its time; its zero is left open."""
+def simulated(content: Simulated, about: Samples, path: Path) -> tuple[Array, Array, Array]:
+    """Prediction of a diagnosis for another recording, what that measured, and its time; its zero is left open.
+
+    Each of shape (samples,), in the reading's unit and s.
+    """
     run, samples = about
     problem = at_own_rate([run], [samples])
     return problem.simulate(state_of(content, problem, path, run.run)), problem.measured, problem.record.time_s
@@ -64,7 +71,7 @@ class Source:
         found = {}
         if self.diagnosis.is_file():
             content = read_diagnosis(self.diagnosis)
-            bare: dict[str, Any] = {"parameters": {}, "simulation": []}
+            bare: Simulated = {"parameters": {}, "simulation": []}
             for method, said in (("nominal", bare), ("explained", content)):
                 found[method] = errors(*simulated(said, about, self.diagnosis), tared)
         asked = Asked.of(run, samples, self.span)

@@ -30,6 +30,7 @@ def by_range(given: Array, error: Array, low: float, high: float) -> tuple[Array
     """Middles of equal ranges from `low` to `high`, and the root mean square of the errors there.
 
     NaN where a range holds few points, so that a line breaks between blocks that were held out.
+    From shape (points,) to shape (ranges,), each in its own unit.
     """
     known = np.isfinite(error) & np.isfinite(given)
     edges = np.linspace(low, high, BINS + 1)

@@ -32,7 +32,7 @@ class Lived:
 
     @property
     def helix_sine(self) -> Array:
-        """Sine of the helix angle."""
+        """Sine of the helix angle. Without a unit."""
         return self.helix_tangent / np.hypot(1.0, self.helix_tangent)
 
 
@@ -48,12 +48,16 @@ class Effect(ABC):
         A twist effect returns the twist that the string has less than the motor, in rad; a radius effect the
         factor on the radius; a length effect the lengthening of the string and a contraction effect what the
         load moves less than the string pulls, in mm; a reading effect what the sensor says too much, in mm.
+        Shape (steps,).
         """
 
 
 @compiled
 def settle(asked: Array, share: float, state: Array) -> Array:
-    """A state that closes a share of its gap to what is asked in every step; of the shape of `asked`."""
+    """A state that closes a share of its gap to what is asked in every step; of the shape of `asked`.
+
+    Shape (steps,).
+    """
     out = np.empty(len(asked))
     for step in range(len(asked)):
         state[0] += (asked[step] - state[0]) * share

@@ -82,7 +82,10 @@ class Move:
         return abs(self.turns) / self.speed_turns_per_s + (self.up_s + self.down_s) / 2.0
 
     def at(self, since_s: Array) -> Array:
-        """Turns made after a time since the start; nothing before it, all of them after its end."""
+        """Turns made after a time since the start; nothing before it, all of them after its end.
+
+        Shape (times,), in s; answers in turns.
+        """
         end_s = self.duration_s
         t = np.clip(since_s, 0.0, end_s)
         made = np.clip(t, self.up_s, end_s - self.down_s) - self.up_s  # in seconds of full speed

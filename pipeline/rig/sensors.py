@@ -26,7 +26,10 @@ def declare(sensors: dict[str, Sensor]) -> tuple[Channel, ...]:
 
 
 def read(sensor: Sensor, truth: Array, rng: np.random.Generator) -> Array:
-    """Counts of a sensor, whole numbers within its integer's range; of the shape of `truth`."""
+    """Counts of a sensor, whole numbers within its integer's range; of the shape of `truth`.
+
+    `truth` has the shape (samples,).
+    """
     value = truth - (truth[0] if sensor.zeroed else 0.0) + sensor.noise * rng.standard_normal(len(truth))
     range_ = np.iinfo(INTEGERS[sensor.type])
     return np.clip(np.rint(value / sensor.quantum), range_.min, range_.max)

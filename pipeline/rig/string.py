@@ -23,7 +23,10 @@ class String:
         self.helix_mm: float | None = None
 
     def pull(self, motor_turns: Array, load_n: Array) -> Array:
-        """What the displacement sensor says in mm after every step of commanded twist and load; all (steps,)."""
+        """What the displacement sensor says in mm after every step of commanded twist and load; all (steps,).
+
+        All have the shape (steps,).
+        """
         return self.live(motor_turns, load_n).reading_mm
 
     def live(self, motor_turns: Array, load_n: Array) -> Lived:

@@ -4,13 +4,14 @@ import json
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
 from ..ground.regular_file import read_regular
 from ..ground.strict_yaml import read_yaml
+from .capture_json import CaptureJson
 from .description import Run, parse_run
 
 CAPTURED = ("recording.frames", "recording.lines")  # what the capture program writes while it runs
@@ -59,7 +60,7 @@ def unfinished(folder: Path) -> bool:
     return any((folder / name).is_file() for name in CAPTURED) and not (folder / "capture.json").is_file()
 
 
-def capture_info(folder: Path | str) -> dict[str, Any]:
+def capture_info(folder: Path | str) -> CaptureJson:
     """Content of `capture.json`, or nothing for a run that the capture program did not record; raises BadInput."""
     path = Path(folder) / "capture.json"
     if not os.path.lexists(path):
@@ -70,10 +71,10 @@ def capture_info(folder: Path | str) -> dict[str, Any]:
         info = None
     if not isinstance(info, dict):
         raise BadInput(path, "capture.json", "is not what the capture program writes", "restore it, or use --recover")
-    return info
+    return cast(CaptureJson, info)
 
 
-def checked_info(folder: Path | str) -> dict[str, Any]:
+def checked_info(folder: Path | str) -> CaptureJson:
     """Content of `capture.json` whose losses are as the capture program lists them; raises BadInput."""
     path, info = Path(folder) / "capture.json", capture_info(folder)
     for field in ("gaps", "holes"):

@@ -1,17 +1,16 @@
 """Strokes in whose movement the capture lost samples."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 
 from ..ground.errors import BadInput
+from .capture_json import CaptureJson
 
 LOSSES_LISTED = 1000  # capture.json lists no more: what comes after the last one may be touched too
 MOVING = ("winding", "unwinding")
 
 
-def touched(strokes: pd.DataFrame, info: dict[str, Any]) -> frozenset[int]:
+def touched(strokes: pd.DataFrame, info: CaptureJson) -> frozenset[int]:
     """Strokes of a run, by their numbers in it, in whose movement samples are missing by its capture.json."""
     gaps = [*info.get("gaps", []), *info.get("holes", [])]
     after = np.array([gap["after_samples"] for gap in gaps], np.int64)

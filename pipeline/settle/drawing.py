@@ -49,7 +49,10 @@ def draw(entry: dict[str, Any], path: Path, title: str, came: Path | None = None
 
 
 def zero_mm(turns: Array, reading_mm: Array) -> float:
-    """The reading while the motor had not begun to move: a first sample alone carries its noise into all others."""
+    """The reading while the motor had not begun to move: a first sample alone carries its noise into all others.
+
+    Both of shape (samples,).
+    """
     moved = np.flatnonzero(np.abs(turns - turns[0]) > STANDS_TURNS)
     return float(np.median(reading_mm[: max(1, int(moved[0]) if len(moved) else len(turns))]))
 
@@ -72,7 +75,7 @@ def simulated_mm(curves: dict[str, Any], at_s: Array, turns: Array) -> Array:
 
 
 def averaged(at_s: Array, values: Array) -> Array:
-    """Running means over SMOOTH_S."""
+    """Running means over SMOOTH_S. Shape (samples,), in the values' unit; times in s."""
     width = max(1, round(SMOOTH_S / max(float(np.median(np.diff(at_s))), 1e-9))) if len(at_s) > 1 else 1
     weights = np.ones(min(width, len(values)))
     return np.convolve(values, weights, "same") / np.convolve(np.ones(len(values)), weights, "same")

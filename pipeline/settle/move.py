@@ -3,7 +3,6 @@
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from ..capture.commit import recover
 from ..capture.log import NAME, in_use
@@ -61,7 +60,7 @@ def wait_for(folder: Path, stopped: Callable[[], bool]) -> bool:
 
 def came(step: Step) -> tuple[Step, bool]:
     """The step with how its recording ended, and whether a person ended it."""
-    info: dict[str, Any] = capture_info(Path(step.run_dir or ""))
+    info = capture_info(Path(step.run_dir or ""))
     status = info.get("exit_status", "complete")
     if status == "complete":
         return step.at("recorded"), False

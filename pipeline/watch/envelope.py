@@ -16,7 +16,7 @@ class Envelope:
         self._open = 0  # samples in the last part
 
     def add(self, rows: Array) -> None:
-        """Take samples, shape (samples, columns)."""
+        """Take samples, shape (samples, columns). Each column in its own unit."""
         while len(rows):
             if 0 < self._open < self.each:
                 part, rows = rows[: self.each - self._open], rows[self.each - self._open :]
@@ -45,15 +45,15 @@ class Envelope:
 
     @property
     def first(self) -> Array:
-        """The first sample of each part, shape (parts, columns)."""
+        """The first sample of each part, shape (parts, columns). Each column in its own unit."""
         return self._first
 
     @property
     def low(self) -> Array:
-        """The least of each part, shape (parts, columns)."""
+        """The least of each part, shape (parts, columns). Each column in its own unit."""
         return self._low
 
     @property
     def high(self) -> Array:
-        """The greatest of each part, shape (parts, columns)."""
+        """The greatest of each part, shape (parts, columns). Each column in its own unit."""
         return self._high

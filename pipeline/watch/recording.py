@@ -114,7 +114,10 @@ class Followed:
             return None
 
     def simulated(self, rows: Array) -> Array | None:
-        """Nominal displacement at samples, shape (samples,), or None where the simulator cannot give it."""
+        """Nominal displacement at samples, shape (samples,), or None where the simulator cannot give it.
+
+        In mm.
+        """
         return self._nominal.at(rows) if self._nominal and self._nominal.usable and len(rows) else None
 
     def state(self) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from .recording import Followed
 
 
 def numbers(values: Array) -> list[float | None]:
-    """Values with six digits, None for what is no number."""
+    """Values with six digits, None for what is no number. Shape (values,), in any unit."""
     return [float(f"{one:.6g}") if math.isfinite(one) else None for one in values.tolist()]
 
 

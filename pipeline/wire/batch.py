@@ -128,7 +128,10 @@ def read_batch(data: bytes, protocol: int = PROTOCOL) -> Batch:
 
 
 def samples_of(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArray[np.void]]:
-    """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type."""
+    """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type.
+
+    Both of shape (samples,).
+    """
     layout = np.dtype(hello.sample_type)
     as_they_came = np.argsort(frames, kind="stable")
     came = frames[as_they_came]

@@ -13,7 +13,10 @@ FEW, MOST = 0.1, 0.9  # of all steps: more that fall back, or that stand, and th
 
 
 def unwrap_us(t_us: NDArray[np.uint32], first_us: int) -> Whole:
-    """Microseconds since `first_us` of a 32-bit clock that wraps every 71.6 min, for stamps < 35 min apart."""
+    """Microseconds since `first_us` of a 32-bit clock that wraps every 71.6 min, for stamps < 35 min apart.
+
+    Shape (stamps,), in us.
+    """
     return np.cumsum(steps_of(t_us, first_us))
 
 
@@ -30,7 +33,7 @@ def mend(time_us: Whole, numbers: Whole) -> tuple[Array, dict[str, int]]:
     the neighbours that are right; where the clock falls back for good, what follows is moved to a usual step after
     the sample before. `repeated_time_stamps`: samples that share a stamp are spread up to the next.
     `leaping_time_stamps`: a first or last stamp that stands apart by ten usual steps. No sample is dropped. Where
-    there is no clock at all the stamps stay as they are.
+    there is no clock at all the stamps stay as they are. Both given have the shape (samples,).
     """
     steps = np.diff(time_us).astype(np.float64)
     backward, repeated = int((steps < 0).sum()), int((steps == 0).sum())

@@ -126,7 +126,7 @@ def test_only_the_diagnosed_model_reaches_the_diagnosis_and_nobody_reaches_it():
 
 
 # what the rig and the diagnosis share beside ground, systems and wire: what a run folder is, and nothing that reads one
-SHARED = {"pipeline.run", "pipeline.run.description", "pipeline.run.folder"}
+SHARED = {"pipeline.run", "pipeline.run.capture_json", "pipeline.run.description", "pipeline.run.folder"}
 
 
 def test_who_conceals_and_who_diagnoses_share_nothing_but_the_ground():

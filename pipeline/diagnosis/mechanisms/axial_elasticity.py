@@ -14,8 +14,8 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [{"from_load": float(f"{drivers.load0:.6g}")}] if drivers.loaded else []
 
 
-def bent(load: Array, toe: float) -> Array:
-    """1 − exp(−|load| / toe), with the load's sign: a cable is pulled both ways."""
+def saturating(load: Array, toe: float) -> Array:
+    """1 − exp(−|load| / toe), with the load's sign: a cable is pulled both ways. Shape (samples,)."""
     return np.asarray(np.sign(load) * (1.0 - np.exp(-np.abs(load) / toe)))
 
 
@@ -27,7 +27,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     if drivers.levered:  # what a cable drive yields to is its friction
         found.append(Term("yielding_mm", "length", yielding))
     for toe in TOE_LOADS:
-        signal = bent(load, toe) - bent(np.array(load0), toe)
+        signal = saturating(load, toe) - saturating(np.array(load0), toe)
         found.append(Term(f"toe_{toe * 10:g}_n_mm", "length", signal))
     return found
 

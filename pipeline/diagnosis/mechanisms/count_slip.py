@@ -17,7 +17,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
-    """Where a residual jumps."""
+    """Where a residual jumps. It has the shape (samples,), in the reading's unit."""
     return slips_seen(drivers, residual) if drivers.levered else []
 
 

@@ -38,7 +38,10 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 
 
 def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
-    """How much less than predicted the reading moves where it is highest: 6 where it stands still."""
+    """How much less than predicted the reading moves where it is highest: 6 where it stands still.
+
+    Residual and prediction have the shape (samples,), in the reading's unit.
+    """
     reading, moved = residual + predicted, np.abs(np.diff(predicted))
     top = (reading[1:] > np.percentile(reading, TOP)) & (moved > 0.2 * np.percentile(moved, 95))
     if top.sum() < FEWEST:

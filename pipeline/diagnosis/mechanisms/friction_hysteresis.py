@@ -77,7 +77,10 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 
 
 def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
-    """How high a loop may be, by name: the same everywhere, or growing with load, and with load and twist."""
+    """How high a loop may be, by name: the same everywhere, or growing with load, and with load and twist.
+
+    Each of shape (samples,), a factor.
+    """
     load, slope = drivers.load, drivers.tangent
     found = {"mm": np.ones_like(load)}
     if drivers.levered:

@@ -26,7 +26,10 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
-    """Frequencies at which a residual rings: the strongest lines of its spectrum, and the first two together."""
+    """Frequencies at which a residual rings: the strongest lines of its spectrum, and the first two together.
+
+    It has the shape (samples,), in the reading's unit.
+    """
     if not drivers.levered:
         return []
     time_s = drivers.time_s[: len(residual)]
@@ -53,7 +56,10 @@ def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
 
 
 def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:
-    """Power of a residual over its background, by bin of the mean spectrum of its stretches, and the bins' width."""
+    """Power of a residual over its background, by bin of the mean spectrum of its stretches, and the bins' width.
+
+    Both given have the shape (samples,), time in s; powers have the shape (bins,), the width is in Hz.
+    """
     step_s = float(np.median(np.diff(time_s)))
     length = int(min(len(residual) // 4, STRETCH_S / step_s))
     window = np.hanning(length)
@@ -63,7 +69,10 @@ def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:
 
 
 def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
-    """How far the strongest line of a residual's spectrum stands out."""
+    """How far the strongest line of a residual's spectrum stands out.
+
+    Both have the shape (samples,), in the reading's unit.
+    """
     spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
     height, step_hz = ringing(np.clip(residual, -8.0 * spread, 8.0 * spread), drivers.time_s[: len(residual)])
     lowest = int(np.ceil(LOWEST_HZ / step_hz))
@@ -82,7 +91,7 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 
 
 def mode(drivers: Drivers, hz: Array, damping: float, name: str) -> list[Term]:
-    """One mode's response, in two phases."""
+    """One mode's response, in two phases. `hz` has the shape (samples,)."""
     position, velocity = resonator(drivers.contraction, drivers.time_s, hz, damping)
     ahead = velocity - np.gradient(drivers.contraction, drivers.time_s) / (2.0 * np.pi * hz)
     return [

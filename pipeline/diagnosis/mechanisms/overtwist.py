@@ -57,7 +57,10 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
 
 @njit(cache=True)
 def relay(turns: Array, born: float, memory: float) -> Array:
-    """1 while there is a coil: from its twist until `memory` below it."""
+    """1 while there is a coil: from its twist until `memory` below it.
+
+    Shape (samples,); all in turns but the answer.
+    """
     out = np.zeros_like(turns)
     there = False
     for i in range(turns.size):
@@ -67,7 +70,10 @@ def relay(turns: Array, born: float, memory: float) -> Array:
 
 
 def coiled(turns: Array, critical: float, memory: float) -> Array:
-    """Twist beyond a coil's melting point while there is a coil: from the critical twist until `memory` below it."""
+    """Twist beyond a coil's melting point while there is a coil: from the critical twist until `memory` below it.
+
+    Shape (samples,), all in turns.
+    """
     return relay(turns, critical, memory) * (turns - (critical - memory))
 
 

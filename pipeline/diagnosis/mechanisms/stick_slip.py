@@ -42,6 +42,7 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, f
 
     What sticks falls behind slowly and slips ahead at once. Steps count along the motion, in four classes of its speed;
     those of a class must be larger than at rest, and larger than the sensor's resolution makes them.
+    Residual and prediction have the shape (samples,), in the reading's unit.
     """
     rate = np.abs(drivers.rate[: len(residual)])[1:]
     still, moving = rate < STILL * rate.max(), rate > 3.0 * STILL * rate.max()
@@ -66,7 +67,10 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, f
 
 
 def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
-    """Jerks beyond chance; the reach is that of a sawtooth of the size seen."""
+    """Jerks beyond chance; the reach is that of a sawtooth of the size seen.
+
+    Residual and prediction have the shape (samples,), in the reading's unit.
+    """
     skew, size = jerks(drivers, residual, predicted)
     if skew <= SURE:
         return None
@@ -77,7 +81,10 @@ def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
 
 
 def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
-    """Skewed steps, in standard errors."""
+    """Skewed steps, in standard errors.
+
+    Residual and prediction have the shape (samples,), in the reading's unit.
+    """
     return float(np.clip(jerks(drivers, residual, predicted)[0], 0.0, SURE))
 
 

@@ -18,7 +18,10 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def travelled(drivers: Drivers, load_power: float) -> Array:
-    """Travel since the start, each bit of it weighed with the load to a power, as Archard has it."""
+    """Travel since the start, each bit of it weighed with the load to a power, as Archard has it.
+
+    Shape (samples,), in mm under the usual load.
+    """
     if load_power == 0.0:
         return drivers.path
     load = 0.5 * (np.abs(drivers.load[1:]) + np.abs(drivers.load[:-1])) ** load_power

@@ -30,7 +30,10 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 @njit(cache=True)
 def missing(level: Array, rim: float, time_s: Array, forgets_s: float) -> Array:
-    """What is missing of a level that a vessel of that rim would have without one, and that it forgets with time."""
+    """What is missing of a level that a vessel of that rim would have without one, and that it forgets with time.
+
+    Shape (samples,), in the level's unit; time in s.
+    """
     out = np.zeros_like(level)
     lost = 0.0
     for i in range(level.size):

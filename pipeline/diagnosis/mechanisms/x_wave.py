@@ -20,7 +20,10 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 
 def lines(signal: Array, time_s: Array) -> Array:
-    """Power of a signal over its background, by bin of its spectrum (1/duration each)."""
+    """Power of a signal over its background, by bin of its spectrum (1/duration each).
+
+    Both given have the shape (samples,), time in s; the answer has the shape (bins,).
+    """
     even_s = np.linspace(time_s[0], time_s[-1], len(signal))
     even = np.interp(even_s, time_s, signal - signal.mean())
     power = np.square(np.abs(np.fft.rfft(even * np.hanning(len(even)))))
@@ -28,7 +31,10 @@ def lines(signal: Array, time_s: Array) -> Array:
 
 
 def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
-    """Frequencies (Hz) of the strongest lines of a residual that are no lines of the motion."""
+    """Frequencies (Hz) of the strongest lines of a residual that are no lines of the motion.
+
+    It has the shape (samples,), in the reading's unit.
+    """
     count = len(residual)
     time_s = drivers.time_s[:count]
     spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))

@@ -12,7 +12,7 @@ HIGH, LOW, END = 0.7, 0.25, 0.9  # of the highest twist, and of the contraction'
 
 
 def plain(drivers: Drivers) -> dict[str, Array]:
-    """One column for each driver, by name, each of shape (samples,)."""
+    """One column for each driver, by name, each of shape (samples,). Each in its driver's unit."""
     turn = 2.0 * np.pi * drivers.motion
     found = {
         "twist": drivers.motion,
@@ -31,7 +31,10 @@ def plain(drivers: Drivers) -> dict[str, Array]:
 
 
 def products(drivers: Drivers) -> dict[str, Array]:
-    """The plain columns and what physics would make of them: powers, products, hinges; each of shape (samples,)."""
+    """The plain columns and what physics would make of them: powers, products, hinges; each of shape (samples,).
+
+    Each in the units of its name.
+    """
     found = plain(drivers)
     twist, load, rate, side = drivers.motion, drivers.load, drivers.rate, found["direction"]
     top = float(np.percentile(twist, 99.9))
@@ -58,7 +61,10 @@ def products(drivers: Drivers) -> dict[str, Array]:
 
 
 def standard(columns: dict[str, Array], rows: int) -> tuple[Array, Array]:
-    """Mean and spread of each column over the first rows, both of shape (columns,); a spread is never zero."""
+    """Mean and spread of each column over the first rows, both of shape (columns,); a spread is never zero.
+
+    In each column's unit.
+    """
     table = np.vstack([column[:rows] for column in columns.values()])
     spread = table.std(axis=1)
     return table.mean(axis=1), np.where(spread > 1e-9, spread, 1.0)

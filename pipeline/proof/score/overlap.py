@@ -15,7 +15,10 @@ EDGE_TURNS = 1e-3  # what rounding moves an edge by
 
 
 def inside(box: Mapping[str, Any], turns: Array, stroke: NDArray[Any], phase: NDArray[Any]) -> NDArray[np.bool_]:
-    """Samples of a recording that a box holds; all of shape (samples,). What is before stroke 1 belongs to it."""
+    """Samples of a recording that a box holds; all of shape (samples,). What is before stroke 1 belongs to it.
+
+    Twist in turns, stroke as a count.
+    """
     low, high = box["motor_turns"]
     first, last = box["strokes"]
     number = np.maximum(stroke, 1)

@@ -13,5 +13,8 @@ POINTS, TUNED_ON = 1000, 300
 
 
 def learn(table: Array, values: Array, seed: int) -> Predict:
-    """The process's mean; nothing is drawn by the seed."""
+    """The process's mean; nothing is drawn by the seed.
+
+    The table has the shape (rows, columns), values and answers the shape (rows,), in one unit.
+    """
     return gaussian_process(table, values, POINTS, TUNED_ON)

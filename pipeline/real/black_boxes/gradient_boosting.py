@@ -12,5 +12,8 @@ SEEDS = (0,)
 
 
 def learn(table: Array, values: Array, seed: int) -> Predict:
-    """Trees that each mend what those before it left."""
+    """Trees that each mend what those before it left.
+
+    The table has the shape (rows, columns), values and answers the shape (rows,), in one unit.
+    """
     return boosted_trees(table, values, seed)

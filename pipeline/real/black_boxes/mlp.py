@@ -18,7 +18,10 @@ POINTS = 5000
 
 
 def learn(table: Array, values: Array, seed: int) -> Predict:
-    """A network whose weights begin where the seed says."""
+    """A network whose weights begin where the seed says.
+
+    The table has the shape (rows, columns), values and answers the shape (rows,), in one unit.
+    """
     size = float(values.std()) or 1.0
     known = evenly(len(values), POINTS)
     model = MLPRegressor(hidden_layer_sizes=(64, 64), max_iter=300, random_state=seed)

@@ -46,7 +46,10 @@ def recorded(
 
 
 def sampled(time_s: Array, motor_turns: Array, contraction_mm: Array, rng: np.random.Generator) -> pd.DataFrame:
-    """What the sensors say of steps of shape (steps,): one row a sample, the first at the first step."""
+    """What the sensors say of steps of shape (steps,): one row a sample, the first at the first step.
+
+    In s, turns and mm.
+    """
     truth = {"motor_turns": motor_turns, "displacement_mm": contraction_mm}
     columns = {"time_s": time_s[::STEPS_PER_SAMPLE]}
     for (name, sensor), stream in zip(SENSORS.items(), rng.spawn(len(SENSORS)), strict=True):

@@ -17,7 +17,7 @@ class Model(friction_hysteresis.Model):
         self.gain, self.rough_turns, self.turned = gain, rough_turns, 0.0
 
     def run(self, lived: Lived) -> Array:
-        """Twist held back, in rad."""
+        """Twist held back, in rad, shape (steps,)."""
         turned = self.turned + np.cumsum(np.abs(lived.turned_rad)) / RAD_PER_TURN
         self.turned = float(turned[-1])
         stronger = 1.0 - self.gain * np.expm1(-turned / self.rough_turns)

@@ -16,6 +16,7 @@ def stretch_shape(torque_nm: Array, pretension_nm: float, power: float) -> Array
 
     A strand's tension is a power of its stretch above 1, as its wires bed in, and nearly nothing when it hangs
     loose; the jaw turns until the strands' difference carries the torque, which is found by looking it up.
+    Shape (samples,).
     """
 
     def tension(stretched: Array) -> Array:
@@ -31,7 +32,7 @@ def stretch_shape(torque_nm: Array, pretension_nm: float, power: float) -> Array
 def play_lost(motor_deg: Array, width_deg: float, soft: float) -> Array:
     """What the play of a coupling keeps from the motor, within ± half its width, in deg.
 
-    The contact takes hold over the last share `soft` of the half width. It starts in the middle.
+    The contact takes hold over the last share `soft` of the half width. It starts in the middle. Shape (samples,).
     """
     half = width_deg / 2.0
     out = np.zeros(len(motor_deg))
@@ -46,7 +47,10 @@ def play_lost(motor_deg: Array, width_deg: float, soft: float) -> Array:
 
 
 def crept(torque_nm: Array, step_s: float, power: float) -> Array:
-    """Lengthening under load over time, 1 after 20 s under 0.05 Nm: six elements from 0.6 s to 60 s, all recover."""
+    """Lengthening under load over time, 1 after 20 s under 0.05 Nm: six elements from 0.6 s to 60 s, all recover.
+
+    Shape (samples,).
+    """
     taus_s = np.geomspace(0.6, 60.0, 6)
     asked = np.sign(torque_nm) * np.abs(torque_nm / FULL_NM) ** power
     out = np.zeros(len(torque_nm))
@@ -59,7 +63,7 @@ def crept(torque_nm: Array, step_s: float, power: float) -> Array:
 
 @compiled
 def followed(asked: Array, step_s: float, tau_s: float) -> Array:
-    """A first-order element that starts at 0."""
+    """A first-order element that starts at 0. Shape (samples,), in the unit of what is asked."""
     share = 1.0 - math.exp(-step_s / tau_s)
     out = np.zeros(len(asked))
     for k in range(1, len(asked)):
@@ -68,19 +72,25 @@ def followed(asked: Array, step_s: float, tau_s: float) -> Array:
 
 
 def kinked(cable_deg: Array, at_deg: float, widths_deg: Sequence[float]) -> Array:
-    """A kink that runs over a pulley: a hump of height 1 at one angle, steeper on one side, the same both ways."""
+    """A kink that runs over a pulley: a hump of height 1 at one angle, steeper on one side, the same both ways.
+
+    Shape (samples,); angles in deg.
+    """
     away = cable_deg - at_deg
     width = np.where(away < 0, widths_deg[0], widths_deg[1])
     return np.asarray(1.0 / (1.0 + (away / width) ** 4))
 
 
 def slipped(time_s: Array, at_s: float, within_s: float) -> Array:
-    """A clamp that lets go once: from 0 to 1 within a few ms."""
+    """A clamp that lets go once: from 0 to 1 within a few ms. Shape (samples,); time in s."""
     return np.asarray(np.clip((time_s - at_s) / within_s, 0.0, 1.0))
 
 
 def late(values: Array, step_s: float, dead_s: float, poles_s: Sequence[float]) -> Array:
-    """Values as a late sensor says them: after a dead time, through poles; at rest before the first sample."""
+    """Values as a late sensor says them: after a dead time, through poles; at rest before the first sample.
+
+    Shape (samples,), in the values' unit; times in s.
+    """
     at = np.arange(len(values)) - dead_s / step_s
     out = np.interp(at, np.arange(len(values)), values)
     for pole_s in poles_s:

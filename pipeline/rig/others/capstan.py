@@ -60,7 +60,10 @@ class Capstans:
         return total
 
     def lost_deg(self, cable_deg: Array, torque_nm: Array, half_height_deg: float, step_s: float) -> Array:
-        """What friction keeps from the jaw, in deg, for a loop of ± half_height_deg at the reference torque."""
+        """What friction keeps from the jaw, in deg, for a loop of ± half_height_deg at the reference torque.
+
+        Shape (samples,).
+        """
         full = (self.sliding_nm(REFERENCE_NM, 1.0) - self.sliding_nm(REFERENCE_NM, -1.0)) / 2.0
         give = half_height_deg / full * self.share
         film = (self.film, self.film_deg_per_s * step_s)

@@ -14,7 +14,10 @@ def stream(seed: int, *names: object) -> np.random.Generator:
 
 
 def wander(rng: np.random.Generator, time_s: Array) -> Array:
-    """Strength of an effect over a recording: three slow waves, 1 to 4 % rms, about a mean of 1; (samples,)."""
+    """Strength of an effect over a recording: three slow waves, 1 to 4 % rms, about a mean of 1; (samples,).
+
+    The shape is that of `time_s`, in s; the answer is a factor.
+    """
     rms, shares, phases = rng.uniform(0.01, 0.04), rng.uniform(0.4, 1.0, 3), rng.uniform(0.0, 2 * np.pi, 3)
     periods_s = np.exp(rng.uniform(np.log(3.0), np.log(40.0), 3))
     waves = zip(shares, periods_s, phases, strict=True)
@@ -23,7 +26,10 @@ def wander(rng: np.random.Generator, time_s: Array) -> Array:
 
 
 def coloured(rng: np.random.Generator, samples: int, step_s: float, taus_s: Array, shares: Array) -> Array:
-    """Noise of unit rms whose parts forget within `taus_s`, 0 for a white one; `shares` of the power; (samples,)."""
+    """Noise of unit rms whose parts forget within `taus_s`, 0 for a white one; `shares` of the power; (samples,).
+
+    `taus_s` and `shares` have the shape (parts,).
+    """
     out = np.zeros(samples)
     for tau_s, share in zip(taus_s, shares, strict=True):
         kept = np.exp(-step_s / tau_s) if tau_s > 0 else 0.0
@@ -34,5 +40,5 @@ def coloured(rng: np.random.Generator, samples: int, step_s: float, taus_s: Arra
 
 
 def counted(values: Array, quantum: float) -> Array:
-    """Whole numbers of a sensor's quantum, or the values themselves where it is 0."""
+    """Whole numbers of a sensor's quantum, or the values themselves where it is 0. Shape (samples,)."""
     return np.rint(values / quantum) * quantum if quantum else np.array(values)

@@ -55,7 +55,7 @@ def check(effects: Mapping[str, float], kinds: Mapping[str, Kind], noise: str) -
 def told(
     kinds: Mapping[str, Kind], sizes: Mapping[str, float], parts: Mapping[str, Array], drawn: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """The truth about every effect, by its name."""
+    """The truth about every effect, by its name. Each of `parts` has the shape (samples,)."""
     return {
         name: {
             "mechanism": kinds[name].mechanism,

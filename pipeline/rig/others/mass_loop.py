@@ -53,7 +53,7 @@ def ride(
     the cogging take. All are of the middle of the time for which a command holds.
 
     `reference` (2, samples) is position and speed, `strength` (4, samples) of those effects, `outside_n` (samples,)
-    what else is against the motor.
+    what else is against the motor. Each row of those has the shape (samples,).
     """
     samples = reference.shape[1]
     log, forces = np.zeros((6, samples)), np.zeros((4, samples))

@@ -15,6 +15,7 @@ def told(plan: str, rng: np.random.Generator) -> tuple[Array, Array]:
 
     `trapezoid`: all strokes at one speed; `speeds`: each at its own; `bang`: each speeds up and slows down on its
     way, by accelerations that are either full or nothing, and turns at once; the others pause at the ends.
+    Each has the shape (samples,).
     """
     if plan not in PLANS:
         raise ValueError(f"{plan} is no plan; known are {', '.join(PLANS)}")
