@@ -298,6 +298,7 @@ def test_the_snakefile_is_thin():
 
 # folders of tests that are no room of pipeline/, and what they test
 NO_ROOMS = {
+    "cluster": "the workflow on a SLURM, and which files its jobs open",
     "data": "recordings that tests read",
     "env": "the launcher, env/",
     "faults": "docs/faults.md, played over a pseudo-terminal",

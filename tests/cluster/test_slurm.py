@@ -1,0 +1,83 @@
+"""The main job on a real SLURM of two nodes: stopped, resumed, robbed of a node, and once without shared files."""
+
+import hashlib
+import re
+import signal
+import subprocess
+import time
+from contextlib import contextmanager
+
+import pytest
+from local_slurm import WITHIN_S, cluster, why_not
+from small_project import command
+
+pytestmark = [pytest.mark.long, pytest.mark.skipif(bool(why_not()), reason=why_not() or "it can be")]
+OFTEN = ("--slurm-no-account", "--slurm-init-seconds-before-status-checks", "3")
+
+
+def results(folder):
+    """Digest of every file that the main job made, but for logs, and for capture.json, which says when it was."""
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for kind in ("raw", "processed", "reports")
+        for path in sorted((folder / kind).rglob("*"))
+        if path.is_file() and "logs" not in path.parts and path.name not in (".snakemake_timestamp", "capture.json")
+    }
+
+
+@contextmanager
+def started(folder, *words):
+    """Snakemake at work, which does not outlive what is asked of it."""
+    with open(folder / "said.txt", "ab") as said:
+        heard = ["env", "--default-signal=INT", *command(*words, *OFTEN)]  # in the background a shell ignores Ctrl-C
+        process = subprocess.Popen(heard, cwd=folder, stdout=said, stderr=subprocess.STDOUT)
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+def ends(process, folder):
+    assert process.wait(1800) == 0, (folder / "said.txt").read_text()
+
+
+def test_stopped_resumed_and_robbed_of_a_node_it_makes_what_one_machine_makes(local, copied, tmp_path):
+    folder = copied()
+    with cluster(tmp_path / "slurm") as slurm:
+        asked = ("--profile", "env/slurm", "tables", "diagnosis")
+        with started(folder, *asked) as first:
+            slurm.wait(slurm.running, "job that runs")
+            first.send_signal(signal.SIGINT)
+            assert first.wait(WITHIN_S) != 0
+            slurm.wait(lambda: not slurm.said("squeue", "-h").strip(), "end of the jobs")
+        with started(folder, *asked) as again:
+            slurm.wait(lambda: "n2" in dict(slurm.running()).values() or again.poll() is not None, "job on n2")
+            time.sleep(2)  # it is in the middle of its start
+            slurm.lose("n2")
+            ends(again, folder)
+    made, meant = results(folder), results(local[0])
+    assert made == {name: digest for name, digest in meant.items() if name in made}
+    assert {"reports/synthetic/table_1.csv", "reports/diagnosis/synthetic-01/diagnosis.json"} <= set(made)
+    logs = [path.read_text() for path in (folder / "processed" / "logs" / "slurm").rglob("*.log")]
+    nodes = [set(re.findall(r"^node: (\w+)$", text, re.MULTILINE)) for text in logs]
+    assert {"n1"} in nodes and any("n2" in some for some in nodes), nodes
+    said = (folder / "said.txt").read_text()
+    assert "TABLE I: FORWARD" in said and "processed/logs/slurm/" in said
+
+
+def test_nodes_that_share_no_files_make_the_same_tables(local, copied, tmp_path):
+    folder, storage, copy = copied(), tmp_path / "storage", tmp_path / "copy"
+    storage.mkdir()
+    hidden = [*(folder / name for name in ("raw", "processed", "reports", ".snakemake")), copy]
+    with cluster(tmp_path / "slurm", hidden) as slurm:
+        places = ("--local-storage-prefix", str(copy), "--remote-job-local-storage-prefix", str(copy))
+        places += ("--slurm-logdir", str(tmp_path / "logs"))
+        words = ("--profile", "env/slurm-unshared", "--default-storage-prefix", str(storage), *places, "tables")
+        with started(folder, *words) as process:
+            ends(process, folder)
+        assert not slurm.said("squeue", "-h").strip()
+    made = results(storage)
+    assert made and made == {name: digest for name, digest in results(local[0]).items() if name in made}
+    assert {f"reports/synthetic/table_{n}.csv" for n in (1, 2)} <= set(made)
+    assert not list((folder / "processed").rglob("*.parquet")), "nothing of it came here"
