@@ -54,14 +54,16 @@ def test_stopped_resumed_and_robbed_of_a_node_it_makes_what_one_machine_makes(lo
         with started(folder, *asked) as again:
             slurm.wait(lambda: "n2" in dict(slurm.running()).values() or again.poll() is not None, "job on n2")
             time.sleep(2)  # it is in the middle of its start
+            lost = [job for job, node in slurm.running() if node == "n2"]
             slurm.lose("n2")
             ends(again, folder)
     made, meant = results(folder), results(local[0])
     assert made == {name: digest for name, digest in meant.items() if name in made}
     assert {"reports/synthetic/table_1.csv", "reports/diagnosis/synthetic-01/diagnosis.json"} <= set(made)
-    logs = [path.read_text() for path in (folder / "processed" / "logs" / "slurm").rglob("*.log")]
-    nodes = [set(re.findall(r"^node: (\w+)$", text, re.MULTILINE)) for text in logs]
-    assert {"n1"} in nodes and any("n2" in some for some in nodes), nodes
+    logs = {path.stem: path.read_text() for path in (folder / "processed" / "logs" / "slurm").rglob("*.log")}
+    nodes = {job: set(re.findall(r"^node: (\w+)$", text, re.MULTILINE)) for job, text in logs.items()}
+    assert lost and all(nodes[job] == {"n1"} for job in lost), "what the lost node had ran on the other"
+    assert set().union(*nodes.values()) <= {"n1", "n2"}
     said = (folder / "said.txt").read_text()
     assert "TABLE I: FORWARD" in said and "processed/logs/slurm/" in said
 
