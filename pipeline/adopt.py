@@ -22,6 +22,7 @@ from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import BadInput, program
 from .ground.files import whole
+from .ground.names import SYNTHETIC
 from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
 from .run.description import Adopted, Run
@@ -44,7 +45,7 @@ def check(content: Verdict, source: Path, folder: Path) -> list[str]:
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
     acts = acts_from(content["simulation"], bare.drivers, str(source))
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
-    said = before_after.told(bare, of_run(run), of_run(adopting), source)
+    said = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
     meant = coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
     return [*said, *before_after.dimensions(content), *meant]
 
@@ -119,6 +120,10 @@ def adopt(source: Path, folder: Path) -> None:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
     errors = check(content, source, folder)
+    if run.string and run.string.material == SYNTHETIC:
+        print(
+            "beware: the main job records this run anew, and then its run.yaml holds nothing adopted", file=sys.stderr
+        )
     if not before_after.is_of(content, run.run):
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
         print(f"beware: {said}", file=sys.stderr)

@@ -87,7 +87,9 @@ def write_block(content: Verdict, out: Path) -> None:
     path = out / "simulation.yaml"
     if content["mechanisms"] and content["simulation"]:
         write_text(
-            path, block(content["simulation"]) + block(adoptions(content, str(out / "diagnosis.json")), "adopted")
+            path,
+            block(content["simulation"])
+            + block(adoptions(content, str(out / "diagnosis.json"), str(content["run"])), "adopted"),
         )
     else:
         path.unlink(missing_ok=True)  # of an earlier diagnosis

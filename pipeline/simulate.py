@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from .diagnosis.own_rate import at_own_rate
-from .diagnosis.simulation import compared, measured_since, of_run, off, read_diagnosis, tared
+from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis, tared
 from .diagnosis.words.dimensions import name_of
 from .diagnosis.words.quantity import listing, size
 from .ground import schemas
@@ -68,7 +68,8 @@ def main() -> None:
     fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
     print(f"{run.run}: {len(table)} samples simulated with {acting} and the dimensions {fitted} {source}")
     if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
-        zero = ", its zero set in the first second" if problem.system.free_zero else ""
+        where = "as it was fitted" if has_zero(content, problem.system, run.run) else "set in the first second"
+        zero = f", its zero {where}" if problem.system.free_zero else ""
         print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
     if not arguments.simulation:
         warn_of_dimensions(run, arguments.run_dir)

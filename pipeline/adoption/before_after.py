@@ -11,6 +11,7 @@ from ..diagnosis.words.error_table import aligned
 from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
 from ..diagnosis.words.rivals import called
 from ..ground.command import program_name
+from ..ground.errors import BadInput
 from ..ground.schemas import unit_of
 
 NEXT = (
@@ -18,6 +19,7 @@ NEXT = (
     "measured them, which it calibrates anew. Give it another --out: in the same folder it replaces the verdict that "
     "was adopted."
 )
+WORSE = 1.1  # times the error before: less may be chance
 HARDLY, FAR, MOST = 0.05, 2.5, 8  # sigma: a dimension that stayed, one to measure again; dimensions that are named
 
 
@@ -62,20 +64,23 @@ def is_of(content: Verdict, run: str) -> bool:
     return run in (of if isinstance(of, list) else [of])
 
 
-def told(problem: Problem, before: Simulated, now: Simulated, path: Path) -> list[str]:
+def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:
     """What `pipeline.simulate` errs by on a run's own recording, before and from now on.
 
-    `problem` is the run's without any effect; `before` and `now` are what its run.yaml simulates. Raises BadInput.
+    `problem` is the run's without any effect; `before` and `now` are what its run.yaml simulates; `own`: the diagnosis
+    at `path` is of this run. Raises BadInput, also where one of another run would make the simulator worse.
     """
     unit = problem.drivers.units.reading
     columns = {"before": before, "now": now}
     errors = [off(problem.measured, tared(problem, one, path, str(one["run"]))) for one in columns.values()]
+    if not own and errors[1][1] > WORSE * errors[0][1]:
+        sizes = f"{size(errors[1][0], unit)} where it errs by {size(errors[0][0], unit)} now"
+        wrong = f"is of another run, and would make the simulator of this one worse: {sizes}"
+        raise BadInput(path, "run", wrong, "diagnose this run, and adopt that")
     rows = [["error on this recording, rms of single samples", *columns]]
+    rows.append([f"as {program_name('simulate')} RUN_DIR errs"])
     if problem.system.free_zero:
-        rows.append([f"zero set in the first second, as {program_name('simulate')} does"])
-        rows.append(["zero fitted to the whole recording, as in a verdict"])
-    else:
-        rows.append([f"as {program_name('simulate')} RUN_DIR errs"])
+        rows.append(["with the zero of the reading at its best, as in a verdict"])
     for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
         row += [size(error, unit) for error in found]
     return aligned(rows)

@@ -45,7 +45,8 @@ def block(entries: Sequence[Included | Adoption], key: str = "simulation") -> st
 def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     """The dimensions of a diagnosis for a run, by name: as run.yaml had them, and as they fit with the effects.
 
-    A run that was diagnosed together with others may have a zero of the motor of its own, which is added.
+    A run that was diagnosed together with others may have a zero of the motor of its own, which is added. The zero of
+    the reading is that of one recording: it comes only with the run that was diagnosed alone.
     """
     known = content.get("parameters", {})
     runs = content.get("run")
@@ -54,7 +55,11 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     for name, entry in known.items() if isinstance(known, dict) else []:
         nominal: Any = entry.get("nominal") if isinstance(entry, dict) else None
         value: Any = entry.get("value") if isinstance(entry, dict) else None
-        if name.startswith("zero") or re.search(r"_\d+$", name) or not (is_number(nominal) and is_number(value)):
+        if (
+            (name.startswith("zero") and runs != run)
+            or re.search(r"_\d+$", name)
+            or not (is_number(nominal) and is_number(value))
+        ):
             continue
         other = known.get(f"{name}{own}", {}) if own else {}
         more = other.get("value", 0.0) if isinstance(other, dict) else 0.0

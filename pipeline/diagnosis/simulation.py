@@ -13,6 +13,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.regular_file import read_regular
 from ..run.description import Fitted, Run
+from ..systems import System
 from .adopt import acts_from, is_number
 from .content import Part, Simulated, Verdict
 from .outcome import rms
@@ -80,9 +81,20 @@ def measured_since(run: Run) -> list[str]:
 
 
 def _adopted(run: Run) -> dict[str, Fitted]:
-    """The dimensions that were adopted last; nothing where run.yaml has no effects, or none that brought dimensions."""
-    with_some = [one.dimensions for one in run.adopted if one.dimensions]
-    return with_some[-1] if with_some and run.simulation else {}
+    """The dimensions that were adopted last; nothing where run.yaml has no effects, or none that brought dimensions.
+
+    The zero of a reading stays with the recording that it was fitted to.
+    """
+    with_some = [one for one in run.adopted if one.dimensions]
+    if not with_some or not run.simulation:
+        return {}
+    own, held = with_some[-1].runs == [run.run], with_some[-1].dimensions or {}
+    return {name: one for name, one in held.items() if own or not name.startswith("zero")}
+
+
+def has_zero(content: Simulated, system: System, run: str) -> bool:
+    """Whether a diagnosis, or what a run has adopted, holds the zero of this run's reading."""
+    return content.get("run") == run and f"zero_{system.channel.rpartition('_')[2]}" in content["parameters"]
 
 
 def simulated(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
@@ -119,8 +131,8 @@ def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
     Shape (samples,), in the channel's unit.
     """
     predicted = simulated(problem, content, path, run)
-    unit = problem.system.channel.rpartition("_")[2]
-    if content.get("run") == run and f"zero_{unit}" in content["parameters"]:
+    if has_zero(content, problem.system, run):
+        unit = problem.system.channel.rpartition("_")[2]
         return predicted + value_of(content, f"zero_{unit}", path, 0.0)
     return (
         predicted + tare(predicted, problem.measured, problem.record.time_s) if problem.system.free_zero else predicted

@@ -161,10 +161,11 @@ def test_what_was_adopted_simulates_with_the_dimensions_that_fit_until_one_is_me
     done = programs.run("pipeline.adopt", diagnosis, folder)
     assert "takes the dimensions that fit with these effects" not in flat(done), "it did not say how far it moved"
     held = yaml.safe_load((folder / "run.yaml").read_text())["adopted"][0]["dimensions"]
-    assert held == {"radius_mm": {"measured": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}}
+    assert held["radius_mm"] == {"measured": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}
+    assert held["zero_mm"] == {"measured": 0.0, "fitted": 0.3} and len(held) == 2
     own = simulated(folder)
     given = simulated(folder, "--simulation", diagnosis)
-    assert abs((own - own.iloc[0]) - (given - given.iloc[0])).max() < 1e-4, "as the diagnosis, but for the zero"
+    assert abs(own - given).max() < 1e-4, "one simulator, one number"
     assert abs(own - effects_alone).max() > 0.05
     out = folder.parent / "simulated.parquet"
     done = programs.run("pipeline.simulate", folder, "--out", out)
@@ -219,8 +220,12 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     head, first, second = lines[place : place + 3]
     assert head.split("   ")[0] == "error on this recording, rms of single samples" and head.endswith("now")
     set_, free = ([float(one) for one in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
-    assert set_ == pytest.approx([before[0], errs()], rel=0.05) and first.startswith("zero set in the first second")
-    assert free == pytest.approx([before[1], about_its_median()], rel=0.05) and second.startswith("zero fitted to the")
+    assert set_ == pytest.approx([before[0], errs()], rel=0.05) and first.startswith(
+        "as pipeline.simulate RUN_DIR errs"
+    )
+    assert free == pytest.approx([before[1], about_its_median()], rel=0.05) and second.startswith(
+        "with the zero of the reading at its best"
+    )
     means = done.stdout.partition("What the numbers under simulation mean")[2]
     assert f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
     assert "straight_mm: in mm, add to the" in means
@@ -351,9 +356,15 @@ def test_a_block_that_cannot_be_replaced_is_told_so() -> None:
     assert refused.value.field == "simulation" and "by hand" in refused.value.mend
 
 
-def test_another_runs_diagnosis_is_adopted_with_a_warning(folder: Path, diagnosis: Path) -> None:
-    content = json.loads(named(diagnosis, **DRIFT).read_text())
-    diagnosis.write_text(json.dumps({**content, "run": ["other-01", "other-02"]}))
+def test_another_runs_diagnosis_is_adopted_with_a_warning_unless_it_makes_things_worse(folder, diagnosis) -> None:
+    content, before = json.loads(named(diagnosis, **DRIFT).read_text()), (folder / "run.yaml").read_bytes()
+    other = {**content, "run": ["other-01", "other-02"]}
+    diagnosis.write_text(json.dumps(other))
+    worse = programs.run("pipeline.adopt", diagnosis, folder)
+    assert worse.returncode == 2 and (folder / "run.yaml").read_bytes() == before
+    assert "run: is of another run, and would make the simulator of this one worse: " in worse.stderr
+    other["simulation"][0]["parameters"]["straight_mm"] = 1e-3
+    diagnosis.write_text(json.dumps(other))
     done = programs.run("pipeline.adopt", diagnosis, folder)
     assert done.returncode == 0 and "beware: " in done.stderr and "the same string on the same rig" in done.stderr
 

@@ -128,7 +128,7 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     )
     near = content(evidence__moved_sigma=NEAR)
     assert "You can report: - 0.44 mm rms is missing after calibration; - on the unseen strokes" in steps(near)
-    assert "Do not report" not in steps(near)
+    assert steps(near).endswith("Do not report calibrated dimensions: they are fitted, not measured.")
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "Do not report how much creep does alone." in steps(near)
     assert "- of the library's effects friction_hysteresis is sure." in steps(confident(0.93, 0.46))
@@ -164,10 +164,15 @@ def test_after_adopting_dimensions_that_moved_far_are_measured_and_the_effects_t
     assert "python -m pipeline.adopt --remove raw/nylon-3" in said
     assert "python -m pipeline.simulate raw/nylon-3 --simulation reports/old/diagnosis.json --out FILE" in said
     made["adopted"][0]["dimensions"] = {"radius_mm": {"measured": 0.55, "fitted": 0.5612}}
+    within = " ".join(page(made | {"evidence": made["evidence"] | {"tolerance": {"radius_mm": 0.0165}}}).split())
+    assert "Measure again" not in within and "That is no reason to measure them again" in within
+    made["evidence"]["tolerance"] = {"radius_mm": 0.004}
     kept = steps(made)
     assert "If nothing changed, keep what was adopted, and predict with python -m pipeline.simulate as it is." in kept
     assert "--simulation" not in kept
-    assert "takes the dimensions that were adopted with it; here they are fitted anew" in " ".join(page(made).split())
+    assert "takes the dimensions that were adopted with it, and errs as the adopted verdict says" in " ".join(
+        page(made).split()
+    )
 
 
 def test_slow_effects_under_one_load_are_said_to_look_alike():

@@ -884,9 +884,7 @@ def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place()
 
 def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
     zero = {"zero_mm": {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}}
-    said = (
-        "pipeline.simulate sets the zero of the reading in the first second, which a verdict fits: it can err by more."
-    )
+    said = "pipeline.simulate of another run sets the zero of the reading in its first second, which a verdict fits: "
     assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
 
 
@@ -956,10 +954,11 @@ def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
 
 def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():
     moved = {"scale": 3.0, "separator_mm_2": -2.9, "length_mm": 0.1, "stiffness_n_per_mm": 2.8}
-    (gain,) = dimensions.in_run_yaml({"evidence": {"moved_sigma": moved}})
+    fits = {"scale": {"nominal": 1.0, "value": 0.985}}
+    (gain,) = dimensions.in_run_yaml({"evidence": {"moved_sigma": moved}, "parameters": fits})
     assert "`tolerance: {scale: …, separator_mm: …}` (docs/import.md). If you measured the sensor's gain" in gain
-    written = re.search(r"add this line to it: `(channels: .*?}})`", gain)[1]
-    assert yaml.safe_load(written) == {"channels": {"displacement_mm": {"scale": 0.985}}}
+    written = re.search(r"then write `(channels: .*?}})`", gain)[1]
+    assert yaml.safe_load(written) == {"channels": {"displacement_mm": {"scale": 1.015}}}, "the inverse of what fits"
     assert dimensions.in_run_yaml({"evidence": {"moved_sigma": {"stiffness_n_per_mm": 2.8}}}) == []
 
 

@@ -22,7 +22,10 @@ def cautions(content: dict[str, Any]) -> list[str]:
     if not ids:
         return doubtful(content)
     it = "it" if len(ids) == 1 else "them"
-    own = f" {program_name('simulate')} takes the dimensions that were adopted with {it}; here they are fitted anew."
+    own = (
+        f" {program_name('simulate')} takes the dimensions that were adopted with {it}, and errs as the adopted "
+        "verdict says; below they are fitted anew, from the measured ones."
+    )
     own = own if dimensions_came(content) else ""
     lines = [
         f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}.{own}{_sight(content, ids)}"

@@ -18,15 +18,29 @@ TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact t
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 GAIN = (
-    "If you measured the sensor's gain, give its inverse as the scale: of a sensor that reads 1.5 % too much, the gain "
-    "is 1.015 and the scale 0.985. Where run.yaml has no `channels`, add this line to it: `channels: {displacement_mm: "
-    "{scale: 0.985}}`. Where it has a scale already, divide that by the gain"
+    "If you measured the sensor's gain, give its inverse as the scale. Say it is the {gain} that fits best: then write "
+    "`channels: {{displacement_mm: {{scale: {scale}}}}}` where run.yaml has no `channels`; where it has a scale "
+    "already, divide that by {gain}. Beside it say how well you measured it: `tolerance: {{scale: …}}`"
 )
 
 
 def far_moved(content: dict[str, Any]) -> dict[str, float]:
-    """By how many sigma each dimension moved that is to be measured again."""
+    """By how many sigma each dimension moved that is to be measured again.
+
+    None is where effects were adopted with dimensions that lie within their tolerances: these fit as well.
+    """
+    if adopted_fit(content):
+        return {}
     return {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
+
+
+def adopted_fit(content: dict[str, Any]) -> bool:
+    """Whether effects were adopted with dimensions that all lie within their tolerances."""
+    known = content["evidence"].get("tolerance", {})
+    came = [one["dimensions"] for one in content.get("adopted", []) if one.get("dimensions")][-1:]
+    return bool(came) and all(
+        abs(one["fitted"] - one["measured"]) <= LEAVES * known[name] for name, one in came[0].items() if known.get(name)
+    )
 
 
 def remeasured(
@@ -74,7 +88,10 @@ def remeasured(
 def in_run_yaml(content: dict[str, Any]) -> list[str]:
     """How run.yaml says how well the dimensions to measure again were measured, and what the sensor's gain is."""
     keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
-    gain = f" {GAIN}." if "scale" in far_moved(content) else ""
+    gain = ""
+    if "scale" in far_moved(content):
+        value = content["parameters"]["scale"]["value"]
+        gain = f" {GAIN.format(gain=number(value, 4), scale=number(1.0 / value, 4))}."
     return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 
 

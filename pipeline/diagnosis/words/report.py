@@ -62,4 +62,6 @@ def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
             "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions."
         ]
     poorly = list(certainty.poorly_known(content, words))
-    return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone."] if poorly else []
+    if not poorly:
+        return ["Do not report calibrated dimensions: they are fitted, not measured."] if content["mechanisms"] else []
+    return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone."]

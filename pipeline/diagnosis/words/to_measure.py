@@ -24,7 +24,7 @@ def table(content: dict[str, Any], words: Vocabulary) -> list[str]:
     names, rows = to_measure(content), []
     for name in names:
         nominal, value = from_to(content, name)
-        said = f"– ({nominal} assumed)" if assumed(name) else nominal
+        said = f"{nominal} (assumed)" if assumed(name) else nominal
         known = tolerances.said(content, name, words) or "–"
         if tolerances.is_default(content, name, words):
             known = f"{known.removesuffix(')')}, default)" if known.endswith(")") else f"{known} (default)"
@@ -45,7 +45,8 @@ def consequences(content: dict[str, Any], then: str) -> list[str]:
         f"- the same value, and you know it better than its tolerance says: write how well (`tolerance: {{{where}}}`, "
         "see details.txt under Dimensions), and diagnose again;"
     )
-    gain = " (a gain as `scale`, see details.txt)" if any(stem(name) == "scale" for name in moved) else ""
+    scaled = any(stem(name) == "scale" for name in moved)
+    gain = " (a gain as `scale`, its inverse: details.txt, Dimensions)" if scaled else ""
     return [
         f"- another value: write it into run.yaml{gain}, and diagnose again: this verdict can change;",
         *([exact] if where else []),

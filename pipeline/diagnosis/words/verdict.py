@@ -7,7 +7,7 @@ from typing import Any
 from ...systems import System
 from ..interface import physics
 from . import adoption, beaten, certainty, effect_table, error_table, level, sight, to_do, tolerances, unseen
-from .dimensions import corrected, far_moved, name_of
+from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
 from .headline import UNNAMED, headline
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
@@ -62,6 +62,11 @@ def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
         lines.append(
             "What was adopted fitted with other dimensions (`adopted` in run.yaml): dimensions take each other's "
             "place, so these need not be the wrong ones."
+        )
+    if adopted_fit(content) and any(abs(sigma) > LEAVES for sigma in content["evidence"]["moved_sigma"].values()):
+        lines.append(
+            "Fitted anew, dimensions moved far. That is no reason to measure them again: the dimensions that were "
+            "adopted lie within their tolerances, and fit this rig as well."
         )
     slow = certainty.slow_alike(content, words)
     if slow:
