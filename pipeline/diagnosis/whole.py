@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
+import numpy as np
 import pandas as pd
 
 from ..ground.errors import BadInput
@@ -13,7 +14,8 @@ from ..run.description import Run
 from . import engine, faint, heldout, own_rate, verdict
 from .content import Adoption, Verdict
 from .judge import Judge
-from .outcome import Study
+from .outcome import Study, rms
+from .simulation import of_run, simulated
 
 Result = TypeVar("Result")
 Say = Callable[[str], None]
@@ -49,7 +51,27 @@ def diagnosed(
     earlier = [cast(Adoption, one.model_dump(exclude_none=True)) for run in runs for one in run.adopted]
     if earlier:
         content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
+    content["evidence"] |= of_run_yaml(found, runs)
     return content, found
+
+
+def of_run_yaml(found: Study, runs: list[Run]) -> dict[str, Any]:
+    """What the words must know of run.yaml beside its dimensions, for the `evidence`.
+
+    The tolerances and the sensor's scale that it gives, and by how much a run errs with the effects and dimensions that
+    it has adopted: rms in the channel's unit, with the zero of the reading at its best.
+    """
+    problem, channel = found.problem, runs[0].system.channel
+    known: dict[str, Any] = {"tolerances_given": sorted(runs[0].tolerance)}
+    scale = runs[0].channels[channel].scale if channel in runs[0].channels else 1.0
+    if scale != 1.0:
+        known["scale_given"] = scale
+    adopted = of_run(runs[0])
+    if len(runs) == 1 and adopted["parameters"]:
+        residual = problem.measured - simulated(problem, adopted, Path("run.yaml"), runs[0].run)
+        free = float(np.median(residual)) if problem.system.free_zero else 0.0
+        known[f"adopted_{channel.rpartition('_')[2]}"] = rms(residual - free)
+    return known
 
 
 def of_one_rig(runs: list[Run], tables: list[pd.DataFrame], folders: list[Path]) -> None:

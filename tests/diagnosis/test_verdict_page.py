@@ -1,7 +1,7 @@
 """The page of a verdict: short, the effects in a table, the dimensions to measure, what to do in numbered steps."""
 
 import pytest
-from made_content import SYSTEMS, confident, content, page, weighed
+from made_content import SYSTEMS, confident, content, page, told, weighed
 
 from pipeline.diagnosis.words.sections import WIDE, wrapped
 
@@ -224,3 +224,37 @@ def test_after_adopting_what_tied_is_decided_after_measuring_again():
     said = steps(made)
     assert said.startswith("1. Measure again what calibration moved far:")
     assert "4. Decide between what was adopted and what was likely as well" in said
+
+
+def test_a_scale_that_run_yaml_gives_is_not_called_assumed_and_the_next_one_is_reckoned():
+    made = content(evidence__moved_sigma={"scale": 3.0}, evidence__tolerance={"scale": 0.005})
+    made["parameters"] = {"scale": {"nominal": 1.0, "value": 0.995}}
+    assert "gain of the displacement sensor 1 (assumed) 0.5 % (default) 0.995" in steps(made)
+    made["evidence"] |= {"scale_given": 1.015, "tolerances_given": ["scale"]}
+    said = steps(made)
+    assert "gain of the displacement sensor 1 (taken, after the scale of 1.015 in run.yaml) 0.5 % 0.995" in said
+    details = " ".join(told(made).split())
+    assert "run.yaml says scale: 1.015, and a gain of 0.995 is left beside it." in details
+    assert "write scale: 1.02, which is 1.015 divided by 0.995" in details
+    assert "taken where run.yaml says nothing" not in details and "was assumed" not in details
+
+
+def test_after_adopting_the_table_says_what_the_adopted_simulator_errs_by():
+    made = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
+    assert "as adopted" not in page(made)
+    made["evidence"]["adopted_mm"] = 0.033
+    rows = under("How far the simulator is off, rms", page(made))
+    assert rows[2].split() == [
+        "as",
+        "adopted:",
+        "effects",
+        "and",
+        "dimensions",
+        "0.033",
+        "mm",
+        "(1.1",
+        "times",
+        "the",
+        "noise)",
+        "–",
+    ]

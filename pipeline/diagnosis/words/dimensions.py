@@ -17,6 +17,10 @@ HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
 TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
+FURTHER_GAIN = (
+    "run.yaml says scale: {there}, and a gain of {gain} is left beside it. If you measure that, write scale: {scale}, "
+    "which is {there} divided by {gain}, and say how well you measured it: `tolerance: {{scale: …}}`"
+)
 GAIN = (
     "If you measured the sensor's gain, give its inverse as the scale. Say it is the {gain} that fits best: then write "
     "`channels: {{displacement_mm: {{scale: {scale}}}}}` where run.yaml has no `channels`; where it has a scale "
@@ -61,7 +65,7 @@ def remeasured(
         exactly = f", to {exactness(content, name)} or better"
         best = f"but {value} fits best{likely_range(content, name)}, {far}"
         if assumed(name):
-            lines.append(f"Measure the {name_of(name)}{exactly}: {nominal} was assumed, {best}.")
+            lines.append(f"Measure the {name_of(name)}{exactly}: {nominal} was {whence(content, name)}, {best}.")
         else:
             lines.append(f"Measure the {name_of(name)} again{exactly}: run.yaml says {nominal}, {best}.")
     if lines:
@@ -90,8 +94,10 @@ def in_run_yaml(content: dict[str, Any]) -> list[str]:
     keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
     gain = ""
     if "scale" in far_moved(content):
-        value = content["parameters"]["scale"]["value"]
-        gain = f" {GAIN.format(gain=number(value, 4), scale=number(1.0 / value, 4))}."
+        value, there = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
+        said = GAIN if there is None else FURTHER_GAIN
+        scales = {"scale": number((there or 1.0) / value, 4), "there": number(there or 1.0, 4)}
+        gain = f" {said.format(gain=number(value, 4), **scales)}."
     return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 
 
@@ -115,13 +121,20 @@ def suspicious(content: dict[str, Any]) -> list[str]:
     said = []
     for name, which in found.items():
         nominal, value = from_to(content, name)
-        whence = f"{nominal} was assumed" if assumed(name) else f"run.yaml says {nominal}"
-        said.append(f"{name_of(name)}, {which} bound {value} ({whence})")
+        first = f"{nominal} was {whence(content, name)}" if assumed(name) else f"run.yaml says {nominal}"
+        said.append(f"{name_of(name)}, {which} bound {value} ({first})")
     one = len(found) == 1
     return [
         f"Suspicious: calibration moved {'a dimension' if one else f'{len(found)} dimensions'} as far as it may, three "
         f"times the tolerance: {'; '.join(said)}. The best value may lie beyond."
     ]
+
+
+def whence(content: dict[str, Any], name: str) -> str:
+    """Where a value comes from that run.yaml does not hold: assumed, or taken after the scale that run.yaml gives."""
+    scale = content["evidence"].get("scale_given")
+    given = scale is not None and tolerances.stem(name) == "scale"
+    return f"taken, after the scale of {number(scale, 4)} in run.yaml" if given else "assumed"
 
 
 def assumed(name: str) -> bool:
@@ -198,8 +211,8 @@ def each_moved(content: dict[str, Any], words: Vocabulary, but: Iterable[str] = 
         nominal, value = from_to(content, name)
         known = tolerances.said(content, name, words)
         far = f"{number(abs(sigma))} times its tolerance{f' of {known}' if known else ''}"
-        whence = f"{nominal}{' (assumed)' if assumed(name) else ''}"
-        lines.append(f"{name_of(name)}: from {whence} to {value}{likely_range(content, name)}, {far}.")
+        first = f"{nominal}{f' ({whence(content, name)})' if assumed(name) else ''}"
+        lines.append(f"{name_of(name)}: from {first} to {value}{likely_range(content, name)}, {far}.")
     if moved and not but and all(abs(sigma) < 1.0 for sigma in moved.values()):
         right = content["verdict"] == "parameters"
         lines.append(f"Every dimension stays within its tolerance{': none of them was measured wrong' * right}.")

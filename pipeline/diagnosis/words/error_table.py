@@ -39,6 +39,9 @@ def _rows(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
     if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
         rows.pop()
+    adopted = content["evidence"].get(f"adopted_{words.ending}")
+    if adopted is not None:
+        rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
     rows.append(
         [
             "noise",
@@ -56,7 +59,11 @@ def short(content: dict[str, Any], words: Vocabulary) -> list[str]:
     rows, held = _rows(content, words), unseen.errors(content, words)
     named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
     said = {"nominal": "nominal: dimensions of run.yaml", "calibrated": "calibrated: dimensions moved"}
-    said |= {"as diagnosed": named, "noise": "noise: none comes below it"}
+    said |= {
+        "as adopted": "as adopted: effects and dimensions",
+        "as diagnosed": named,
+        "noise": "noise: none comes below it",
+    }
     found = aligned([[said.get(first, first), *rest] for first, *rest in rows])
     return found if held else [*found, TOO_FEW]
 

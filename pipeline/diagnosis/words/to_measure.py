@@ -3,7 +3,7 @@
 from typing import Any
 
 from . import tolerances
-from .dimensions import assumed, exactness, far_moved, from_to, name_of, tolerance_keys
+from .dimensions import assumed, exactness, far_moved, from_to, name_of, tolerance_keys, whence
 from .error_table import aligned
 from .tolerances import stem
 from .vocabulary import Vocabulary
@@ -24,7 +24,7 @@ def table(content: dict[str, Any], words: Vocabulary) -> list[str]:
     names, rows = to_measure(content), []
     for name in names:
         nominal, value = from_to(content, name)
-        said = f"{nominal} (assumed)" if assumed(name) else nominal
+        said = f"{nominal} ({whence(content, name)})" if assumed(name) else nominal
         known = tolerances.said(content, name, words) or "–"
         if tolerances.is_default(content, name, words):
             known = f"{known.removesuffix(')')}, default)" if known.endswith(")") else f"{known} (default)"

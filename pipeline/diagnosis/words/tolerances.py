@@ -45,6 +45,8 @@ def said(content: dict[str, Any], name: str, words: Vocabulary) -> str:
 
 def is_default(content: dict[str, Any], name: str, words: Vocabulary) -> bool:
     """Whether a tolerance is that which is taken where run.yaml says nothing."""
+    if key_of(name) in content["evidence"].get("tolerances_given", []):
+        return False
     sigma, part = content["evidence"].get("tolerance", {}).get(name), share(content, name, words)
     usual = words.usual.get(key_of(name))
     return bool(sigma and usual) and math.isclose(sigma if part is None else part, usual or 0.0, rel_tol=1e-6)
@@ -70,8 +72,11 @@ def in_force(content: dict[str, Any], words: Vocabulary) -> list[str]:
         are = "are shares" if len(shares) > 1 else "is a share"
         first = number(block[shares[0]], 4)
         what = f" ({listing(shares)} {are} of the value: {first} is {percent(block[shares[0]])})"
+    given = content["evidence"].get("tolerances_given", [])
     defaults = [
-        key for key, value in block.items() if math.isclose(value, words.usual.get(key, math.nan), rel_tol=1e-6)
+        key
+        for key, value in block.items()
+        if key not in given and math.isclose(value, words.usual.get(key, math.nan), rel_tol=1e-6)
     ]
     which = "All" if len(defaults) == len(block) else listing(defaults)
     are = "are defaults" if len(defaults) > 1 else "is a default"
