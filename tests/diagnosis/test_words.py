@@ -19,9 +19,9 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.naming import Units
 from pipeline.diagnosis.words import (
     certainty,
-    dimensions,
     effects,
     experiment,
+    in_run_yaml,
     level,
     quantity,
     seen,
@@ -955,11 +955,11 @@ def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
 def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():
     moved = {"scale": 3.0, "separator_mm_2": -2.9, "length_mm": 0.1, "stiffness_n_per_mm": 2.8}
     fits = {"scale": {"nominal": 1.0, "value": 0.985}}
-    (gain,) = dimensions.in_run_yaml({"evidence": {"moved_sigma": moved}, "parameters": fits})
+    (gain,) = in_run_yaml.lines({"evidence": {"moved_sigma": moved}, "parameters": fits})
     assert "`tolerance: {scale: …, separator_mm: …}` (docs/import.md). If you measured the sensor's gain" in gain
     written = re.search(r"then write `(channels: .*?}})`", gain)[1]
     assert yaml.safe_load(written) == {"channels": {"displacement_mm": {"scale": 1.015}}}, "the inverse of what fits"
-    assert dimensions.in_run_yaml({"evidence": {"moved_sigma": {"stiffness_n_per_mm": 2.8}}}) == []
+    assert in_run_yaml.lines({"evidence": {"moved_sigma": {"stiffness_n_per_mm": 2.8}}}) == []
 
 
 @pytest.mark.parametrize(("sigma", "first"), [(3.0, True), (0.4, False)])

@@ -14,6 +14,7 @@ from . import (
     error_table,
     experiment,
     explained_words,
+    in_run_yaml,
     level,
     probability,
     rivals,
@@ -25,7 +26,7 @@ from . import (
     unseen,
     worth,
 )
-from .dimensions import corrected, each_moved, far_moved, in_run_yaml, remeasured, suspicious
+from .dimensions import corrected, each_moved, far_moved, remeasured, suspicious
 from .headline import headline, moved_in_vain, no_run
 from .places import EVERYWHERE, place
 from .quantity import duration, size, times
@@ -158,7 +159,7 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
     named = content["verdict"] in ("explained", "ambiguous")
     hiding = each_moved(content, words, far_moved(content)) if named else []
-    written = in_run_yaml(content) if content["verdict"] in ("explained", "ambiguous") else []
+    written = in_run_yaml.lines(content) if content["verdict"] in ("explained", "ambiguous") else []
     return [*corrected(content, words), *again, *hiding, *written, *tolerances.in_force(content, words)]
 
 

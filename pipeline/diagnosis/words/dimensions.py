@@ -17,25 +17,12 @@ HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
 TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
-FURTHER_GAIN = (
-    "run.yaml says scale: {there}, and a gain of {gain} is left beside it. If you measure that, write scale: {scale}, "
-    "which is {there} divided by {gain}, and say how well you measured it: `tolerance: {{scale: …}}`"
-)
-GAIN = (
-    "If you measured the sensor's gain, give its inverse as the scale. Say it is the {gain} that fits best: then write "
-    "`channels: {{displacement_mm: {{scale: {scale}}}}}` where run.yaml has no `channels`; where it has a scale "
-    "already, divide that by {gain}. Beside it say how well you measured it: `tolerance: {{scale: …}}`"
-)
 
 
 def far_moved(content: dict[str, Any]) -> dict[str, float]:
-    """By how many sigma each dimension moved that is to be measured again.
-
-    None is where effects were adopted with dimensions that lie within their tolerances: these fit as well.
-    """
-    if adopted_fit(content):
-        return {}
-    return {name: sigma for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > LEAVES}
+    """By how many sigma each dimension moved that is to be measured again: none where the adopted ones fit as well."""
+    moved = {} if adopted_fit(content) else content["evidence"]["moved_sigma"]
+    return {name: sigma for name, sigma in moved.items() if abs(sigma) > LEAVES}
 
 
 def adopted_fit(content: dict[str, Any]) -> bool:
@@ -87,23 +74,6 @@ def remeasured(
             "library lacks may have moved them, or run.yaml describes another rig."
         )
     return lines
-
-
-def in_run_yaml(content: dict[str, Any]) -> list[str]:
-    """How run.yaml says how well the dimensions to measure again were measured, and what the sensor's gain is."""
-    keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
-    gain = ""
-    if "scale" in far_moved(content):
-        value, there = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
-        said = GAIN if there is None else FURTHER_GAIN
-        scales = {"scale": number((there or 1.0) / value, 4), "there": number(there or 1.0, 4)}
-        gain = f" {said.format(gain=number(value, 4), **scales)}."
-    return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
-
-
-def tolerance_keys(moved: Iterable[str]) -> list[str]:
-    """The keys of `tolerance:` in `run.yaml` of dimensions; a stiffness has none."""
-    return list(dict.fromkeys(tolerances.key_of(name) for name in moved if not name.startswith("stiffness")))
 
 
 def do_not_copy(moved: Iterable[str]) -> str:

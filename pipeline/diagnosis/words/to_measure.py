@@ -3,8 +3,9 @@
 from typing import Any
 
 from . import tolerances
-from .dimensions import assumed, exactness, far_moved, from_to, name_of, tolerance_keys, whence
+from .dimensions import assumed, exactness, far_moved, from_to, name_of, whence
 from .error_table import aligned
+from .in_run_yaml import tolerance_keys
 from .tolerances import stem
 from .vocabulary import Vocabulary
 
