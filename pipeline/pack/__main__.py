@@ -52,7 +52,7 @@ def main() -> None:
     parser.add_argument("--without-recordings", action="store_true", help="name recordings by their digests alone")
     parser.add_argument("--configfile", nargs="*", default=[], metavar="FILE", help="as snakemake was given")
     parser.add_argument(
-        "--out", type=Path, required=True, metavar="FILE", help="the archive, such as nylon.zip; required"
+        "--out", type=Path, required=True, metavar="FILE", help="the archive file, such as nylon.zip; required"
     )
     arguments = parser.parse_args()
     if bool(arguments.material) == arguments.all:
