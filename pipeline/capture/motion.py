@@ -2,9 +2,9 @@
 
 import json
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import NotRequired, TypedDict
 
 from ..ground.errors import BadInput
 from ..wire import Decoder, Hello, Kind, encode
@@ -13,7 +13,6 @@ from .port import Port, Unplugged
 
 ANSWER_S, TRIES = 1.0, 3
 PAUSE_S = 0.002  # after each frame: a small board has room for two of them
-DRIVER, LOAD = "motor_turns", "load_n"
 ALIKE = 0.02  # of a load: two medians of one load cell differ by less
 SAYS = {
     Answer.BROKEN: "it did not get it whole",
@@ -27,18 +26,27 @@ SAYS = {
 }
 
 
-def as_legs(entries: Sequence[Mapping[str, Any]], hanging_n: float | None = None) -> list[Leg]:
+class LegJson(TypedDict):
+    """One leg as JSON has it: how long in s, the motor's turns at its end, and the load in N that hangs in it."""
+
+    seconds: float
+    motor_turns: float
+    load_n: NotRequired[float | None]
+
+
+def as_legs(entries: Sequence[LegJson], hanging_n: float | None = None) -> list[Leg]:
     """Legs as `next_run` of a diagnosis.json has them; a load that hangs already, and all the time, is left alone.
 
     Raises ValueError for what are none.
     """
     try:
         legs = [
-            Leg(float(one["seconds"]), float(one[DRIVER]), None if one.get(LOAD) is None else float(one[LOAD]))
-            for one in entries
+            Leg(float(entry["seconds"]), float(entry["motor_turns"]), None if load_n is None else float(load_n))
+            for entry in entries
+            for load_n in [entry.get("load_n")]
         ]
     except (TypeError, KeyError, AttributeError):
-        raise ValueError(f"each leg needs seconds and {DRIVER}, and may have {LOAD}, all of them numbers") from None
+        raise ValueError("each leg needs seconds and motor_turns, and may have load_n, all of them numbers") from None
     packed(legs)  # raises for numbers that the protocol cannot write
     same_n = ALIKE * abs(hanging_n or 0.0)
     if hanging_n is not None and all(leg.load_n is None or abs(leg.load_n - hanging_n) <= same_n for leg in legs):

@@ -1,6 +1,8 @@
 """What the configuration says of each model, as `config/schema.yaml` checks it."""
 
-from typing import Any, TypedDict
+from typing import TypedDict
+
+from pydantic import JsonValue
 
 
 class ModelPlan(TypedDict):
@@ -9,4 +11,4 @@ class ModelPlan(TypedDict):
     title: str
     direction: bool
     seeds: dict[str, int]
-    settings: dict[str, Any]
+    settings: dict[str, JsonValue]

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import pandas as pd
 
@@ -19,6 +18,7 @@ from ..ground.strict_yaml import write_yaml
 from ..run.description import Run, parse_run
 from ..run.folder import capture_info
 from ..run.recording import to_samples
+from ..run.run_yaml import RunYaml
 from ..run.samples import check, read_samples
 from ..run.strokes import segment
 from ..string.history import Recorded
@@ -55,13 +55,13 @@ class Recording:
         return cls(run, samples, folder, str(capture_info(folder).get("started_utc", "")))
 
     @classmethod
-    def of(cls, samples: pd.DataFrame, description: Mapping[str, Any]) -> Recording:
+    def of(cls, samples: pd.DataFrame, description: RunYaml) -> Recording:
         """A recording of a table, one row a sample, and of what `run.yaml` would say of it.
 
         `description` has the keys of `run.yaml`: `string`, `rig`, `channels` where columns or units differ, and so on;
         `run`, its name, may be left out. Raises BadInput naming the key or the column, as for a folder.
         """
-        content = {"run": NAME, **description}
+        content: RunYaml = {"run": NAME, **description}
         folder = Path(str(content["run"]))
         run = parse_run(content, folder / "run.yaml")
         table = samples.reset_index(drop=True)

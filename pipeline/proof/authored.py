@@ -38,7 +38,7 @@ def made(planned: Planned) -> Made:
 def answer(planned: Planned, made: Made) -> dict[str, Any]:
     """The sealed answer, with the keys that the score reads; an author does not tell dimensions and places."""
     effects = [{**effect, "raw_mm": effect["rms_mm"]} for effect in made.truth["effects"]]
-    raw_mm = float(np.sqrt(sum(effect["raw_mm"] ** 2 for effect in effects)))
+    raw_mm = float(np.sqrt(sum(effect["rms_mm"] ** 2 for effect in made.truth["effects"])))
     return {
         "protocol": planned.protocol,
         "effects": effects,

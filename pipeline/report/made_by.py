@@ -89,7 +89,8 @@ def _fits(models: Mapping[str, ModelPlan]) -> str:
         seeds, epochs = model["seeds"], model["settings"].get("epochs")
         count = _plural(seeds["within"], "seed") + (f" (later: {seeds['later']})" * (seeds["later"] != seeds["within"]))
         if epochs is not None or seeds["within"] > 1:
-            said.append(f"{model['title']} {count}" + (f" of {_plural(epochs, 'epoch')}" if epochs is not None else ""))
+            of_epochs = f" of {_plural(epochs, 'epoch')}" if isinstance(epochs, int) else ""
+            said.append(f"{model['title']} {count}{of_epochs}")
     return ", ".join(said) + ("; the others one fit" if len(said) < len(models) else "")
 
 

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import TypedDict
 
+from ..wire.hello import HelloJson
+
 
 class Lost(TypedDict, total=False):
     """Where something was lost: `frames` of a rig that speaks the protocol, or about so many samples of printed lines.
@@ -65,7 +67,7 @@ class CaptureJson(TypedDict, total=False):
     samples: Samples
     frames: dict[str, int]
     gaps: list[Lost]
-    hello: dict[str, object] | None
+    hello: HelloJson | None
     csv_sha256: str
     columns: list[str]
     columns_given: bool

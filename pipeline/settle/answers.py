@@ -9,11 +9,19 @@ import secrets
 import time
 from contextlib import suppress
 from pathlib import Path
+from typing import TypedDict, cast
 
 from ..ground.files import write_text
 
 QUESTION, APPROVED, STOP = "question.json", "approved.json", "stop"
 LOOKS_S = 0.1
+
+
+class Question(TypedDict):
+    """What the loop asks, as its file has it: the step's number, and a text that no other question has."""
+
+    step: int
+    question: str
 
 
 class Answers:
@@ -33,7 +41,7 @@ class Answers:
 
     def approved(self, number: int) -> bool:
         """Ask whether a step's run is to be made, and wait; False where somebody says stop."""
-        question = {"step": number, "question": secrets.token_hex(16)}
+        question: Question = {"step": number, "question": secrets.token_hex(16)}
         write_text(self.out / QUESTION, json.dumps(question) + "\n")
         try:
             while not self.stopped():
@@ -45,16 +53,16 @@ class Answers:
             for name in (QUESTION, APPROVED):
                 (self.out / name).unlink(missing_ok=True)
 
-    def question(self) -> dict[str, object] | None:
-        """What the loop asks now, or None: the step's number and a text that no other question has."""
+    def question(self) -> Question | None:
+        """What the loop asks now, or None."""
         return _read(self.out / QUESTION)
 
     def approve(self, question: str) -> bool:
         """Say yes; False where this is not what the loop asks now."""
-        asked = self.question()
-        if asked is None or asked["question"] != question:
+        pending = self.question()
+        if pending is None or pending["question"] != question:
             return False
-        write_text(self.out / APPROVED, json.dumps(asked) + "\n")
+        write_text(self.out / APPROVED, json.dumps(pending) + "\n")
         return True
 
     def stop(self) -> None:
@@ -62,9 +70,9 @@ class Answers:
         write_text(self.out / STOP, "somebody said stop\n")
 
 
-def _read(path: Path) -> dict[str, object] | None:
+def _read(path: Path) -> Question | None:
     with suppress(OSError, ValueError, RecursionError):
-        found = json.loads(path.read_text(encoding="utf-8"))
-        if isinstance(found, dict) and isinstance(found.get("question"), str) and isinstance(found.get("step"), int):
-            return found
+        content = json.loads(path.read_text(encoding="utf-8"))
+        if isinstance(content, dict) and isinstance(content.get("question"), str):
+            return cast(Question, content) if isinstance(content.get("step"), int) else None
     return None

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from ..capture.motion import as_legs
+from ..capture.motion import LegJson, as_legs
 from ..wire.motion import Leg, Limits
 from .limits import beyond
-from .step import Step, without_curves
+from .proposed import ProposedRun, without_curves
+from .step import Step
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
@@ -52,43 +52,45 @@ class Budget:
         return None
 
 
-def reachable(entry: dict[str, Any], limits: Limits | None) -> list[Leg]:
+def reachable(run: ProposedRun, limits: Limits | None) -> list[Leg]:
     """Legs of a proposal, the first one slow enough to get from where the motor stands to where the run begins."""
-    legs = as_legs(entry["legs"], entry.get("load"))
+    legs = as_legs(run["legs"], run.get("load"))
     if limits is not None and legs:
         way_s = SLOWER * limits.way_s(legs[0].turns - limits.at_turns)
         legs[0] = Leg(max(legs[0].seconds, way_s), legs[0].turns, legs[0].load_n)
     return legs
 
 
-def gaps(entry: dict[str, Any]) -> tuple[float, float]:
+def leg_json(leg: Leg) -> LegJson:
+    """A leg as files have it."""
+    entry: LegJson = {"seconds": leg.seconds, "motor_turns": leg.turns}
+    if leg.load_n is not None:
+        entry["load_n"] = leg.load_n
+    return entry
+
+
+def gaps(run: ProposedRun) -> tuple[float, float]:
     """The gap between the closest explanations without a run and with it, in standard deviations."""
-    now, then = (math.sqrt(max(entry[key], 0.0)) for key in ("gap_now", "gap_then"))
+    now, then = (math.sqrt(max(gap, 0.0)) for gap in (run["gap_now"], run["gap_then"]))
     return now, then
 
 
-def chosen(
-    options: Sequence[dict[str, Any]], number: int, limits: Limits | None, left: Budget
-) -> tuple[Step | None, str]:
+def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, left: Budget) -> tuple[Step | None, str]:
     """The run that raises the gap most of those that limits and budget allow, and why it is no better one.
 
     Without such a run None, and the sentence that ends the loop.
     """
-    raising = [entry for entry in options if entry.get("raises", entry["decides"])]
+    raising = [run for run in options if run.get("raises", run["decides"])]
     if not raising:
         now, then = gaps(options[0])
         said = f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"
         return None, f"{said} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
     refused: list[str] = []
-    for entry in raising:
-        legs = reachable(entry, limits)
-        plain = [
-            {"seconds": leg.seconds, "motor_turns": leg.turns} | ({} if leg.load_n is None else {"load_n": leg.load_n})
-            for leg in legs
-        ]
-        step = Step(number, "proposed", proposal=without_curves(entry) | {"legs": plain})
+    for run in raising:
+        legs = reachable(run, limits)
+        step = Step(number, "proposed", proposal={**without_curves(run), "legs": [leg_json(leg) for leg in legs]})
         why = beyond(legs, limits) or left.lacks(step)
         if why is None:
             return step, "; ".join(refused)
-        refused.append(f"{entry['title']}: {why}")
+        refused.append(f"{run['title']}: {why}")
     return None, f"no run that would raise the expected gap is allowed ({'; '.join(refused)})"

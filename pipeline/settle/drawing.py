@@ -1,7 +1,6 @@
 """What each explanation that ties foretells of a run, before it is made; and what came, drawn over it."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -9,6 +8,7 @@ from matplotlib.figure import Figure
 from ..ground.kinematics import Array
 from ..ground.page import write_page
 from ..run.samples import read_samples
+from .proposed import Curves, ProposedRun
 
 SIZE_INCHES, DOTS = (8.0, 7.0), 150
 COLOURS = ("#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b")
@@ -16,12 +16,12 @@ STANDS_TURNS = 0.02
 SMOOTH_S = 0.25  # over which a recording is averaged before the small differences are drawn
 
 
-def draw(entry: dict[str, Any], path: Path, title: str, came: Path | None = None) -> None:
+def draw(run: ProposedRun, path: Path, title: str, came: Path | None = None) -> None:
     """Draw a proposed run, and over it the run folder that came, as PNG and PDF; `path` goes without an ending.
 
     Where no explanations tie yet the simulator is drawn alone.
     """
-    curves = entry["curves"]
+    curves = run["curves"]
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title, fontsize=10)
     motion, reading, apart = figure.subplots(3, 1, sharex=True, height_ratios=[1, 2, 3])
@@ -57,7 +57,7 @@ def zero_mm(turns: Array, reading_mm: Array) -> float:
     return float(np.median(reading_mm[: max(1, int(moved[0]) if len(moved) else len(turns))]))
 
 
-def simulated_mm(curves: dict[str, Any], at_s: Array, turns: Array) -> Array:
+def simulated_mm(curves: Curves, at_s: Array, turns: Array) -> Array:
     """The simulator without a mechanism at the twist that the motor truly had, shape (samples,).
 
     Its curve over the twist is taken under the load that hangs then: a motor that runs a moment late is no effect.

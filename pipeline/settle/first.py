@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 
@@ -10,8 +9,9 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..run.description import Run
 from ..wire.motion import Leg, Limits
-from .choose import SLOWER, Budget
+from .choose import SLOWER, Budget, leg_json
 from .limits import EXAMPLE, OPTION, beyond
+from .proposed import Curves, ProposedRun
 from .step import Step
 
 STROKES = (6, 5, 4)  # the most that limits and budget allow; fewer leave the diagnosis none to hold out
@@ -35,7 +35,7 @@ def strokes(limits: Limits, count: int, share: float) -> list[Leg]:
     return [*legs, Leg(REST_S, low)]
 
 
-def first_run(run: Run, limits: Limits | None, left: Budget) -> dict[str, Any]:
+def first_run(run: Run, limits: Limits | None, left: Budget) -> ProposedRun:
     """The first recording as an entry of `next_runs.json` has a run; without limits it is a person's, and has no legs.
 
     Raises BadInput where the limits or the budget leave no room for it.
@@ -51,16 +51,16 @@ def first_run(run: Run, limits: Limits | None, left: Budget) -> dict[str, Any]:
         for count in STROKES:
             legs = strokes(limits, count, share)
             title = f"a first recording: {count} equal strokes to {high:g} turns"
-            plain = [{"seconds": leg.seconds, "motor_turns": leg.turns} for leg in legs]
-            entry = {"title": title, "legs": plain, "from": limits.at_turns, "load": None}
-            why = beyond(legs, limits) or left.lacks(Step(0, "proposed", proposal=entry)) or ""
+            entries = [leg_json(leg) for leg in legs]
+            proposed: ProposedRun = {"title": title, "legs": entries, "from": limits.at_turns, "load": None}
+            why = beyond(legs, limits) or left.lacks(Step(0, "proposed", proposal=proposed)) or ""
             if not why:
-                return entry | {"curves": foretold(run, legs, limits)}
+                return {**proposed, "curves": foretold(run, legs, limits)}
     mend = "allow more seconds, minutes or strokes, or record it with the capture program"
     raise BadInput("settle", "first recording", f"does not fit in what is allowed: {why}", mend)
 
 
-def foretold(run: Run, legs: list[Leg], limits: Limits) -> dict[str, Any]:
+def foretold(run: Run, legs: list[Leg], limits: Limits) -> Curves:
     """What the simulator of `run.yaml`, without a mechanism, foretells of legs: curves as `next_runs.json` has them."""
     ends_s = np.cumsum([0.0, *(leg.seconds for leg in legs)])
     time_s = np.linspace(0.0, ends_s[-1], POINTS)

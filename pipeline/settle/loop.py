@@ -17,8 +17,9 @@ from .ending import settled
 from .first import first_run
 from .limits import beyond
 from .motor import Motor
+from .proposed import ProposedRun, without_curves
 from .sheet import sheet
-from .step import Place, Step, without_curves
+from .step import Place, Step
 
 DONE, FAULT, STOPPED = 0, 1, 130
 
@@ -74,17 +75,17 @@ class Loop:
 
     def _begun(self) -> Step:
         """Step 0: the runs that are there, or a first recording that is proposed."""
-        runs = {"runs": [str(run) for run in self.runs]}
+        begun: ProposedRun = {"runs": [str(run) for run in self.runs]}
         if len(self.runs) > 1 or move.begun(self.runs[0]):
-            return self.place.write(Step(0, "recorded", proposal=runs))
+            return self.place.write(Step(0, "recorded", proposal=begun))
         run_dir = self.runs[0]
-        entry = first_run(read_run(run_dir), self.motor.limits(), self.budget)
-        return self._written(Step(0, "proposed", str(run_dir), without_curves(entry) | runs), entry)
+        proposed = first_run(read_run(run_dir), self.motor.limits(), self.budget)
+        return self._written(Step(0, "proposed", str(run_dir), {**without_curves(proposed), **begun}), proposed)
 
-    def _written(self, step: Step, entry: dict) -> Step:
+    def _written(self, step: Step, proposed: ProposedRun) -> Step:
         """A proposed step with its run, drawn before it is made."""
-        self.place.write_run(step.number, entry)
-        if "curves" in entry:
+        self.place.write_run(step.number, proposed)
+        if "curves" in proposed:
             self._draw(step)
         return self.place.write(step)
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..ground.errors import BadInput
 from ..ground.files import write_text
+from .proposed import LegJson, ProposedRun, StepVerdict
 
 STATES = ("proposed", "approved", "recorded", "diagnosed")
 NAME, PROPOSED = "state.json", "proposed.json"
@@ -23,7 +24,7 @@ class Step:
     number: int
     state: str
     run_dir: str | None = None
-    proposal: dict[str, Any] = field(default_factory=dict)
+    proposal: ProposedRun = field(default_factory=lambda: ProposedRun())
     approved_by: str | None = None
     ended: str | None = None
     used: bool = True
@@ -34,10 +35,9 @@ class Step:
         return replace(self, state=state, **changes)
 
     @property
-    def legs(self) -> list[dict[str, Any]]:
+    def legs(self) -> list[LegJson]:
         """Legs of the proposal."""
-        found: list[dict[str, Any]] = self.proposal.get("legs", [])
-        return found
+        return self.proposal.get("legs", [])
 
     @property
     def seconds(self) -> float:
@@ -50,11 +50,6 @@ class Step:
         ways = [leg["motor_turns"] for leg in self.legs]
         before = [self.proposal.get("from", 0.0), *ways]
         return sum(to > at for at, to in zip(before, ways, strict=False))
-
-
-def without_curves(entry: dict[str, Any]) -> dict[str, Any]:
-    """A run that could be made, without what is foretold of it."""
-    return {key: value for key, value in entry.items() if key != "curves"}
 
 
 @dataclass(frozen=True)
@@ -74,33 +69,33 @@ class Place:
 
     def steps(self) -> list[Step]:
         """All steps so far, in order; raises BadInput for a state that cannot be read."""
-        found: list[Step] = []
-        while (path := self.folder(len(found)) / NAME).is_file():
+        steps: list[Step] = []
+        while (path := self.folder(len(steps)) / NAME).is_file():
             try:
                 step = Step(**json.loads(path.read_text(encoding="utf-8")))
-                if step.number != len(found) or step.state not in STATES:
+                if step.number != len(steps) or step.state not in STATES:
                     raise ValueError("is no step of this folder")
             except (ValueError, TypeError) as error:
                 mend = "restore it, or name another --out to begin anew"
                 raise BadInput(path, "state", f"cannot be read ({error})", mend) from None
-            found.append(step)
-        return found
+            steps.append(step)
+        return steps
 
-    def write_run(self, number: int, entry: dict[str, Any]) -> None:
+    def write_run(self, number: int, run: ProposedRun) -> None:
         """Write the run that a step proposes, with what is foretold of it."""
-        write_text(self.folder(number) / PROPOSED, json.dumps(entry, ensure_ascii=False) + "\n")
+        write_text(self.folder(number) / PROPOSED, json.dumps(run, ensure_ascii=False) + "\n")
 
-    def proposed_run(self, number: int) -> dict[str, Any]:
+    def proposed_run(self, number: int) -> ProposedRun:
         """The run that a step proposes, with what is foretold of it."""
-        found: dict[str, Any] = json.loads((self.folder(number) / PROPOSED).read_text(encoding="utf-8"))
-        return found
+        run: ProposedRun = json.loads((self.folder(number) / PROPOSED).read_text(encoding="utf-8"))
+        return run
 
-    def diagnosis(self, number: int) -> dict[str, Any]:
+    def diagnosis(self, number: int) -> StepVerdict:
         """What the diagnosis of a step says."""
-        found: dict[str, Any] = json.loads((self.folder(number) / "diagnosis.json").read_text(encoding="utf-8"))
-        return found
+        verdict: StepVerdict = json.loads((self.folder(number) / "diagnosis.json").read_text(encoding="utf-8"))
+        return verdict
 
-    def next_runs(self, number: int) -> list[dict[str, Any]]:
+    def next_runs(self, number: int) -> list[ProposedRun]:
         """Runs that could be made after a step, the best first."""
-        found: list[dict[str, Any]] = json.loads((self.folder(number) / "next_runs.json").read_text(encoding="utf-8"))
-        return found
+        runs: list[ProposedRun] = json.loads((self.folder(number) / "next_runs.json").read_text(encoding="utf-8"))
+        return runs

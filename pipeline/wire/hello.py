@@ -3,11 +3,12 @@
 import json
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, NotRequired, TypedDict, cast
 
 from .check import CRC, MAX_PAYLOAD, PROTOCOL
-from .motion import Limits
+from .motion import Limits, LimitsJson
 
 MAX_CHANNELS = 16
 RATES_HZ = (1.0, 100_000.0)
@@ -15,6 +16,29 @@ MOST_STROKES = 1_000_000
 LARGEST = 1e30  # of a scale or an offset: a sample times it is still a number
 INTEGERS = {"i8": "<i1", "u8": "<u1", "i16": "<i2", "u16": "<u2", "i32": "<i4", "u32": "<u4"}  # to numpy's names
 CHANNEL_NAME = re.compile(r"[a-z][a-z0-9_]{0,31}")
+
+
+class ChannelJson(TypedDict):
+    """A channel of a HELLO, as JSON has it: value = scale · integer + offset, in `unit`."""
+
+    name: str
+    unit: str
+    type: str
+    scale: float
+    offset: float
+
+
+class HelloJson(TypedDict):
+    """A HELLO, as JSON has it; a device that takes no program of motion leaves `program` out."""
+
+    device: str
+    firmware: str
+    nonce: str
+    rate_hz: float
+    strokes: int
+    channels: Sequence[ChannelJson]
+    protocol: int
+    program: NotRequired[LimitsJson]
 
 
 @dataclass(frozen=True)
@@ -42,10 +66,12 @@ class Hello:
     program: Limits | None = None
 
     @property
-    def content(self) -> dict[str, Any]:
+    def content(self) -> HelloJson:
         """It as JSON has it; a device that takes no program says nothing of one."""
-        found = {key: value for key, value in asdict(self).items() if key != "program"}
-        return found | ({"program": self.program.content} if self.program else {})
+        hello = cast(HelloJson, {key: value for key, value in asdict(self).items() if key != "program"})
+        if self.program:
+            hello["program"] = self.program.content
+        return hello
 
     def pack(self) -> bytes:
         """Payload of the HELLO frame; raises ValueError when it would be too long."""

@@ -6,7 +6,7 @@ import zlib
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from enum import IntEnum
-from typing import Any
+from typing import Any, NotRequired, TypedDict, cast
 
 LEG = struct.Struct("<HIii")  # number from 0, duration in ms, turns at its end in 1/1000, load in 1/1000 N
 PROGRAM = struct.Struct("<HI")  # how many legs, CRC-32 of their payloads in order
@@ -53,6 +53,19 @@ class Leg:
         return Leg(duration_ms / MILLI, turns / MILLI, None if load == AS_IT_HANGS else load / MILLI)
 
 
+class LimitsJson(TypedDict):
+    """`program` of a HELLO: what a device takes of a program, as JSON has it; without `load_n` its load is fixed."""
+
+    legs: int
+    turns: tuple[float, float]
+    turns_per_s: float
+    turns_per_s2: float
+    seconds: float
+    silence_s: float
+    at_turns: float
+    load_n: NotRequired[tuple[float, float]]
+
+
 @dataclass(frozen=True)
 class Limits:
     """What a device takes of a program, as its HELLO declares under `program`."""
@@ -87,9 +100,9 @@ class Limits:
         return found
 
     @property
-    def content(self) -> dict[str, Any]:
+    def content(self) -> LimitsJson:
         """They as HELLO has them."""
-        return {key: value for key, value in asdict(self).items() if value is not None}
+        return cast(LimitsJson, {key: value for key, value in asdict(self).items() if value is not None})
 
     def way_s(self, turns: float) -> float:
         """The shortest time for a way of so many turns, in s."""

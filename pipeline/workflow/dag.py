@@ -105,7 +105,8 @@ def make_plan(raw: Path, synthetic: list[str]) -> Plan:
     plan = Plan()
     for run in synthetic:
         info = capture_info(raw / run)
-        if (raw / run).exists() and info and (info.get("hello") or {}).get("device") != SYNTHETIC_DEVICE:
+        hello = info.get("hello")
+        if (raw / run).exists() and info and (not hello or hello.get("device") != SYNTHETIC_DEVICE):
             mend = "rename the run, or the one under `synthetic` in the configuration"
             raise BadInput(raw / run, "run", "is a real recording under a name of the synthetic rig", mend)
         plan.add(SYNTHETIC, run)

@@ -10,25 +10,13 @@ PIPELINE = Path(__file__).parents[2] / "pipeline"
 BARE = re.compile(r"(dict|Mapping)\[str, (Any|object)\]")
 # whose form another program or a person decides: it is read where it comes in, and made a type there
 DOCUMENTS = {
-    "capture.motion.as_legs": "legs of a JSON file",
     "diagnosis.words.details.details_text": "diagnosis.json as a document, whose keys end in the rig's unit",
     "diagnosis.words.verdict.verdict_text": "the same",
     "foreign.axes.each_axis": "a mapping that a person writes",
-    "ground.configuration.ModelPlan": "a model's settings in the configuration; its own class checks them",
-    "models.parts.box.Box": "a saved model's file",
-    "models.parts.settings.refusal": "a model's settings as JSON",
-    "models.parts.settings.told": "the same",
     "new_run.make_run": "run.yaml",
-    "notebook.recording.Recording": "run.yaml, as a person says it",
-    "rig.authors.interface.Made": "an author's own answer",
     "rig.effects.make": "an effect's parameters, of its own kinds",
-    "run.capture_json.CaptureJson": "a device's words of itself",
     "run.like.as_in": "run.yaml",
     "run.like.with_given": "run.yaml",
-    "settle.answers.Answers": "a question as its file holds it",
-    "settle.step.Place": "a proposed run, as next_runs.json has it",
-    "settle.step.Step": "the same",
-    "wire.motion.Limits": "a device's words of itself",
 }
 
 

@@ -8,8 +8,9 @@ import pytest
 from made_recording import content
 
 from pipeline.ground.errors import BadInput
-from pipeline.run.description import parse_run
+from pipeline.run.description import Channel, Run, String, TextFile, parse_run
 from pipeline.run.folder import find_runs, read_run, recording_path
+from pipeline.run.run_yaml import ChannelYaml, FileYaml, RunYaml, StringYaml
 from pipeline.run.samples import read_samples
 
 PLACE = Path("raw/a-01/run.yaml")
@@ -199,6 +200,13 @@ def test_a_key_that_stands_twice_is_named_with_its_line(tmp_path):
     (folder / "run.yaml").write_text("run: a-01\nstring: {material: x}\nrig:\n  load_n: 20\n  load_n: 30\n")
     with pytest.raises(BadInput, match=r"line 5: says 'load_n' a second time"):
         read_run(folder)
+
+
+@pytest.mark.parametrize(
+    ("written", "checked"), [(RunYaml, Run), (StringYaml, String), (ChannelYaml, Channel), (FileYaml, TextFile)]
+)
+def test_the_types_of_run_yaml_have_the_keys_that_are_checked(written, checked):
+    assert set(written.__annotations__) == set(checked.model_fields)
 
 
 @pytest.mark.parametrize("field", ["gaps", "holes"])

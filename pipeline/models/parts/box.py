@@ -1,6 +1,7 @@
 """The box in which a model is declared to hold: the range of every input among its training points."""
 
 from dataclasses import dataclass
+from typing import TypedDict
 
 import numpy as np
 import pandas as pd
@@ -12,6 +13,14 @@ COLUMNS = (
     "torsion_zone_mm", "stiffness_n_per_mm",
 )  # fmt: skip
 MARGIN = {"motor_turns": 0.01, "displacement_mm": 0.01, "load_n": 0.05}  # of the range, or of the value where constant
+
+
+class SavedBox(TypedDict):
+    """A box in a model's file: what `Box` holds, as plain values."""
+
+    low: dict[str, float]
+    high: dict[str, float]
+    materials: list[str]
 
 
 @dataclass(frozen=True)
@@ -35,16 +44,16 @@ class Box:
         return cls(low, high, tuple(sorted(set(points["material"]))) if "material" in points else ())
 
     @classmethod
-    def from_saved(cls, saved: dict[str, object]) -> "Box":
+    def from_saved(cls, saved: SavedBox) -> "Box":
         """The box that `saved` wrote; raises ValueError for one that is none."""
-        low, high = dict(saved["low"]), dict(saved["high"])  # type: ignore[call-overload]
+        low, high = dict(saved["low"]), dict(saved["high"])
         if set(low) != set(high) or not set(low) <= set(COLUMNS):
             raise ValueError("the box is of other columns")
         if not all(-np.inf < float(low[name]) <= float(high[name]) < np.inf for name in low):
             raise ValueError("the box holds what is no range")
-        return cls(dict(saved["low"]), dict(saved["high"]), tuple(saved["materials"]))  # type: ignore[call-overload, arg-type]
+        return cls(low, high, tuple(saved["materials"]))
 
-    def saved(self) -> dict[str, object]:
+    def saved(self) -> SavedBox:
         """Plain values for a file."""
         return {"low": self.low, "high": self.high, "materials": list(self.materials)}
 
@@ -59,15 +68,15 @@ class Box:
         shape (points,).
         """
         answer = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[given]
-        found = {}
+        outside = {}
         for name in self.low:
             if name != answer:
                 values = points[name].to_numpy(float)
                 wrong = ~((values >= self.low[name]) & (values <= self.high[name]))
                 if wrong.any():
-                    found[name] = wrong
+                    outside[name] = wrong
         if self.materials:
             strange = ~points["material"].isin(self.materials).to_numpy()
             if strange.any():
-                found["material"] = strange
-        return found
+                outside["material"] = strange
+        return outside

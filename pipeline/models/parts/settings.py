@@ -7,10 +7,11 @@ A model declares `bins: Annotated[int, Field(ge=1, le=128)] = 16`; what is outsi
 import dataclasses
 import json
 import math
+from collections.abc import Mapping
 from typing import Annotated, Any, TypeVar, dataclass_transform
 
 import pydantic
-from pydantic import ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field, JsonValue, ValidationError
 from pydantic.dataclasses import dataclass
 
 Class = TypeVar("Class")
@@ -33,7 +34,7 @@ def checked(settings: type[Class]) -> type[Class]:
     return made
 
 
-def values(settings: Any) -> dict[str, Any]:
+def values(settings: Any) -> dict[str, JsonValue]:
     """Settings as plain values for a file."""
     return dataclasses.asdict(settings)
 
@@ -46,10 +47,10 @@ class Refused(ValueError):
         self.field, self.problem, self.mend = field, problem, mend
 
 
-def told(text: str) -> dict[str, Any]:
+def told(text: str) -> dict[str, JsonValue]:
     """Settings written as a JSON object; raises Refused for anything else, or a setting that stands twice."""
 
-    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    def once(pairs: list[tuple[str, JsonValue]]) -> dict[str, JsonValue]:
         twice = [name for place, (name, _) in enumerate(pairs) if name in dict(pairs[:place])]
         if twice:
             raise Refused(shown(twice[0]), "stands twice", "keep one of the two")
@@ -57,17 +58,17 @@ def told(text: str) -> dict[str, Any]:
 
     mend = 'write a JSON object, such as {"epochs": 30}'
     try:
-        found = json.loads(text, object_pairs_hook=once)
+        settings = json.loads(text, object_pairs_hook=once)
     except Refused:
         raise
     except (ValueError, RecursionError) as error:
         raise Refused("JSON", f"cannot be read ({shown(str(error))})", mend) from None
-    if not isinstance(found, dict):
+    if not isinstance(settings, dict):
         raise Refused("JSON", f"is {shown(text)}, not an object", mend)
-    return found
+    return settings
 
 
-def refusal(error: ValidationError | TypeError, settings: type | None, given: dict[str, Any]) -> Refused:
+def refusal(error: ValidationError | TypeError, settings: type | None, given: Mapping[str, JsonValue]) -> Refused:
     """What a model's class complained of in the settings given; `settings` is its dataclass, None if it has none."""
     if settings is None:
         return Refused(shown(next(iter(given), "settings")), "is no setting: this model has none", "leave it out")

@@ -1,8 +1,8 @@
 """What is asked of an author of concealed physics, and what the author gives back."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal, NotRequired, TypedDict
 
 import numpy as np
 import pandas as pd
@@ -53,18 +53,53 @@ class Asked:
             raise ValueError(f"the protocol is {self.protocol!r}; use one of {', '.join(PROTOCOLS)}")
 
 
-@dataclass(frozen=True)
-class Made:
-    """One recording: the content of its run.yaml without `run`, its table, and the answer that stays sealed.
+class StringContent(TypedDict):
+    """The string as somebody measured it, in mm and N/mm."""
 
-    `truth` holds `effects`, a list with one entry for each effect asked, in that order: `id`, `law`, `parameters`,
-    `rms_mm` (of the effect on the reading), `kappa` (reached); and `noise_floor_mm` and `heldout_noise_mm`. Where legs
-    were asked, `protocol_s` is the time in s at which they begin.
+    material: str
+    radius_mm: float
+    length_mm: float
+    stiffness_n_per_mm: NotRequired[float]
+
+
+class RunContent(TypedDict):
+    """The content of a run.yaml without `run`."""
+
+    actuator: str
+    string: StringContent
+    rig: dict[str, float]
+    tolerance: NotRequired[dict[str, float]]
+
+
+class HiddenEffect(TypedDict):
+    """An effect that was hidden: `rms_mm` of it on the reading, and its size `kappa` that was reached."""
+
+    id: str
+    law: str
+    parameters: Mapping[str, object]  # as its law names them
+    rms_mm: float
+    kappa: float
+
+
+class Truth(TypedDict):
+    """The answer that stays sealed: an entry for each effect asked, in that order, and the noise in mm.
+
+    Where legs were asked, `protocol_s` is the time in s at which they begin.
     """
 
-    content: dict[str, Any]
+    effects: list[HiddenEffect]
+    noise_floor_mm: float
+    heldout_noise_mm: float
+    protocol_s: NotRequired[float]
+
+
+@dataclass(frozen=True)
+class Made:
+    """One recording: what its run.yaml says, its table, and the answer."""
+
+    content: RunContent
     table: pd.DataFrame
-    truth: dict[str, Any]
+    truth: Truth
 
 
 def driven_on(legs: Sequence[Leg], turns: Array, load_n: Array, step_s: float) -> tuple[Array, Array, Array]:

@@ -2,13 +2,12 @@
 
 import zlib
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import PROTOCOLS, Asked, Made, OutOfReach
+from pipeline.rig.authors.interface import PROTOCOLS, Asked, HiddenEffect, Made, OutOfReach, RunContent, Truth
 from pipeline.rig.authors.kinetics.bench import STEP_S, Bench
 from pipeline.rig.authors.kinetics.logger import Logger, logger, logging_on, with_outliers
 from pipeline.rig.authors.kinetics.motion import run, run_on
@@ -53,12 +52,12 @@ def _noise(log: Logger, stroke: Array, plain_mm: Array) -> tuple[float, float]:
     return _rms(noise_mm), _rms(noise_mm[late])
 
 
-def _content(one: Specimen, log: Logger) -> dict[str, Any]:
+def _content(one: Specimen, log: Logger) -> RunContent:
     """What run.yaml says of the string and the rig."""
     rig = dict(one.rig)
     if not log.has_load:
         rig["load_n"] = round(one.load_n, 1)
-    return {"actuator": one.geometry.actuator, "string": dict(one.string), "rig": rig}
+    return {"actuator": one.geometry.actuator, "string": {**one.string}, "rig": rig}
 
 
 def _table(chance: np.random.Generator, one: Specimen, bench: Bench, log: Logger, reading_mm: Array) -> pd.DataFrame:
@@ -86,13 +85,14 @@ def recorded(asked: Asked, chosen: Mapping[str, str]) -> Made:
     plain_mm = log.taken(displacement(bench, [])) * one.scale
     floor_mm, heldout_mm = _noise(log, stroke, plain_mm)
     recalibration = Recalibration(bench, log.rows)
-    effects, told = [], []
+    effects: list[Hidden] = []
+    entries: list[HiddenEffect] = []
     for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
         hidden, left_mm = sized(bench, _drawn(asked, effect, chosen, log.has_air), kappa * floor_mm, recalibration)
         alone_mm = log.taken(displacement(bench, [hidden])) * one.scale - plain_mm
         parameters = {**hidden.parameters, "size": hidden.size}
         effects.append(hidden)
-        told.append(
+        entries.append(
             {
                 "id": effect,
                 "law": hidden.law.name,
@@ -101,7 +101,7 @@ def recorded(asked: Asked, chosen: Mapping[str, str]) -> Made:
                 "kappa": left_mm / floor_mm,
             }
         )
-    truth = {"effects": told, "noise_floor_mm": floor_mm, "heldout_noise_mm": heldout_mm}
+    truth: Truth = {"effects": entries, "noise_floor_mm": floor_mm, "heldout_noise_mm": heldout_mm}
     if asked.legs:
         truth["protocol_s"] = float(bench.time_s[-1])
         bench = run_on(bench, asked.legs)

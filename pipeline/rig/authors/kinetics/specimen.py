@@ -1,11 +1,11 @@
 """The string and the rig of a seed: as they are, and as somebody measured them."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
+from pipeline.rig.authors.interface import StringContent
 
 MATERIALS = {"UHMWPE": (25.0, 60.0), "Vectran": (30.0, 70.0), "Nylon": (3.0, 12.0), "Aramid": (25.0, 60.0)}
 
@@ -15,7 +15,7 @@ class Specimen:
     """A string on its rig: the true geometry, what was written down of it, the errors of the two sensors."""
 
     geometry: Geometry
-    string: dict[str, Any]
+    string: StringContent
     rig: dict[str, float]
     top_turns: float
     load_n: float
@@ -44,7 +44,11 @@ def specimen(chance: np.random.Generator) -> Specimen:
         top = (zone_mm * chance.uniform(0.5, 0.85) - separator_mm) / radius_mm / RAD_PER_TURN
     written_radius = radius_mm * (1.0 + _missed(chance, TOLERANCE["radius"]))
     written_length = length_mm + _missed(chance, TOLERANCE["length_mm"])
-    string = {"material": material, "radius_mm": round(written_radius, 3), "length_mm": round(written_length, 1)}
+    string: StringContent = {
+        "material": material,
+        "radius_mm": round(written_radius, 3),
+        "length_mm": round(written_length, 1),
+    }
     if chance.uniform() < 0.7:
         string["stiffness_n_per_mm"] = round(stiffness * (1.0 + 0.1 * _missed(chance, 1.0)), 1)
     rig = {}

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.rig.authors.interface import Asked, Made, as_large
+from pipeline.rig.authors.interface import Asked, HiddenEffect, Made, Truth, as_large
 from pipeline.rig.authors.lattice.catalogue import BY_EFFECT
 from pipeline.rig.authors.lattice.chain import reading_mm
 from pipeline.rig.authors.lattice.instruments import held_out, recorded, sampling, sampling_on
@@ -29,7 +29,9 @@ def made_with(asked: Asked, names: list[str | None]) -> Made:
     warmth = any(law.name == "ambient_node" for law in chosen)
     silent = recorded(np.random.default_rng([asked.seed, 3]), one, taken, reading_mm(one.world, []), warmth)
     floor_mm = _rms(silent.noise_mm)
-    ruler, hidden, effects = Ruler(one, taken), [], []
+    ruler = Ruler(one, taken)
+    hidden: list[tuple[Law, Params]] = []
+    effects: list[HiddenEffect] = []
     for i, (law, kappa) in enumerate(zip(chosen, asked.kappas, strict=True)):
         shape = law.draw(np.random.default_rng([asked.seed, 20 + i]), one.world)
 
@@ -56,7 +58,7 @@ def made_with(asked: Asked, names: list[str | None]) -> Made:
     measured = "load_n" in made.table
     content = run_yaml(one.specimen, None if measured else one.specimen.load_n)
     last = held_out(one, taken)
-    truth: dict[str, Any] = {
+    truth: Truth = {
         "effects": effects,
         "noise_floor_mm": _rms(made.noise_mm),
         "heldout_noise_mm": _rms(made.noise_mm[last]),

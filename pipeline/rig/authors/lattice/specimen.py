@@ -1,11 +1,11 @@
 """The string and the rig as they are, and as the operator measured them."""
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE
+from pipeline.rig.authors.interface import RunContent, StringContent
 from pipeline.rig.authors.lattice.world import Dimensions
 
 Rng = np.random.Generator
@@ -54,9 +54,14 @@ def specimen(rng: Rng) -> Specimen:
     return Specimen(material, true, measured, top_turns, load_n, _error(rng, 0.003), _error(rng, 0.025))
 
 
-def run_yaml(one: Specimen, load_n: float | None) -> dict[str, Any]:
+def run_yaml(one: Specimen, load_n: float | None) -> RunContent:
     """Content of run.yaml without `run`; the load stands in it where no channel measures it."""
-    known = asdict(one.measured)
-    string = {"material": one.material, **{key: known[key] for key in ("radius_mm", "length_mm", "stiffness_n_per_mm")}}
-    rig = {key: known[key] for key in ("torsion_zone_mm", "separator_mm")}
+    measured = one.measured
+    string: StringContent = {
+        "material": one.material,
+        "radius_mm": measured.radius_mm,
+        "length_mm": measured.length_mm,
+        "stiffness_n_per_mm": measured.stiffness_n_per_mm,
+    }
+    rig = {"torsion_zone_mm": measured.torsion_zone_mm, "separator_mm": measured.separator_mm}
     return {"actuator": "separator", "string": string, "rig": rig if load_n is None else {**rig, "load_n": load_n}}

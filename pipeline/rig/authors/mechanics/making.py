@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Asked, Made, as_large, driven_on
+from pipeline.rig.authors.interface import Asked, HiddenEffect, Made, Truth, as_large, driven_on
 from pipeline.rig.authors.mechanics.catalogue import WRITERS
 from pipeline.rig.authors.mechanics.motion import driven, planned
 from pipeline.rig.authors.mechanics.reading import noise, noise_on, recorded, sampled
@@ -62,7 +62,7 @@ def make(asked: Asked) -> Made:
     changes = bool(np.ptp(load_n) > 0.0)
     with_load = changes or draw.random() < 0.3
     with_temperature = draw.random() < 0.4
-    told = measured(material, geometry, None if with_load else float(load_n[0]), draw)
+    content = measured(material, geometry, None if with_load else float(load_n[0]), draw)
     written = draw.integers(2**62)
 
     def table(shown_mm: Array) -> tuple[Any, Array]:
@@ -72,7 +72,8 @@ def make(asked: Asked) -> Made:
     usual_mm = displacement_mm(scene, [])
     floor_mm = _rms(table(usual_mm)[1])
     calibration = Calibration(geometry, *(sampled(one, errors) for one in (turns, load_n)))
-    acting, effects = [], []
+    acting: list[tuple[Law, float]] = []
+    effects: list[HiddenEffect] = []
     for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
         name, law = _law(scene, asked.seed, effect)
 
@@ -101,7 +102,8 @@ def make(asked: Asked) -> Made:
         before, scene = scene, Scene(geometry, np.append(turns, more_turns), np.append(load_n, more_n))
         errors = noise_on(errors, len(scene.turns))
         with_load = with_load or bool(np.ptp(scene.load_n) > 0.0)
-        told = told | {"rig": {key: value for key, value in told["rig"].items() if key != "load_n" or not with_load}}
+        rig = {key: value for key, value in content["rig"].items() if key != "load_n" or not with_load}
+        content = {**content, "rig": rig}
         whole_mm = displacement_mm(scene, [])
         for at, (effect, (law, strength)) in enumerate(zip(asked.effects, acting, strict=True)):
             longer = _law(scene, asked.seed, effect)[1]
@@ -110,7 +112,7 @@ def make(asked: Asked) -> Made:
             acting[at] = longer, as_large(strength, alone_mm, longer_mm)
     recording, noise_mm = table(displacement_mm(scene, acting))
     held = recording["time_s"].to_numpy() >= held_s
-    truth = {"effects": effects, "noise_floor_mm": _rms(noise_mm), "heldout_noise_mm": _rms(noise_mm[held])}
+    truth: Truth = {"effects": effects, "noise_floor_mm": _rms(noise_mm), "heldout_noise_mm": _rms(noise_mm[held])}
     if asked.legs:
         truth["protocol_s"] = protocol_s
-    return Made(told, recording, truth)
+    return Made(content, recording, truth)

@@ -1,10 +1,9 @@
 """One string on its rig: what it truly measures, and what somebody measured on it."""
 
-from typing import Any
-
 import numpy as np
 
 from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Geometry
+from pipeline.rig.authors.interface import RunContent, StringContent
 
 MODULI_MPA = {"UHMWPE": 11e3, "Vectran": 9.5e3, "nylon": 3.7e3, "polyester": 6e3}  # of a braided line, voids and all
 SOFT = "nylon"
@@ -29,7 +28,7 @@ def drawn(draw: np.random.Generator) -> tuple[str, Geometry, float, float]:
     return material, geometry, float(top), float(draw.uniform(9.0, 30.0))
 
 
-def measured(material: str, geometry: Geometry, load_n: float | None, draw: np.random.Generator) -> dict[str, Any]:
+def measured(material: str, geometry: Geometry, load_n: float | None, draw: np.random.Generator) -> RunContent:
     """What run.yaml says of the string and the rig: dimensions with errors of their tolerances, rounded as tools read.
 
     `load_n` is the weight in N where no channel tells the load.
@@ -38,7 +37,7 @@ def measured(material: str, geometry: Geometry, load_n: float | None, draw: np.r
     def off(sigma: float) -> float:
         return float(np.clip(draw.normal(0.0, sigma), -2.5 * sigma, 2.5 * sigma))
 
-    string = {
+    string: StringContent = {
         "material": material,
         "radius_mm": round(geometry.radius_mm * (1.0 + off(TOLERANCE["radius"])), 3),
         "length_mm": round(geometry.length_mm + off(TOLERANCE["length_mm"]), 1),

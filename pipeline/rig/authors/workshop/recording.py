@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.authors.interface import Asked, Made, OutOfReach, as_large
+from pipeline.rig.authors.interface import Asked, HiddenEffect, Made, OutOfReach, Truth, as_large
 from pipeline.rig.authors.workshop.bench import Bench, Part
 from pipeline.rig.authors.workshop.catalogue import LAWS, part_of, stream_of
 from pipeline.rig.authors.workshop.chain import reading
@@ -51,13 +51,13 @@ def _rms(values: Array) -> float:
 
 def plain(parameters: dict[str, Any]) -> dict[str, float]:
     """Parameters as plain numbers; a list's entries are numbered from 1."""
-    told: dict[str, float] = {}
+    numbers: dict[str, float] = {}
     for name, value in parameters.items():
         if isinstance(value, list):
-            told |= {f"{name}_{number}": float(one) for number, one in enumerate(value, 1)}
+            numbers |= {f"{name}_{number}": float(item) for number, item in enumerate(value, 1)}
         else:
-            told[name] = float(value)
-    return told
+            numbers[name] = float(value)
+    return numbers
 
 
 def make(asked: Asked) -> Made:
@@ -67,15 +67,16 @@ def make(asked: Asked) -> Made:
     clean_mm = reading(bench, [])
     _, noise_mm = recorded(specimen, instruments, clean_mm * specimen.scale)
     floor_mm = _rms(noise_mm)
-    parts, effects = [], []
+    parts: list[tuple[Part, float]] = []
+    effects: list[HiddenEffect] = []
     for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
         law, part, size = drawn_part(bench, asked.seed, effect, kappa, floor_mm)
         parts.append((part, size))
         alone_mm = reading(bench, [(part, size)]) - clean_mm
-        told = plain(part.parameters) | {part.size: size}
+        parameters = plain(part.parameters) | {part.size: size}
         reached = kappa_of(bench, part, size, floor_mm)
         rms_mm = _rms(alone_mm - alone_mm[0])
-        effects.append({"id": effect, "law": law, "parameters": told, "rms_mm": rms_mm, "kappa": reached})
+        effects.append({"id": effect, "law": law, "parameters": parameters, "rms_mm": rms_mm, "kappa": reached})
     protocol_s = float(bench.time_s[-1])
     if asked.legs:
         specimen = went_on(specimen, asked.legs)
@@ -91,7 +92,7 @@ def make(asked: Asked) -> Made:
     table, noise_mm = recorded(specimen, instruments, shown_mm * specimen.scale)
     stroke = bench.stroke[instruments.kept]
     late = stroke > stroke.max() - max(1, round(HELD_OUT * stroke.max()))
-    truth = {"effects": effects, "noise_floor_mm": floor_mm, "heldout_noise_mm": _rms(noise_mm[late])}
+    truth: Truth = {"effects": effects, "noise_floor_mm": floor_mm, "heldout_noise_mm": _rms(noise_mm[late])}
     if asked.legs:
         truth["protocol_s"] = protocol_s
     return Made(specimen.content, table, truth)

@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from pipeline.ground.kinematics import RAD_PER_TURN, TOLERANCE, Array, Geometry, usual_stiffness
-from pipeline.rig.authors.interface import Leg, Protocol, carried_on, driven_on
+from pipeline.rig.authors.interface import Leg, Protocol, RunContent, StringContent, carried_on, driven_on
 from pipeline.rig.authors.workshop.bench import Bench
 from pipeline.rig.authors.workshop.motion import cam_sheet, laid_out, least_moving_s
 
@@ -19,7 +18,7 @@ class Specimen:
     """The true bench, what run.yaml says of it, and what the instruments get wrong without any hidden effect."""
 
     bench: Bench
-    content: dict[str, Any]
+    content: RunContent
     load_cell: bool
     scale: float
     angle_zero_turns: float
@@ -55,15 +54,17 @@ def room_temperature(rng: np.random.Generator, time_s: Array, protocol: Protocol
     return np.asarray(rng.uniform(18.0, 25.0) + swing + spell * (heated - cooled))
 
 
-def written_down(rng: np.random.Generator, true: Geometry, load_n: float | None) -> dict[str, Any]:
+def written_down(rng: np.random.Generator, true: Geometry, load_n: float | None) -> RunContent:
     """The content of run.yaml, but its `run`: dimensions as somebody measured them."""
-    string: dict[str, Any] = {"material": str(rng.choice(MATERIALS))}
-    string["radius_mm"] = round(float(true.radius_mm * (1.0 + _off(rng, TOLERANCE["radius"]))), 4)
-    string["length_mm"] = round(float(true.length_mm + _off(rng, TOLERANCE["length_mm"])), 1)
+    string: StringContent = {
+        "material": str(rng.choice(MATERIALS)),
+        "radius_mm": round(float(true.radius_mm * (1.0 + _off(rng, TOLERANCE["radius"]))), 4),
+        "length_mm": round(float(true.length_mm + _off(rng, TOLERANCE["length_mm"])), 1),
+    }
     stiffness, known = round(float(true.stiffness_n_per_mm * (1.0 + _off(rng, 0.03))), 2), rng.random() < 0.6
     if known:
         string["stiffness_n_per_mm"] = stiffness
-    rig: dict[str, Any] = {}
+    rig: dict[str, float] = {}
     if true.actuator == "separator":
         rig["torsion_zone_mm"] = round(float(true.torsion_zone_mm + _off(rng, TOLERANCE["torsion_zone_mm"])), 1)
         rig["separator_mm"] = round(float(true.separator_mm + _off(rng, TOLERANCE["separator_mm"])), 2)
@@ -114,4 +115,4 @@ def went_on(specimen: Specimen, legs: Sequence[Leg]) -> Specimen:
     )
     load_cell = specimen.load_cell or bool(np.ptp(longer.load_n) > 1e-6)
     rig = {name: value for name, value in specimen.content["rig"].items() if name != "load_n" or not load_cell}
-    return replace(specimen, bench=longer, content=specimen.content | {"rig": rig}, load_cell=load_cell)
+    return replace(specimen, bench=longer, content={**specimen.content, "rig": rig}, load_cell=load_cell)

@@ -1,0 +1,58 @@
+"""A run that could be made, and the verdict that it follows, as the files of a step hold them."""
+
+from collections.abc import Sequence
+from typing import TypedDict, cast
+
+from ..capture.motion import LegJson
+
+
+class Curves(TypedDict):
+    """What is foretold of a run, as lists of one length: time in s, motion in turns, load in N, readings in mm.
+
+    `calibrated` is the simulator without a mechanism, `rivals` what each explanation that ties foretells.
+    """
+
+    time_s: list[float]
+    motor_turns: list[float]
+    load: list[float]
+    calibrated: list[float]
+    rivals: dict[str, list[float]]
+
+
+_Begins = TypedDict("_Begins", {"from": float}, total=False)  # where the motor stands before it, in turns
+
+
+class ProposedRun(_Begins, total=False):
+    """A run of `next_runs.json`, as docs/diagnosis.md describes `next_run`; of step 0 also `runs`, what was there."""
+
+    title: str
+    legs: list[LegJson]
+    load: float | None
+    fixed_load: bool
+    parts: list[list[str]]
+    gap_now: float
+    gap_then: float
+    follows: str
+    decides: bool
+    raises: bool
+    curves: Curves
+    runs: Sequence[str]
+
+
+class NamedMechanism(TypedDict):
+    """What is read of an entry of `mechanisms`."""
+
+    id: str
+
+
+class StepVerdict(TypedDict):
+    """What is read of a step's `diagnosis.json`."""
+
+    verdict: str
+    mechanisms: list[NamedMechanism]
+    alternatives: list[list[str]]
+
+
+def without_curves(run: ProposedRun) -> ProposedRun:
+    """A run that could be made, without what is foretold of it."""
+    return cast(ProposedRun, {key: value for key, value in run.items() if key != "curves"})
