@@ -59,6 +59,13 @@ def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
         raise BadInput(source, ORIGIN, problem, "give a diagnosis.json as it was made") from None
 
 
+def sentences(content: Verdict) -> list[str]:
+    """What each effect does, in the words of the verdict that named it, a line each."""
+    named = content.get("mechanisms")
+    found = [entry for entry in named if isinstance(entry, dict)] if isinstance(named, list) else []
+    return [f"  {entry['id']}: {entry['sentence']}" for entry in found if isinstance(entry.get("sentence"), str)]
+
+
 def taken_out(folder: Path) -> str:
     """The command that takes what was adopted out of a run's run.yaml, as a line to print."""
     return f"  {command('adopt')} --remove {shlex.quote(str(folder))}"
@@ -131,10 +138,14 @@ def adopt(source: Path, folder: Path) -> None:
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
     made = adopted(text, content["simulation"], path, origin)
     if parse_yaml(made, path) == parse_yaml(text, path):
-        print(f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is")
+        named = bool(content.get("mechanisms"))
+        nothing = f" {source} names no further effect: the dimensions that it calibrated are not taken over."
+        same = f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is."
+        print("\n".join(wrapped(f"{same}{'' if named else nothing}", "")))
         return
     write(path, made)
     told = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
+    told += sentences(content)
     others = origin[-1]["tied"] if origin else []
     if others:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"

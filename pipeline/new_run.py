@@ -22,6 +22,7 @@ from .run.description import STRING_ACTUATORS, Run, parse_run
 from .run.folder import RECORDINGS, recording_path, unfinished
 from .run.like import as_in, with_given
 from .run.next_command import following
+from .run.read_as import read_as
 from .run.recording import read_recording, to_samples
 from .run.samples import check, questions
 from .string.same import string_id
@@ -88,6 +89,7 @@ def make_run(
         try:
             samples = to_samples(run, read_table(recording, run.file), recording, path)
             check_samples(run, samples, recording, sure)
+            print(read_as(run, samples, recording))
         except BadInput as error:
             raise by_option(error, content) from None
     if folder.exists():  # recorded before it was described

@@ -78,8 +78,11 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
     samples = GOOD.rename(columns={"motor_turns": "theta"})
     samples["theta"] *= 360
     channels = "{motor_turns: {column: theta, unit: deg}}"
-    status, _, said = new("a-01", "--channels", channels, "--file", '{comment: "%"}', samples=samples)
+    status, told, said = new("a-01", "--channels", channels, "--file", '{comment: "%"}', samples=samples)
     assert status == 0, said
+    most = samples["theta"].max() / 360
+    assert told.startswith(f"log.csv has {len(samples)} samples: time_s 0 to ")
+    assert f"; motor_turns from theta in deg 0 to {most:.4g}; displacement_mm " in told, "ranges in our units"
     written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")
     assert (
         written["channels"] == {"motor_turns": {"column": "theta", "unit": "deg"}} and written["file"]["comment"] == "%"

@@ -6,10 +6,11 @@ from ..diagnosis.adopt import fitted, is_number
 from ..diagnosis.content import Simulated, Verdict
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
-from ..diagnosis.words.dimensions import name_of
+from ..diagnosis.words.dimensions import LEAVES, name_of
 from ..diagnosis.words.error_table import aligned
 from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
 from ..diagnosis.words.rivals import called
+from ..diagnosis.words.to_measure import BESIDE
 from ..ground.command import program_name
 from ..ground.errors import BadInput
 from ..ground.schemas import unit_of
@@ -20,7 +21,7 @@ NEXT = (
     "was adopted."
 )
 WORSE = 1.1  # times the error before: less may be chance
-HARDLY, FAR, MOST = 0.05, 2.5, 8  # sigma: a dimension that stayed, one to measure again; dimensions that are named
+HARDLY, MOST = 0.05, 8  # sigma: a dimension that stayed; dimensions that are named
 
 
 def dimensions(content: Verdict) -> list[str]:
@@ -38,12 +39,12 @@ def dimensions(content: Verdict) -> list[str]:
         return []
     lines = [f"{program_name('simulate')} takes the dimensions that fit with these effects: {'; '.join(said)}."]
     lines.append("run.yaml keeps your measured values. Change one of them, and the fitted ones count no more.")
-    far = [f"the {name_of(name)}" for name in known if moved.get(name, 0.0) >= FAR]
-    if far:
+    far = [f"the {name_of(name)}" for name in known if moved.get(name, 0.0) >= BESIDE]
+    if far and any(sigma > LEAVES for sigma in moved.values()):
         lines.append(
-            f"Measure {listing(far)} again: calibration moved {'it' if len(far) == 1 else 'them'} by more than {FAR} "
-            "tolerances. Where you find another value, take the effects out, write the value into run.yaml, diagnose "
-            "again and adopt anew."
+            f"Measure {listing(far)} again: calibration moved {'it' if len(far) == 1 else 'them'} by more than "
+            f"{BESIDE:g} tolerances. Where you find another value, take the effects out, write the value into "
+            "run.yaml, diagnose again and adopt anew."
         )
     return lines
 

@@ -16,7 +16,10 @@ from .problem import Act
 
 DIGITS = 6
 NO_USE = "Hardly worth making"  # what `next_experiment` says of a run that decides nothing
-NOTE = {"simulation": "  # numbers of the library's formulas, as a diagnosis found them: not to be edited by hand"}
+NOTE = {
+    "simulation": "  # numbers of the library's formulas, as a diagnosis found them: not to be edited by hand",
+    "adopted": "  # where they are from, and the dimensions that fit with them (scale: the sensor's gain)",
+}
 
 
 def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:

@@ -53,7 +53,7 @@ def test_a_size_with_a_wide_interval_or_far_above_what_is_missing_says_so():
     made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "0.20 mm (0 to 0.40 mm), poorly known" in page(made) and "Poorly known: " in page(made)
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
-    assert "1.5 mm (1.4 to 1.6 mm), mostly hidden" in page(made)
+    assert "1.5 mm (1.4 to 1.6 mm), poorly known: mostly hidden" in page(made)
     assert "far larger than the 0.44 mm that is missing" in page(made)
 
 
@@ -128,7 +128,8 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     )
     near = content(evidence__moved_sigma=NEAR)
     assert "You can report: - 0.44 mm rms is missing after calibration; - on the unseen strokes" in steps(near)
-    assert steps(near).endswith("Do not report calibrated dimensions: they are fitted, not measured.")
+    fitted = "Do not report calibrated dimensions, nor the numbers under `simulation`: they are fitted, not measured."
+    assert steps(near).endswith(fitted)
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "Do not report how much creep does alone." in steps(near)
     assert "- of the library's effects friction_hysteresis is sure." in steps(confident(0.93, 0.46))
@@ -258,3 +259,65 @@ def test_after_adopting_the_table_says_what_the_adopted_simulator_errs_by():
         "noise)",
         "–",
     ]
+
+
+ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
+
+
+def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
+    assert "too much for your use" not in steps(content(**ALONE))
+    changes = steps(content(**ALONE, fit__heldout__explained_mm=0.06))
+    assert "If what changes from stroke to stroke is too much for your use: record as many strokes again" in changes
+    assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3" in changes
+    assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out reports/nylon-3-next" in changes
+    made = content(**ALONE, fit__heldout__explained_mm=0.06)
+    made["evidence"]["explanations"][-1]["left_mm"] = 0.058
+    alike = steps(made)
+    assert "Leave what is still missing, unless it is too much for your use" in alike and "-next" not in alike
+
+
+def test_a_name_comes_with_what_tells_it_from_others_and_whether_the_recording_has_several_loads():
+    said = steps(content(**ALONE))
+    assert (
+        "the recording holds what tells the effect from others (it has several loads): - friction_hysteresis: " in said
+    )
+    assert "- creep: a hold under load, then a rest without it" in said
+    under_one = steps(content(**ALONE, evidence__loaded=False))
+    assert "(it has one load): - friction_hysteresis: " in under_one
+    assert "- creep: a hold" not in under_one, "slow effects under one load have a test of their own"
+    assert "what tells the effect from others" not in steps(), "where explanations tie a run is proposed"
+
+
+def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_intervals():
+    firm = content(**ALONE, evidence__moved_sigma=NEAR)
+    said = "- the size of friction_hysteresis and creep and their constants as the table above gives them, with 90 %"
+    assert said in steps(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in page(firm)
+    firm["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    only = steps(firm)
+    assert "- the size of creep as the table above gives them" in only and "constants" not in only
+    assert "as the table above gives them" not in steps(content(**ALONE)), "a dimension moved far"
+
+
+def test_an_effect_that_is_surer_than_its_explanation_says_why():
+    made = confident(0.93, 0.96, none=0.22, **ALONE)
+    assert "it can be more than the 52 % of this one explanation." in " ".join(page(made).split())
+    made["evidence"]["explanations"][-1]["probability"] = 0.95
+    assert "of this one explanation" not in page(made)
+    assert "The share of physics that the library lacks follows from" in told(made)
+    assert "The share of physics that the library lacks" not in told(confident(0.93, 0.96, none=0.01, **ALONE))
+
+
+def test_what_was_adopted_and_still_fits_is_said_first_to_do_so():
+    made = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
+    made["simulation"] = [{"id": "creep", "parameters": {}}]
+    came = {"radius_mm": {"measured": 0.55, "fitted": 0.5612}}
+    made["adopted"] = [
+        {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"], "dimensions": came}
+    ]
+    made["evidence"] |= {"explanations": [], "adopted_mm": 0.033}
+    assert " ".join(page(made).split()).startswith(
+        "nylon-3: parameters: what was adopted explains the recording, with the dimensions that came with it (0.033 mm "
+        "rms, 1.1 times the noise); nothing further can be named beside what was adopted (creep)."
+    )
+    made["evidence"]["adopted_mm"] = 0.2
+    assert "what was adopted explains the recording" not in " ".join(page(made).split())

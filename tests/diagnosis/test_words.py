@@ -52,7 +52,7 @@ def test_sentences_say_size_reach_and_what_was_found():
     friction, creep = (entry["sentence"] for entry in made["mechanisms"])
     assert friction == (
         "Friction makes the displacement of winding differ from that of unwinding, by up to 0.20 mm (0.082 mm rms): "
-        "half the loop is 0.101 mm."
+        "half the loop is 0.101 mm (0.0909 to 0.111)."
     )
     assert "by up to 0.90 mm (0.41 mm rms), best with time constants of 15 s to 60 s of those that were tried" in creep
 
@@ -60,9 +60,8 @@ def test_sentences_say_size_reach_and_what_was_found():
 def test_each_size_comes_with_its_interval_or_with_why_it_has_none():
     found = content()
     text = told(copy.deepcopy(found))
-    assert (
-        "half the loop is 0.101 mm. 90 % interval of its rms, if this explanation is right: 0.074 to 0.090 mm." in text
-    )
+    assert "half the loop is 0.101 mm (0.0909 to 0.111). 90 % interval of its rms, if this explanation is" in text
+    assert "if this explanation is right: 0.074 to 0.090 mm." in text
     found["mechanisms"][0]["rms_mm"] |= {"low": 0.0822, "high": 0.0822}
     assert "Its rms has no interval: the fit gives it one value alone." in told(found)
 
@@ -310,7 +309,7 @@ def test_an_explanation_that_is_the_best_one_without_its_idle_part_ties_no_more(
 @pytest.mark.parametrize(
     ("grows", "said"),
     [
-        (0.0, "by up to 0.60 mm (0.30 mm rms): half the loop is 0.3 mm."),
+        (0.0, "by up to 0.60 mm (0.30 mm rms): half the loop is 0.3 mm (0.27 to 0.33)."),
         (
             0.24,
             "by up to 0.60 mm (0.30 mm rms): 0.36 mm of its width are the same under every load and at every twist.",
@@ -355,12 +354,19 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     assert "\nDimensions\n  radius: from 0.55 mm" in told(made), "also where no effect is hidden in them"
 
 
+def exact(value, unit):
+    """A parameter that was chosen from a few: it has no interval."""
+    return {"value": value, "low": value, "high": value, "unit": unit}
+
+
 def test_events_are_told_one_by_one():
-    found = {"at_s": parameter(102.3, "s"), "mm": parameter(0.44, "mm"), "at_s_2": parameter(211.0, "s"),
-             "mm_2": parameter(0.2, "mm")}  # fmt: skip
+    found = {"at_s": exact(102.3, "s"), "mm": parameter(0.44, "mm"), "at_s_2": exact(211.0, "s"),
+             "mm_2": exact(0.2, "mm")}  # fmt: skip
     entry = {"id": "clamp_slip", "rms_mm": parameter(0.3, "mm"), "parameters": found}
     made = spoken(content(mechanisms=[entry]), SYSTEMS["mm"])
-    assert made["mechanisms"][0]["sentence"].endswith(": by 0.44 mm after 102 s and by 0.2 mm after 211 s.")
+    assert made["mechanisms"][0]["sentence"].endswith(
+        ": by 0.44 mm (0.396 to 0.484) after 102 s and by 0.2 mm after 211 s."
+    ), "a value with an interval has it beside it"
 
 
 def test_a_mechanism_of_ones_own_may_say_no_more_than_its_size():

@@ -9,7 +9,12 @@ from ..problem import Act
 from .quantity import listing, said_unit
 from .vocabulary import Vocabulary
 
-HEAD = "What the numbers under simulation mean, by effect, each with the equation of its kind:"
+HEAD = (
+    "What the numbers under simulation mean, for who looks: nobody needs them to predict. Equations and sources: "
+    "docs/physics.md."
+)
+BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
+CHOSEN = "numbers in the equation that the search chose, and then held"
 DOES = {
     "twist": "act on the {motion}",
     "radius": "change the radius, as a share of it",
@@ -49,7 +54,12 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
                 does = f"in {unit}, {DOES[term.port].format(motion=words.motion, string=words.string)}"
                 groups.setdefault(does, []).append(drivers.units.name(term.name))
     said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
-    said += multiplied(mechanism.names, [name for names in groups.values() for name in names])
+    held = [name for names in groups.values() for name in names]
+    said += multiplied(mechanism.names, held)
+    branch = next((found[1] for name in held if (found := BRANCH.search(name))), None)
+    said += (
+        [f"    {branch}_s in a name: of the branch with a time constant of {branch} s; so for others"] if branch else []
+    )
     fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
-    said += [f"    {listing(list(fixed))}: the shape, chosen and held"] if fixed else []
+    said += [f"    {listing(list(fixed))}: {CHOSEN}"] if fixed else []
     return said

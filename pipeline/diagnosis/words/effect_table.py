@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from . import certainty, probability
+from . import certainty, probability, rivals
 from .error_table import aligned
 from .explained_words import meaning, on_rig
 from .quantity import percent, size
@@ -11,10 +11,15 @@ from .vocabulary import Vocabulary
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 NO_SIZE = "–"  # of an effect that the best explanation has not
-POORLY, HIDDEN = ", poorly known", ", mostly hidden"
+POORLY, HIDDEN = ", poorly known", ", poorly known: mostly hidden"
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of it."
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
+)
+MORE = 0.02  # of a probability: what a reader wonders about
+ALSO_ELSEWHERE = (
+    "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
+    "more than the {} of this one explanation."
 )
 
 
@@ -37,9 +42,19 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         *said,
         *certainty.needed(content),
         *([f"Sizes are those of the best explanation, {best}."] if several else []),
+        *_than_the_explanation(content),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
         *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in row for *_, row in rows) else []),
     ]
+
+
+def _than_the_explanation(content: dict[str, Any]) -> list[str]:
+    """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
+    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    shares = certainty.known(content).values()
+    if content["alternatives"] or share is None or max(shares, default=0.0) < share + MORE:
+        return []
+    return [ALSO_ELSEWHERE.format(percent(share))]
 
 
 def only_elsewhere(content: dict[str, Any]) -> list[str]:
@@ -72,6 +87,6 @@ def own_size(entry: dict[str, Any], content: dict[str, Any], words: Vocabulary) 
     if known["high"] <= known["low"]:
         return size(known["value"], words.unit)
     within = certainty.span(known["low"], known["high"], words)
-    poorly = POORLY if certainty.wide(known) else ""
-    much = HIDDEN if content["mismatch"] and certainty.hidden(known["value"], content, words) else ""
-    return f"{size(known['value'], words.unit)} ({within}){poorly}{much}"
+    much = content["mismatch"] and certainty.hidden(known["value"], content, words)
+    doubt = HIDDEN if much else POORLY if certainty.wide(known) else ""
+    return f"{size(known['value'], words.unit)} ({within}){doubt}"

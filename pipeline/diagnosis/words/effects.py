@@ -19,6 +19,7 @@ NOTHING = (
     "The search's first fit, which is an approximation, gave it a part, but the exact fit of everything together gives "
     "it a strength of 0."
 )
+CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
 ENTRY_S = re.compile(r"(?:^|_)([0-9.]+)_s_")
 
 
@@ -80,11 +81,23 @@ def details(mechanism: Mechanism, parameters: dict[str, Any], words: Vocabulary,
             values = {name: parameters.get(f"{key}{ending}") for name, key in wanted.items()}
             if any(value is None or not value["value"] for value in values.values()):
                 continue
-            said = {name: quantity(value["value"], value["unit"], digits=3) for name, value in values.items() if value}
+            said = {name: with_interval(value) for name, value in values.items() if value}
             found.append(template.format(**words.fields, **said))
         if found:
             return listing(found)
     return ""
+
+
+def with_interval(known: dict[str, Any]) -> str:
+    """A constant of an effect with its 90 % interval, if it has one: `0.141 turns (0.137 to 0.144)`."""
+    value, low, high = (quantity(known[key], known["unit"], digits=3) for key in ("value", "low", "high"))
+    unit = value.partition(" ")[2]
+    return value if low == high else f"{value} ({low.removesuffix(unit).strip()} to {high.removesuffix(unit).strip()})"
+
+
+def has_constants(entry: dict[str, Any]) -> bool:
+    """Whether an effect's sentence gives a constant with its interval."""
+    return bool(CONSTANT.search(entry["sentence"]))
 
 
 def loop_details(mechanism: Mechanism, parameters: dict[str, Any], units: Units) -> tuple[str, ...]:

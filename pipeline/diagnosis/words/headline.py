@@ -21,6 +21,10 @@ WITH_ADOPTED = {
     "consistent": "{adopted}; with it the simulation explains the recording to its noise ({floor}).",
     "parameters": "{adopted}; with it the simulation explains the recording once its dimensions move{far}.",
 }
+AS_ADOPTED = (
+    "what was adopted explains the recording, with the dimensions that came with it ({error} rms, {ratio} times the "
+    "noise); {adopted}."
+)
 HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
 FAR = ", some by three times their tolerance: measure them again before you trust it"
 PARTLY = "physics is missing, and named in part{sure}."
@@ -67,10 +71,22 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
+    if kept := kept_times(content, words):
+        said = AS_ADOPTED
+        fields |= {"error": size(content["evidence"][f"adopted_{words.ending}"], words.unit), "ratio": times(kept)}
     said = said.format(**fields)
     if warning := unfit(content, words):
         return f"{run}: {verdict}: {warning}. {said[0].upper()}{said[1:]}{unseen.worse(content, words)}"
     return f"{run}: {verdict}: {said}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+
+
+def kept_times(content: dict[str, Any], words: Vocabulary) -> float:
+    """What the simulator leaves as it was adopted, in noise floors, where that explains the recording; else 0."""
+    left = content["evidence"].get(f"adopted_{words.ending}")
+    if content["verdict"] not in UNNAMED or left is None:
+        return 0.0
+    ratio = float(left) / float(content["evidence"][f"floor_{words.ending}"])
+    return ratio if ratio <= unseen.STILL_MISSING else 0.0
 
 
 def unfit(content: dict[str, Any], words: Vocabulary) -> str:

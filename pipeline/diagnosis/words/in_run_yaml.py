@@ -13,8 +13,8 @@ FURTHER_GAIN = (
 )
 GAIN = (
     "If you measured the sensor's gain, give its inverse as the scale. Say it is the {gain} that fits best: then write "
-    "`channels: {{displacement_mm: {{scale: {scale}}}}}` where run.yaml has no `channels`; where it has a scale "
-    "already, divide that by {gain}. Beside it say how well you measured it: `tolerance: {{scale: …}}`"
+    "`channels: {{displacement_mm: {{scale: {scale}}}}}` where run.yaml has no `channels`, and `scale: {scale}` under "
+    "its displacement_mm where it has. Beside it say how well you measured it: `tolerance: {{scale: …}}`"
 )
 
 

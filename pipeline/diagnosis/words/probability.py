@@ -7,6 +7,12 @@ from .quantity import percent
 
 HELD_STANDINGS = ("named", "tied")
 SEEN = 0.005  # a probability that is worth a word
+WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
+OF_NONE = (
+    "The share of physics that the library lacks follows from how much the best explanation leaves, and from how large "
+    "the mismatch is. On the recordings that it was learnt on, about so many of those like this one held such physics. "
+    "More strokes of the same kind need not lower it."
+)
 WITHOUT = (
     "No probabilities are known on this rig: they were learnt on strings. An explanation is left out where it fits "
     "the recording worse than the best one by about as much as it should if the best one were true."
@@ -49,7 +55,8 @@ def rule(content: dict[str, Any]) -> list[str]:
     others = f"; all others of the library {percent(rest)}; physics that the library lacks {percent(none)}"
     return [
         f"Kept are the likeliest explanations, until together they reach {percent(HELD)} of what the library has. "
-        f"{kept} {percent(together)}{others}. None of these is impossible."
+        f"{kept} {percent(together)}{others}. None of these is impossible.",
+        *([OF_NONE] if none >= WORTH else []),
     ]
 
 

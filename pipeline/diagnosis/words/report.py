@@ -2,10 +2,12 @@
 
 from typing import Any
 
-from . import certainty, rivals, sight, unseen
+from . import certainty, effects, rivals, sight, unseen
 from .dimensions import far_moved
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
+
+FITTED = "Do not report calibrated dimensions, nor the numbers under `simulation`: they are fitted, not measured."
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -16,7 +18,7 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     nominal = content["evidence"].get(f"nominal_{words.ending}")
     if far_moved(content) and nominal is not None:
         missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
-    said = [missing, *_unseen(content, words), *_sure(content, words), *_best(content)]
+    said = [missing, *_unseen(content, words), *_sure(content, words), *_own(content, words), *_best(content)]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
     return [f"You can report{when}:", *(f"- {one};" for one in said[:-1]), f"- {said[-1]}.", *_not_yet(content, words)]
 
@@ -43,6 +45,17 @@ def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [f"{said}{but if alike else ''}"] if sure else []
 
 
+def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """That sizes and constants can be reported, where one explanation stands on dimensions that did not move far."""
+    poorly = certainty.poorly_known(content, words)
+    known = [entry["id"] for entry in content["mechanisms"] if entry["id"] not in poorly]
+    if far_moved(content) or content["alternatives"] or not known:
+        return []
+    constants = any(effects.has_constants(entry) for entry in content["mechanisms"] if entry["id"] in known)
+    also = " and its constants" if constants and len(known) == 1 else " and their constants" if constants else ""
+    return [f"the size of {listing(known)}{also} as the table above gives them, with 90 % intervals"]
+
+
 def _best(content: dict[str, Any]) -> list[str]:
     """How likely the one explanation is that is named, and that there may be physics that the library lacks."""
     none = content["evidence"].get("probability_of_none")
@@ -63,5 +76,5 @@ def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
         ]
     poorly = list(certainty.poorly_known(content, words))
     if not poorly:
-        return ["Do not report calibrated dimensions: they are fitted, not measured."] if content["mechanisms"] else []
-    return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone."]
+        return [FITTED] if content["mechanisms"] else []
+    return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone. {FITTED}"]

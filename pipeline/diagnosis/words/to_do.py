@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ...ground.command import command
-from . import experiment, report, sight, still, to_measure, unseen, worth
+from . import experiment, make_sure, report, sight, still, to_measure, unseen, worth
 from .adoption import dimensions_came, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
@@ -46,6 +46,8 @@ def _named(content: dict[str, Any], words: Vocabulary, folders: list[Path], out:
         *_run(content, words),
         *_use(content, folders, out),
         *_adopt(content, folders, out),
+        *make_sure.of_what_is_missing(content, words, folders, out),
+        *make_sure.of_names(content, words),
         *_report(content, words),
     ]
 

@@ -97,6 +97,14 @@ def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, nam
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
 
 
+def nothing_new(content: dict[str, Any], words: Vocabulary) -> bool:
+    """Whether what is missed of unseen strokes is missed as much of those that the fit has seen."""
+    found, fitted = errors(content, words), fitted_times(content, words, named=True)
+    if found is None or fitted is None:
+        return False
+    return found[2] / float(content["fit"][f"noise_floor_{words.ending}"]) <= NOTHING_NEW * fitted
+
+
 def fitted_times(content: dict[str, Any], words: Vocabulary, named: bool) -> float | None:
     """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
     evidence = content["evidence"]

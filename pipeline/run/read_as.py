@@ -1,0 +1,23 @@
+"""Which column of a recording was read as what, for a person to see: a wrong unit or column shows there."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from ..ground.complaint import key_name
+from .description import Run
+
+
+def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
+    """One line: how many samples, and each channel with its column, its unit there, and its range in our units.
+
+    `samples` are the table with a column a channel, as `to_samples` gives it.
+    """
+    said = []
+    for name in samples.columns:
+        channel = run.channels.get(name)
+        column = key_name(channel.column) if channel and channel.column is not None else name
+        whence = f" from {column}" if column != name else ""
+        whence += f" in {channel.unit}" if channel and channel.unit else ""
+        said.append(f"{name}{whence} {samples[name].min():.4g} to {samples[name].max():.4g}")
+    return f"{path.name} has {len(samples)} samples: {'; '.join(said)}"
