@@ -16,8 +16,11 @@ from .ground import schemas
 from .ground.command import command
 from .ground.complaint import key_name
 from .ground.errors import program
+from .ground.files import write_text
 from .ground.outputs import file_to_write
 from .run.description import Run
+from .run.folder import read_run
+from .run.planned import planned
 from .run.samples import read_samples
 
 
@@ -34,6 +37,20 @@ def warn_of_dimensions(run: Run, folder: Path) -> None:
         )
 
 
+def of_plan(arguments: argparse.Namespace) -> tuple[Run, pd.DataFrame]:
+    """The run that is described, and the samples of the motion that is planned for it. Raises BadInput."""
+    run = read_run(arguments.run_dir)
+    return run, planned(run, arguments.motion)
+
+
+def write(table: pd.DataFrame, path: Path) -> None:
+    """Write what was simulated, whole or not at all: as text where the name ends like that, else as Parquet."""
+    if path.suffix.lower() == ".csv":
+        write_text(path, table.to_csv(index=False))
+    else:
+        schemas.write(table, schemas.samples(list(table.columns)), path)
+
+
 @program
 def main() -> None:
     """Command line."""
@@ -45,16 +62,21 @@ def main() -> None:
         "twice; default: the mechanisms that run.yaml has adopted with the dimensions that fit with them",
     )  # fmt: skip
     parser.add_argument(
-        "--out", type=Path, required=True, metavar="FILE.parquet",
-        help="the file that is written, with a row for each sample of the recording and two columns: time_s, and what "
+        "--motion", type=Path, metavar="PLAN.csv",
+        help="a motion that nobody has recorded, in place of the run's: .csv or .parquet with time_s, motor_turns and, "
+        "if it changes, load_n (as a string's channels are called)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="FILE",
+        help="the file that is written, .parquet or .csv, with a row for each sample and two columns: time_s, and what "
         "the rig reads, displacement_mm of a string (jaw_deg of a cable_drive, force_n of a moving_mass, …); required",
     )  # fmt: skip
     arguments = parser.parse_args()
     source = arguments.simulation or arguments.run_dir / "run.yaml"
-    file_to_write(arguments.out, reads=[source])
-    run, samples = read_samples(arguments.run_dir)
+    file_to_write(arguments.out, reads=[source, *([arguments.motion] if arguments.motion else [])])
+    run, samples = read_samples(arguments.run_dir) if arguments.motion is None else of_plan(arguments)
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
-    problem = at_own_rate([run], [samples], thin=False)
+    problem = at_own_rate([run], [samples], thin=False, to_fit=False)
     predicted = tared(problem, content, source, run.run)
     error, _ = off(*compared(run, problem, predicted))
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
@@ -62,11 +84,15 @@ def main() -> None:
             f"warning: {source} counts time from the start of {key_name(content['run'][0])}",
             file=sys.stderr,
         )
-    table = pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted})
-    schemas.write(table, schemas.samples(list(table.columns)), arguments.out)
+    write(pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted}), arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
     fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
-    print(f"{run.run}: {len(table)} samples simulated with {acting} and the dimensions {fitted} {source}")
+    print(f"{run.run}: {len(samples)} samples simulated with {acting} and the dimensions {fitted} {source}")
+    print(f"{arguments.out} holds time_s and {problem.system.channel}")
+    if arguments.motion is not None and problem.system.free_zero:
+        as_there = has_zero(content, problem.system, run.run)
+        zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
+        print(f"its zero is {zero}; the string is taken to be as it was before its first stroke")
     if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
         where = "as it was fitted" if has_zero(content, problem.system, run.run) else "set in the first second"
         zero = f", its zero {where}" if problem.system.free_zero else ""

@@ -40,11 +40,12 @@ def make_problem(
     without: frozenset[str] = frozenset(),
     thin: bool = True,
     by: Judge | None = None,
+    to_fit: bool = True,
 ) -> Problem:
     """The problem of one or more runs of one rig, averaged to `most` samples (the working number); raises BadInput.
 
     No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
-    `by` judges in place of the library's own judge.
+    `by` judges in place of the library's own judge. Unless `to_fit`, it may be too short to be diagnosed.
     """
     where = (folders or [Path(runs[0].run)])[0]
     system = runs[0].system
@@ -52,23 +53,22 @@ def make_problem(
     record = joined(runs, tables, most or working, thin)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     mend = "record at least three strokes, with a pause between them"
-    if worked < LEAST_STROKES:
+    if to_fit and worked < LEAST_STROKES:
         said = f"holds {worked} stroke{'s' * (worked != 1)}: what comes with time cannot be told from what comes with "
         raise BadInput(where, "recording", f"{said}the motion", mend)
-    if len(record) < LEAST_SAMPLES:
+    if to_fit and len(record) < LEAST_SAMPLES:
         raise BadInput(where, "recording", f"holds {len(record)} samples, of which {LEAST_SAMPLES} are needed", mend)
     drivers = drivers_of(system, record, runs[0])
     homes = homes_of(system, runs)
-    parameters = (*system.parameters(runs[0]), *homes)
     nowhere = unplaced(system, drivers)
     for number, entry in enumerate(runs[0].simulation):
         if entry.get("id") in nowhere:
             problem = f"{entry['id']} acts where a {system.name} has nothing"
             raise BadInput(where / "run.yaml", f"simulation[{number}].id", problem, "remove it")
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
-    without = without | nowhere
     return Problem(
-        system, record, drivers, parameters, record.measured, len(record), included, len(homes), without, by or judge()
+        system, record, drivers, (*system.parameters(runs[0]), *homes), record.measured, len(record), included,
+        len(homes), without | nowhere, by or judge(),
     )  # fmt: skip
 
 

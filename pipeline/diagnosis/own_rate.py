@@ -10,9 +10,12 @@ POLISHED_SAMPLES = 100_000  # that an explanation is refitted to: a longer recor
 SCORED_SAMPLES = 1_000_000  # that an error is told from
 
 
-def at_own_rate(runs: list[Run], tables: list[pd.DataFrame], thin: bool = True) -> Problem:
-    """The problem at the recording's own rate, for simulation only; `thin`: at most at the system's working rate."""
-    return make_problem(runs, tables, most=sum(map(len, tables)), thin=thin)
+def at_own_rate(runs: list[Run], tables: list[pd.DataFrame], thin: bool = True, to_fit: bool = True) -> Problem:
+    """The problem at the recording's own rate, for simulation only; `thin`: at most at the system's working rate.
+
+    Unless `to_fit`, the motion may be too short to be diagnosed: one stroke will do.
+    """
+    return make_problem(runs, tables, most=sum(map(len, tables)), thin=thin, to_fit=to_fit)
 
 
 def to_score(runs: list[Run], tables: list[pd.DataFrame]) -> Problem:

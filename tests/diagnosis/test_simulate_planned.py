@@ -1,0 +1,83 @@
+"""A motion that nobody has recorded is simulated: the run's own gives what its recording gives, one stroke will do."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import programs
+import pytest
+import yaml
+
+from pipeline.run.samples import read_samples
+
+
+@pytest.fixture
+def folder(conceal) -> Path:
+    """A run with nothing in it but its dimensions."""
+    return conceal("creep")[0]
+
+
+@pytest.fixture
+def diagnosis(folder: Path, tmp_path: Path) -> Path:
+    """A diagnosis of the run that moves a dimension and has a zero of the reading."""
+    path, radius_mm = (
+        tmp_path / "diagnosis.json",
+        yaml.safe_load((folder / "run.yaml").read_text())["string"]["radius_mm"],
+    )
+    held = {"radius_mm": {"value": 1.02 * radius_mm}, "zero_mm": {"value": 0.7}}
+    path.write_text(json.dumps({"run": folder.name, "parameters": held, "simulation": []}))
+    return path
+
+
+def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> programs.Done:
+    done = programs.run("pipeline.simulate", folder, "--simulation", diagnosis, *words, "--out", out)
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diagnosis, tmp_path):
+    _, samples = read_samples(folder)
+    plan = tmp_path / "plan.csv"
+    samples.drop(columns="displacement_mm").to_csv(plan, index=False, float_format="%.17g")
+    simulated(folder, diagnosis, tmp_path / "own.parquet")
+    done = simulated(folder, diagnosis, tmp_path / "planned.parquet", "--motion", plan)
+    own, planned = (pd.read_parquet(tmp_path / f"{name}.parquet") for name in ("own", "planned"))
+    assert np.allclose(own, planned, rtol=0.0, atol=1e-9)
+    assert f"its zero is that of the recording of {folder.name}" in done.stdout and "rms error" not in done.stdout
+
+
+def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosis, tmp_path):
+    time_s = np.arange(0.0, 12.0, 0.02)
+    plan = pd.DataFrame({"time_s": time_s, "motor_turns": 8.0 * np.minimum(time_s / 8.0, 1.0), "note": "x"})
+    plan.to_csv(tmp_path / "plan.csv", index=False)
+    other = json.loads(diagnosis.read_text()) | {"run": "another"}
+    diagnosis.write_text(json.dumps(other))
+    done = simulated(folder, diagnosis, tmp_path / "answer.csv", "--motion", tmp_path / "plan.csv")
+    assert f"{tmp_path / 'answer.csv'} holds time_s and displacement_mm" in done.stdout
+    assert "its zero is the reading in the first second" in done.stdout
+    answer = pd.read_csv(tmp_path / "answer.csv")
+    assert list(answer) == ["time_s", "displacement_mm"] and len(answer) == len(plan)
+    wound = answer["displacement_mm"].iloc[-1]
+    assert wound > 1.0 and answer["displacement_mm"][time_s > 8.0].std() < 1e-6, "the motor stands, the string too"
+    assert abs(answer["displacement_mm"].iloc[0]) < 0.1 * wound
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda plan: plan.drop(columns="motor_turns"), "motor_turns: there is no such column, only time_s"),
+        (lambda plan: plan.assign(motor_turns=np.nan), "motor_turns: is not a number in 600 rows"),
+        (lambda plan: plan.assign(motor_turns="fast"), "motor_turns: is not a number in 600 rows"),
+        (lambda plan: plan[::-1], "time_s: runs backwards"),
+        (lambda plan: plan[:3], "holds 3 samples"),
+    ],
+)
+def test_what_is_no_plan_is_refused_in_words_and_nothing_written(folder, diagnosis, tmp_path, change, says):
+    time_s = np.arange(0.0, 12.0, 0.02)
+    plan = pd.DataFrame({"time_s": time_s, "motor_turns": np.minimum(time_s, 8.0)})
+    change(plan).to_csv(tmp_path / "plan.csv", index=False)
+    words = ["--simulation", diagnosis, "--motion", tmp_path / "plan.csv", "--out", tmp_path / "answer.csv"]
+    done = programs.run("pipeline.simulate", folder, *words)
+    assert done.returncode == 2 and says in done.stderr and "Mend: " in done.stderr, done.stderr
+    assert not (tmp_path / "answer.csv").exists()
