@@ -959,13 +959,19 @@ def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
 
 
 def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():
-    moved = {"scale": 3.0, "separator_mm_2": -2.9, "length_mm": 0.1, "stiffness_n_per_mm": 2.8}
+    again = ["scale", "separator_mm_2", "stiffness_n_per_mm"]
     fits = {"scale": {"nominal": 1.0, "value": 0.985}}
-    (gain,) = in_run_yaml.lines({"evidence": {"moved_sigma": moved}, "parameters": fits})
+    (gain,) = in_run_yaml.lines({"evidence": {}, "parameters": fits}, again)
     assert "`tolerance: {scale: …, separator_mm: …}` (docs/import.md). If you measured the sensor's gain" in gain
     written = re.search(r"then write `(channels: .*?}})`", gain)[1]
     assert yaml.safe_load(written) == {"channels": {"displacement_mm": {"scale": 1.015}}}, "the inverse of what fits"
-    assert in_run_yaml.lines({"evidence": {"moved_sigma": {"stiffness_n_per_mm": 2.8}}}) == []
+    assert in_run_yaml.lines({}, ["stiffness_n_per_mm"]) == [], "a stiffness has no tolerance"
+
+
+def test_the_details_say_how_to_write_all_that_the_page_asks_to_measure():
+    made = content(evidence__moved_sigma={"radius_mm": 2.9, "length_mm": -2.2, "scale": 1.0})
+    made["parameters"] |= {name: {"nominal": 300.0, "value": 295.6} for name in ("length_mm", "scale")}
+    assert "a tolerance is written as `tolerance: {radius: …, length_mm: …}` (docs/import.md)." in told(made)
 
 
 @pytest.mark.parametrize(("sigma", "first"), [(3.0, True), (0.4, False)])

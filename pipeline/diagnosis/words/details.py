@@ -22,6 +22,7 @@ from . import (
     sight,
     signs,
     still,
+    to_measure,
     tolerances,
     unseen,
     worth,
@@ -30,7 +31,7 @@ from .dimensions import corrected, each_moved, far_moved, remeasured, suspicious
 from .headline import headline, moved_in_vain, no_run
 from .places import EVERYWHERE, place
 from .quantity import duration, size, times
-from .sections import section
+from .sections import text
 from .spoken import whole
 from .vocabulary import Vocabulary
 
@@ -79,8 +80,8 @@ def details_text(
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         ("What would have been seen", seen.lines(content, words)),
     ]
-    text = "\n\n".join(section(head, lines) for head, lines in sections if lines or head is sections[0][0])
-    return f"{text}\n\n{section(WORDS, explained_words.lines(content, text, words))}"
+    said = "\n".join(line for head, lines in sections for line in (head, *lines))
+    return text(sections, last=(WORDS, explained_words.lines(content, said, words)))
 
 
 def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -159,7 +160,11 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
     named = content["verdict"] in ("explained", "ambiguous")
     hiding = each_moved(content, words, far_moved(content)) if named else []
-    written = in_run_yaml.lines(content) if content["verdict"] in ("explained", "ambiguous") else []
+    written = (
+        in_run_yaml.lines(content, to_measure.to_measure(content))
+        if content["verdict"] in ("explained", "ambiguous")
+        else []
+    )
     return [*corrected(content, words), *again, *hiding, *written, *tolerances.in_force(content, words)]
 
 

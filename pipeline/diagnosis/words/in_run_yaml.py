@@ -1,10 +1,9 @@
 """How run.yaml says how well a dimension was measured, and what gain a displacement sensor was found to have."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from . import tolerances
-from .dimensions import far_moved
 from .quantity import number
 
 FURTHER_GAIN = (
@@ -18,11 +17,11 @@ GAIN = (
 )
 
 
-def lines(content: dict[str, Any]) -> list[str]:
-    """How run.yaml says how well the dimensions to measure again were measured, and what the sensor's gain is."""
-    keys = ", ".join(f"{key}: …" for key in tolerance_keys(far_moved(content)))
+def lines(content: dict[str, Any], again: Sequence[str]) -> list[str]:
+    """How run.yaml says how well the dimensions to measure `again` were measured, and what the sensor's gain is."""
+    keys = ", ".join(f"{key}: …" for key in tolerance_keys(again))
     gain = ""
-    if "scale" in far_moved(content):
+    if "scale" in again:
         value, there = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
         said = GAIN if there is None else FURTHER_GAIN
         scales = {"scale": number((there or 1.0) / value, 4), "there": number(there or 1.0, 4)}

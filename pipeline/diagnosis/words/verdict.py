@@ -11,7 +11,7 @@ from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
 from .headline import UNNAMED, headline
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
-from .sections import section
+from .sections import text
 from .vocabulary import Vocabulary
 
 DOUBTS = "What to know first"
@@ -42,8 +42,7 @@ def verdict_text(
         (to_do.HEADING, to_do.lines(content, words, folders, out)),
         ("What would have been seen", _would(content, words)),
     ]
-    text = "\n\n".join(section(head, lines) for head, lines in sections if lines or head is sections[0][0])
-    return f"{text}\n\n{section(MORE, [])}"
+    return text(sections, last=(MORE, []))
 
 
 def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
