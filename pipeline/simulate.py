@@ -19,8 +19,8 @@ from .ground.errors import program
 from .ground.files import write_text
 from .ground.outputs import file_to_write
 from .run.description import Run
-from .run.folder import read_run
-from .run.planned import planned
+from .run.folder import RECORDINGS, read_run
+from .run.planned import beyond, planned
 from .run.samples import read_samples
 
 
@@ -40,7 +40,13 @@ def warn_of_dimensions(run: Run, folder: Path) -> None:
 def of_plan(arguments: argparse.Namespace) -> tuple[Run, pd.DataFrame]:
     """The run that is described, and the samples of the motion that is planned for it. Raises BadInput."""
     run = read_run(arguments.run_dir)
-    return run, planned(run, arguments.motion)
+    samples = planned(run, arguments.motion)
+    if any((arguments.run_dir / name).exists() for name in RECORDINGS):
+        leaves = beyond(run, samples, read_samples(arguments.run_dir)[1])
+        if leaves:
+            said = f"{leaves}. Nothing says how well the simulator does there"
+            print(f"warning: {arguments.motion}: {said}", file=sys.stderr)
+    return run, samples
 
 
 def write(table: pd.DataFrame, path: Path) -> None:

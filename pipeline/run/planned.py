@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 
 from ..formats.stored import read_table
@@ -9,6 +10,8 @@ from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
 from .description import Run
 from .samples import check_clock, check_finite
+
+ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
 
 
 def planned(run: Run, path: Path) -> pd.DataFrame:
@@ -30,3 +33,30 @@ def planned(run: Run, path: Path) -> pd.DataFrame:
     check_finite(samples, path)
     check_clock(samples, path, float("inf"))
     return samples.assign(**{system.channel: 0.0})
+
+
+def beyond(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame) -> str:
+    """Where a planned motion leaves what was recorded, in words: nothing there says how well a simulator does.
+
+    Nothing where it stays inside; a share `ROOM` of what was recorded is no leaving.
+    """
+    driver, said = run.system.driver, []
+    kept = [name for name in samples.columns if name not in ("time_s", run.system.channel) and name in recorded]
+    for name in kept:
+        least, most = float(recorded[name].min()), float(recorded[name].max())
+        room = ROOM * max(most - least, abs(most) * ROOM)
+        low, high = float(samples[name].min()), float(samples[name].max())
+        if low < least - room or high > most + room:
+            said.append(f"{name} of {low:.4g} to {high:.4g} ({least:.4g} to {most:.4g} were recorded)")
+    planned_speed, recorded_speed = _fastest(samples, driver), _fastest(recorded, driver)
+    if planned_speed > (1.0 + ROOM) * recorded_speed:
+        said.append(
+            f"{driver} that change by {planned_speed:.3g} a second (at most {recorded_speed:.3g} were recorded)"
+        )
+    return f"it asks for {'; '.join(said)}" if said else ""
+
+
+def _fastest(samples: pd.DataFrame, driver: str) -> float:
+    """The highest speed of a motion that lasts for more than a moment, per second."""
+    step_s, way = np.diff(samples["time_s"]), np.abs(np.diff(samples[driver]))
+    return float(np.percentile(way / step_s, 99.0))

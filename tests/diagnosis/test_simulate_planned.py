@@ -45,6 +45,12 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
     own, planned = (pd.read_parquet(tmp_path / f"{name}.parquet") for name in ("own", "planned"))
     assert np.allclose(own, planned, rtol=0.0, atol=1e-9)
     assert f"its zero is that of the recording of {folder.name}" in done.stdout and "rms error" not in done.stdout
+    assert not done.stderr, "it stays inside what was recorded"
+    samples.assign(motor_turns=1.5 * samples["motor_turns"], load_n=40.0).to_csv(plan, index=False)
+    most = samples["motor_turns"].max()
+    far = simulated(folder, diagnosis, tmp_path / "far.csv", "--motion", plan).stderr
+    assert f"to {1.5 * most:.4g} (" in far and "Nothing says how well the simulator does there" in far
+    assert "load_n of 40 to 40" in far and "a second (at most" in far
 
 
 def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosis, tmp_path):
