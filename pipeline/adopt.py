@@ -33,7 +33,7 @@ MOST = 5  # explanations that are named
 
 
 def check(content: Verdict, source: Path, folder: Path) -> list[str]:
-    """What adopting changes, in words: the errors on the run's recording, dimensions, and what the numbers mean.
+    """What adopting changes, in words: the errors on the run's recording, and dimensions.
 
     A run without a recording takes any known names. Raises BadInput unless what a diagnosis names can act in the run.
     """
@@ -43,11 +43,20 @@ def check(content: Verdict, source: Path, folder: Path) -> list[str]:
         return []
     run, samples = read_samples(folder)
     bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
-    acts = acts_from(content["simulation"], bare.drivers, str(source))
+    acts_from(content["simulation"], bare.drivers, str(source))
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
     said = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
-    meant = coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
-    return [*said, *before_after.dimensions(content), *meant]
+    return [*said, *before_after.dimensions(content)]
+
+
+def explained(folder: Path) -> list[str]:
+    """What the numbers mean that a run's `run.yaml` has adopted. Raises BadInput."""
+    run, samples = read_samples(folder)
+    if not run.simulation:
+        return [f"{folder / 'run.yaml'} holds nothing that was adopted"]
+    bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
+    acts = acts_from(run.simulation, bare.drivers, str(folder / "run.yaml"))
+    return coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
 
 
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
@@ -95,7 +104,8 @@ def remove(folder: Path) -> str:
 @program
 def main() -> None:
     """Command line."""
-    usage = f"{command('adopt')} DIAGNOSIS.json RUN_DIR\n       {command('adopt')} --remove RUN_DIR"
+    program = command("adopt")
+    usage = f"{program} DIAGNOSIS.json RUN_DIR\n       {program} --remove RUN_DIR\n       {program} --explain RUN_DIR"
     parser = argparse.ArgumentParser(prog=command("adopt"), usage=usage, description=__doc__)
     parser.add_argument(
         "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
@@ -106,11 +116,17 @@ def main() -> None:
     parser.add_argument(
         "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
     )
+    parser.add_argument(
+        "--explain", type=Path, metavar="RUN_DIR", help="say what the numbers mean that this run's run.yaml has adopted"
+    )
     arguments = parser.parse_args()
-    if arguments.remove and arguments.diagnosis:
-        parser.error("--remove takes a run folder and nothing else")
+    if (arguments.remove or arguments.explain) and arguments.diagnosis:
+        parser.error("--remove and --explain take a run folder and nothing else")
     if arguments.remove:
         print(remove(arguments.remove))
+        return
+    if arguments.explain:
+        show(explained(arguments.explain))
         return
     if arguments.run_dir is None:
         parser.error("give a diagnosis.json and the run's folder, or --remove and the run's folder")
@@ -126,12 +142,15 @@ def adopt(source: Path, folder: Path) -> None:
     if not content["simulation"]:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
+    own = before_after.is_of(content, run.run)
+    if own and (other := before_after.outdated(content, run)):
+        raise BadInput(source, "parameters", f"was made with {other}", "diagnose the run again, and adopt that")
     errors = check(content, source, folder)
     if run.string and run.string.material == SYNTHETIC:
         print(
             "beware: the main job records this run anew, and then its run.yaml holds nothing adopted", file=sys.stderr
         )
-    if not before_after.is_of(content, run.run):
+    if not own:
         said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
         print(f"beware: {said}", file=sys.stderr)
     origin = adoptions(content, str(source), run.run)
@@ -151,8 +170,13 @@ def adopt(source: Path, folder: Path) -> None:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
         told.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
-    told += [*errors, before_after.NEXT, "To take all of it out of run.yaml again:", taken_out(folder)]
-    for line in told:
+    meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
+    show([*told, *errors, before_after.NEXT, *meant, "To take all of it out of run.yaml again:", taken_out(folder)])
+
+
+def show(lines: list[str]) -> None:
+    """Print lines within the width of a page."""
+    for line in lines:
         print("\n".join(wrapped(line, "")))
 
 

@@ -40,12 +40,13 @@ def warn_of_dimensions(run: Run, folder: Path) -> None:
 def of_plan(arguments: argparse.Namespace) -> tuple[Run, pd.DataFrame]:
     """The run that is described, and the samples of the motion that is planned for it. Raises BadInput."""
     run = read_run(arguments.run_dir)
-    samples = planned(run, arguments.motion)
-    if any((arguments.run_dir / name).exists() for name in RECORDINGS):
-        leaves = beyond(run, samples, read_samples(arguments.run_dir)[1])
-        if leaves:
-            said = f"{leaves}. Nothing says how well the simulator does there"
-            print(f"warning: {arguments.motion}: {said}", file=sys.stderr)
+    there = any((arguments.run_dir / name).exists() for name in RECORDINGS)
+    recorded = read_samples(arguments.run_dir)[1] if there else None
+    samples = planned(run, arguments.motion, recorded)
+    leaves = beyond(run, samples, recorded) if recorded is not None else ""
+    if leaves:
+        said = f"{leaves}. Nothing says how well the simulator does there"
+        print(f"warning: {arguments.motion}: {said}", file=sys.stderr)
     return run, samples
 
 
@@ -70,7 +71,7 @@ def main() -> None:
     parser.add_argument(
         "--motion", type=Path, metavar="PLAN.csv",
         help="a motion that nobody has recorded, in place of the run's: .csv or .parquet with time_s, motor_turns and, "
-        "if it changes, load_n (as a string's channels are called)",
+        "unless it stands still, load_n (as a string's channels are called); corners of a motion will do",
     )  # fmt: skip
     parser.add_argument(
         "--out", type=Path, required=True, metavar="FILE",

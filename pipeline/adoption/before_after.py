@@ -1,12 +1,13 @@
 """What adopting a diagnosis does to the simulator of a run, in words: its errors before and after, its dimensions."""
 
+import math
 from pathlib import Path
 
 from ..diagnosis.adopt import fitted, is_number
 from ..diagnosis.content import Simulated, Verdict
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
-from ..diagnosis.words.dimensions import LEAVES, name_of
+from ..diagnosis.words.dimensions import LEAVES, assumed, name_of
 from ..diagnosis.words.error_table import aligned
 from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
 from ..diagnosis.words.rivals import called
@@ -14,6 +15,7 @@ from ..diagnosis.words.to_measure import BESIDE
 from ..ground.command import program_name
 from ..ground.errors import BadInput
 from ..ground.schemas import unit_of
+from ..run.description import Run
 
 NEXT = (
     f"The next {program_name('diagnose')} starts from here: with these effects, and with the dimensions as you "
@@ -34,11 +36,12 @@ def dimensions(content: Verdict) -> list[str]:
     for name in sorted(known, key=lambda name: -moved.get(name, 0.0))[:MOST]:
         one, unit = known[name], said_unit(unit_of(name))
         if moved.get(name, 0.0) >= HARDLY:
-            said.append(f"{name_of(name)} {number(one['measured'], 6)} → {number(one['fitted'], 4)} {unit}".rstrip())
+            first = f"{number(one['nominal'], 6)}{' (assumed)' if assumed(name) else ''}"
+            said.append(f"{name_of(name)} {first} → {number(one['fitted'], 4)} {unit}".rstrip())
     if not said:
         return []
     lines = [f"{program_name('simulate')} takes the dimensions that fit with these effects: {'; '.join(said)}."]
-    lines.append("run.yaml keeps your measured values. Change one of them, and the fitted ones count no more.")
+    lines.append("The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more.")
     far = [f"the {name_of(name)}" for name in known if moved.get(name, 0.0) >= BESIDE]
     if far and any(sigma > LEAVES for sigma in moved.values()):
         lines.append(
@@ -47,6 +50,26 @@ def dimensions(content: Verdict) -> list[str]:
             "run.yaml, diagnose again and adopt anew."
         )
     return lines
+
+
+def outdated(content: Verdict, run: Run) -> str:
+    """Which dimension of a run.yaml is not the one that a diagnosis of it began with, in words; nothing where none is.
+
+    A scale of the displacement sensor is a part of its channel, and counts too.
+    """
+    evidence = content.get("evidence")
+    then = evidence.get("scale_given") if isinstance(evidence, dict) else None
+    channel = run.channels.get(run.system.channel)
+    scale_now = channel.scale if channel else 1.0
+    scale_then = float(then) if then is not None and is_number(then) else 1.0
+    known, said = fitted(content, ""), []
+    for one in run.system.parameters(run):
+        if one.name in known and not math.isclose(one.nominal, known[one.name]["nominal"], rel_tol=1e-4, abs_tol=1e-9):
+            was, now = number(known[one.name]["nominal"], 6), number(one.nominal, 6)
+            said.append(f"a {name_of(one.name)} of {was} {said_unit(unit_of(one.name))}, and run.yaml says {now}")
+    if isinstance(evidence, dict) and not math.isclose(scale_now, scale_then, rel_tol=1e-4):
+        said.append(f"a scale of {number(scale_then, 6)}, and run.yaml says {number(scale_now, 6)}")
+    return listing(said)
 
 
 def probable(ids: list[str], content: Verdict) -> str:

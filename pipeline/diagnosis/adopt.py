@@ -67,7 +67,7 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
         other = known.get(f"{name}{own}", {}) if own else {}
         more = other.get("value", 0.0) if isinstance(other, dict) else 0.0
         total = float(value) + (float(more) if is_number(more) else 0.0)
-        found[name] = {"measured": float(nominal), "fitted": float(f"{total:.{DIGITS}g}")}
+        found[name] = {"nominal": float(nominal), "fitted": float(f"{total:.{DIGITS}g}")}
     return found
 
 

@@ -77,7 +77,7 @@ def measured_since(run: Run) -> list[str]:
     """The dimensions that run.yaml gives another value than it had when effects were adopted."""
     now = {one.name: one.nominal for one in run.system.parameters(run)}
     then = _adopted(run)
-    return [name for name in now if name in then and not math.isclose(now[name], then[name].measured, rel_tol=1e-4)]
+    return [name for name in now if name in then and not math.isclose(now[name], then[name].nominal, rel_tol=1e-4)]
 
 
 def _adopted(run: Run) -> dict[str, Fitted]:

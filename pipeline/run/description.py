@@ -91,7 +91,7 @@ class Included(TypedDict, total=False):
 class Fitted(_Section):
     """A dimension as run.yaml had it when effects were adopted, and the value that was fitted together with them."""
 
-    measured: Number
+    nominal: Number
     fitted: Number
 
 

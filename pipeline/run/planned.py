@@ -8,17 +8,22 @@ import pandas as pd
 from ..formats.stored import read_table
 from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
-from .description import Run
+from .description import STRING_ACTUATORS, Run
 from .samples import check_clock, check_finite
 
 ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
+STILL = 0.05  # of a load that hangs still: what its cell may read more and less
+SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
+LONGEST_S = 86_400.0  # a plan that is made of corners
 
 
-def planned(run: Run, path: Path) -> pd.DataFrame:
+def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> pd.DataFrame:
     """Samples of a motion that a .csv or .parquet at `path` plans for a run's rig; other columns are left out.
 
     The file has `time_s`, the motion (`motor_turns` of a string) and, where the rig has them, load and temperature,
-    under these names and in these units. A load that it lacks is `rig.load_n`, or 0. Raises BadInput.
+    under these names and in these units. Points of a string that lie further apart than samples do are joined by
+    straight lines. A load that it lacks is `rig.load_n`, or that of what was `recorded` if it stood still. Raises
+    BadInput, also where nothing tells the load.
     """
     table, system = read_table(path, TextFile.model_validate({})), run.system
     lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
@@ -29,10 +34,34 @@ def planned(run: Run, path: Path) -> pd.DataFrame:
     kept = [name for name in system.columns if name in table.columns and name != system.channel]
     samples = table[kept].apply(pd.to_numeric, errors="coerce").astype(float)
     if system.load and system.load not in samples:
-        samples[system.load] = run.rig.get("load_n", 0.0)
+        samples[system.load] = _load(run, recorded, path)
+    if run.actuator in STRING_ACTUATORS:
+        samples = _joined(samples)
     check_finite(samples, path)
     check_clock(samples, path, float("inf"))
     return samples.assign(**{system.channel: 0.0})
+
+
+def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
+    """The load of a plan that gives none; raises BadInput where it was recorded, and changed."""
+    name = run.system.load or ""
+    if name in run.rig or recorded is None or name not in recorded:
+        return run.rig.get(name, 0.0)
+    low, high = float(recorded[name].min()), float(recorded[name].max())
+    if high - low > STILL * abs(low):
+        problem = f"there is no such column, and the load of {run.run} was not always the same"
+        raise BadInput(path, name, problem, f"add it: {low:.4g} to {high:.4g} were recorded")
+    return float(recorded[name].median())
+
+
+def _joined(samples: pd.DataFrame) -> pd.DataFrame:
+    """Samples as they are; of points that are a motion's corners, one every `STEP_S` on the straight lines between."""
+    time_s = samples["time_s"].to_numpy()
+    rises = len(time_s) > 1 and bool((np.diff(time_s) > 0.0).all()) and bool(np.isfinite(time_s).all())
+    if not rises or float(np.diff(time_s).max()) <= SPARSE_S or time_s[-1] - time_s[0] > LONGEST_S:
+        return samples
+    fine_s = np.union1d(time_s, np.arange(time_s[0], time_s[-1], STEP_S))
+    return pd.DataFrame({name: np.interp(fine_s, time_s, samples[name]) for name in samples} | {"time_s": fine_s})
 
 
 def beyond(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame) -> str:

@@ -165,8 +165,8 @@ def test_what_was_adopted_simulates_with_the_dimensions_that_fit_until_one_is_me
     done = programs.run("pipeline.adopt", diagnosis, folder)
     assert "takes the dimensions that fit with these effects" not in flat(done), "it did not say how far it moved"
     held = yaml.safe_load((folder / "run.yaml").read_text())["adopted"][0]["dimensions"]
-    assert held["radius_mm"] == {"measured": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}
-    assert held["zero_mm"] == {"measured": 0.0, "fitted": 0.3} and len(held) == 2
+    assert held["radius_mm"] == {"nominal": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}
+    assert held["zero_mm"] == {"nominal": 0.0, "fitted": 0.3} and len(held) == 2
     own = simulated(folder)
     given = simulated(folder, "--simulation", diagnosis)
     assert abs(own - given).max() < 1e-4, "one simulator, one number"
@@ -185,8 +185,8 @@ def test_a_run_that_was_diagnosed_together_adopts_the_zero_of_its_own_motor() ->
     one = {"nominal": 0.0, "value": 0.02}
     known = {"angle_turns": one, "angle_turns_2": {"nominal": 0.0, "value": 0.3}, "zero_mm": one, "length_mm": {}}
     content = {"run": ["a-01", "a-02"], "parameters": known}
-    assert fitted(content, "a-01") == {"angle_turns": {"measured": 0.0, "fitted": 0.02}}
-    assert fitted(content, "a-02") == {"angle_turns": {"measured": 0.0, "fitted": pytest.approx(0.32)}}
+    assert fitted(content, "a-01") == {"angle_turns": {"nominal": 0.0, "fitted": 0.02}}
+    assert fitted(content, "a-02") == {"angle_turns": {"nominal": 0.0, "fitted": pytest.approx(0.32)}}
 
 
 def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosis: Path) -> None:
@@ -230,26 +230,54 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     assert free == pytest.approx([before[1], about_its_median()], rel=0.05) and second.startswith(
         "with the zero of the reading at its best"
     )
-    means = done.stdout.partition("What the numbers under simulation mean")[2]
+    assert f"  python -m pipeline.adopt --explain {folder}" in lines
+    means = programs.run("pipeline.adopt", "--explain", folder).stdout
+    assert means.startswith("What the numbers under simulation mean, for who looks")
     assert f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
     assert "straight_mm: in mm, add to the" in means
 
 
+def test_a_diagnosis_of_other_dimensions_than_run_yaml_has_now_is_not_adopted(folder: Path, diagnosis: Path) -> None:
+    content = judged(diagnosis, "explained", [])
+    content["parameters"]["radius_mm"]["nominal"] = content["parameters"]["radius_mm"]["value"] / 1.02
+    diagnosis.write_text(json.dumps(content | {"evidence": {}}))
+    text = (folder / "run.yaml").read_text()
+    right = yaml.safe_load(text)["string"]["radius_mm"]
+    measured_again = text.replace(f"radius_mm: {right:g}", f"radius_mm: {1.01 * right:.5g}", 1)
+    scaled = text + "channels: {displacement_mm: {scale: 1.01}}\n"
+    for now, says in (
+        (measured_again, f"a radius of {right:g} mm, and run.yaml says {1.01 * right:.5g}"),
+        (scaled, "a scale of 1, and run.yaml says 1.01"),
+    ):
+        (folder / "run.yaml").write_text(now)
+        done = programs.run("pipeline.adopt", diagnosis, folder)
+        assert done.returncode == 2 and says in done.stderr and "diagnose the run again" in done.stderr, done.stderr
+        assert (folder / "run.yaml").read_text() == now
+    (folder / "run.yaml").write_text(text)
+    assert programs.run("pipeline.adopt", diagnosis, folder).returncode == 0
+
+
 def test_adopting_names_the_dimensions_that_fit_and_those_to_measure_again(folder: Path, diagnosis: Path) -> None:
     content = judged(diagnosis, "explained", [])
+    run = read_run(folder)
+    assert run.string is not None
+    radius, separator, length = run.string.radius_mm, run.rig["separator_mm"], run.string.length_mm
     values = {
-        "radius_mm": (0.55, 0.561),
+        "radius_mm": (radius, radius + 0.011),
         "scale": (1.0, 1.001),
-        "separator_mm": (8.0, 9.4),
-        "length_mm": (300.0, 300.0),
+        "separator_mm": (separator, separator + 1.4),
+        "length_mm": (length, length),
     }
     content["parameters"] = {name: {"nominal": one, "value": other} for name, (one, other) in values.items()}
     moved = {"radius_mm": -1.9, "scale": 0.4, "separator_mm": 2.9, "length_mm": "far"}
     diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
     said = flat(programs.run("pipeline.adopt", diagnosis, folder))
-    dimensions = "separator 8 → 9.4 mm; radius 0.55 → 0.561 mm; gain of the displacement sensor 1 → 1.001."
+    dimensions = (
+        f"separator {separator:g} → {separator + 1.4:.4g} mm; radius {radius:g} → {radius + 0.011:.4g} mm; "
+        "gain of the displacement sensor 1 (assumed) → 1.001."
+    )
     assert f"takes the dimensions that fit with these effects: {dimensions}" in said
-    assert "run.yaml keeps your measured values. Change one of them, and the fitted ones count no more." in said
+    assert "The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more." in said
     assert "Measure the separator again: calibration moved it by more than 2 tolerances." in said
 
 
@@ -326,7 +354,7 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
     own |= {"tied": content["alternatives"], "runs": [folder.name]}
     own |= {"diagnosis": str(out / folder.name / "diagnosis.json"), "dimensions": fitted(content, folder.name)}
-    assert own["dimensions"]["radius_mm"]["measured"] == content["parameters"]["radius_mm"]["nominal"]
+    assert own["dimensions"]["radius_mm"]["nominal"] == content["parameters"]["radius_mm"]["nominal"]
     asked = content["next_experiment"]
     useless = "Hardly worth making" in (asked or "")
     own |= (

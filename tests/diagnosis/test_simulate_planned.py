@@ -8,6 +8,7 @@ import pandas as pd
 import programs
 import pytest
 import yaml
+from made_recording import recording
 
 from pipeline.run.samples import read_samples
 
@@ -56,6 +57,7 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
 def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosis, tmp_path):
     time_s = np.arange(0.0, 12.0, 0.02)
     plan = pd.DataFrame({"time_s": time_s, "motor_turns": 8.0 * np.minimum(time_s / 8.0, 1.0), "note": "x"})
+    plan["load_n"] = 15.0
     plan.to_csv(tmp_path / "plan.csv", index=False)
     other = json.loads(diagnosis.read_text()) | {"run": "another"}
     diagnosis.write_text(json.dumps(other))
@@ -77,13 +79,46 @@ def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosi
         (lambda plan: plan.assign(motor_turns="fast"), "motor_turns: is not a number in 600 rows"),
         (lambda plan: plan[::-1], "time_s: runs backwards"),
         (lambda plan: plan[:3], "holds 3 samples"),
+        (
+            lambda plan: plan.drop(columns="load_n"),
+            "load_n: there is no such column, and the load of run-0 was not always the same. Mend: add it: 6.2",
+        ),
     ],
 )
 def test_what_is_no_plan_is_refused_in_words_and_nothing_written(folder, diagnosis, tmp_path, change, says):
     time_s = np.arange(0.0, 12.0, 0.02)
-    plan = pd.DataFrame({"time_s": time_s, "motor_turns": np.minimum(time_s, 8.0)})
+    plan = pd.DataFrame({"time_s": time_s, "motor_turns": np.minimum(time_s, 8.0), "load_n": 15.0})
     change(plan).to_csv(tmp_path / "plan.csv", index=False)
     words = ["--simulation", diagnosis, "--motion", tmp_path / "plan.csv", "--out", tmp_path / "answer.csv"]
     done = programs.run("pipeline.simulate", folder, *words)
     assert done.returncode == 2 and says in done.stderr and "Mend: " in done.stderr, done.stderr
     assert not (tmp_path / "answer.csv").exists()
+
+
+def test_corners_of_a_motion_are_joined_by_straight_lines(folder, diagnosis, tmp_path):
+    corners = pd.DataFrame({"time_s": [0.0, 6.0, 26.0, 32.0], "motor_turns": [0.0, 8.0, 8.0, 0.0], "load_n": 15.0})
+    fine = pd.DataFrame({"time_s": np.arange(0.0, 32.0001, 0.02)})
+    for name in ("motor_turns", "load_n"):
+        fine[name] = np.interp(fine["time_s"], corners["time_s"], corners[name])
+    for name, plan in (("corners", corners), ("fine", fine)):
+        plan.to_csv(tmp_path / f"{name}.csv", index=False)
+        simulated(folder, diagnosis, tmp_path / f"{name}-answer.csv", "--motion", tmp_path / f"{name}.csv")
+    few, many = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("corners", "fine"))
+    at_s = np.linspace(0.0, 32.0, 50)
+    answers = [np.interp(at_s, one["time_s"], one["displacement_mm"]) for one in (few, many)]
+    assert np.allclose(*answers, atol=1e-3) and np.ptp(answers[0]) > 1.0
+
+
+def test_a_load_that_hangs_still_need_not_be_planned(make_run, tmp_path):
+    folder = make_run("still", recording(4).assign(load_n=lambda table: 20.0 + 0.1 * np.sin(table["time_s"])))
+    content = {"run": "still", "parameters": {}, "simulation": []}
+    (tmp_path / "diagnosis.json").write_text(json.dumps(content))
+    for name, more in (("without", {}), ("with", {"load_n": 20.0})):
+        pd.DataFrame({"time_s": [0.0, 5.0, 10.0], "motor_turns": [0.0, 20.0, 0.0]} | more).to_csv(
+            tmp_path / f"{name}.csv", index=False
+        )
+        simulated(
+            folder, tmp_path / "diagnosis.json", tmp_path / f"{name}-answer.csv", "--motion", tmp_path / f"{name}.csv"
+        )
+    without, given = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("without", "with"))
+    assert np.allclose(without, given, atol=1e-4)

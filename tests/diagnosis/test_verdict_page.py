@@ -164,16 +164,18 @@ def test_after_adopting_dimensions_that_moved_far_are_measured_and_the_effects_t
     assert "2. Measure again what calibration moved far:" in said
     assert "python -m pipeline.adopt --remove raw/nylon-3" in said
     assert "python -m pipeline.simulate raw/nylon-3 --simulation reports/old/diagnosis.json --out FILE" in said
-    made["adopted"][0]["dimensions"] = {"radius_mm": {"measured": 0.55, "fitted": 0.5612}}
+    made["adopted"][0]["dimensions"] = {"radius_mm": {"nominal": 0.55, "fitted": 0.5612}}
     within = " ".join(page(made | {"evidence": made["evidence"] | {"tolerance": {"radius_mm": 0.0165}}}).split())
     assert "Measure again" not in within and "That is no reason to measure them again" in within
     made["evidence"]["tolerance"] = {"radius_mm": 0.004}
     kept = steps(made)
     assert "If nothing changed, keep what was adopted, and predict with python -m pipeline.simulate as it is." in kept
     assert "--simulation" not in kept
-    assert "takes the dimensions that were adopted with it, and errs as the adopted verdict says" in " ".join(
-        page(made).split()
-    )
+    text = " ".join(page(made).split())
+    assert "takes the dimensions that were adopted with it, and errs as the adopted verdict says" in text
+    assert "These are the values that were adopted with the effects: nothing new was found about them." in text
+    made["adopted"][0]["dimensions"]["radius_mm"]["fitted"] = 0.54
+    assert "What was adopted fitted with other dimensions" in " ".join(page(made).split())
 
 
 def test_slow_effects_under_one_load_are_said_to_look_alike():
@@ -310,7 +312,7 @@ def test_an_effect_that_is_surer_than_its_explanation_says_why():
 def test_what_was_adopted_and_still_fits_is_said_first_to_do_so():
     made = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
     made["simulation"] = [{"id": "creep", "parameters": {}}]
-    came = {"radius_mm": {"measured": 0.55, "fitted": 0.5612}}
+    came = {"radius_mm": {"nominal": 0.55, "fitted": 0.5612}}
     made["adopted"] = [
         {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"], "dimensions": came}
     ]

@@ -45,6 +45,16 @@ def dimensions_came(content: dict[str, Any]) -> bool:
     return any(one.get("dimensions") for one in content.get("adopted", []))
 
 
+def adopted_again(content: dict[str, Any]) -> bool:
+    """Whether calibration found for each dimension that moved far what was adopted with the effects already."""
+    came = [one["dimensions"] for one in content.get("adopted", []) if one.get("dimensions")][-1:]
+    known, sigma = content["parameters"], content["evidence"].get("tolerance", {})
+    far = [name for name in far_moved(content) if name in known]
+    return bool(came and far) and all(
+        name in came[0] and abs(known[name]["value"] - came[0][name]["fitted"]) <= sigma.get(name, 0.0) for name in far
+    )
+
+
 def _sight(content: dict[str, Any], ids: list[str]) -> str:
     """What the adopted effects have seen of this recording; nothing where it was another."""
     they, were = ("It", "was") if len(ids) == 1 else ("They", "were")

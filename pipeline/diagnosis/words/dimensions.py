@@ -30,7 +30,7 @@ def adopted_fit(content: dict[str, Any]) -> bool:
     known = content["evidence"].get("tolerance", {})
     came = [one["dimensions"] for one in content.get("adopted", []) if one.get("dimensions")][-1:]
     return bool(came) and all(
-        abs(one["fitted"] - one["measured"]) <= LEAVES * known[name] for name, one in came[0].items() if known.get(name)
+        abs(one["fitted"] - one["nominal"]) <= LEAVES * known[name] for name, one in came[0].items() if known.get(name)
     )
 
 

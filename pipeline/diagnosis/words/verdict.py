@@ -57,7 +57,9 @@ def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
             f"Calibration moved {names} by {_span(moved)} times {their} tolerance; three is the most that it may. "
             f"Until {are} measured again (below), {_what(content)} provisional."
         )
-    if moved and adoption.dimensions_came(content):
+    if moved and adoption.dimensions_came(content) and adoption.adopted_again(content):
+        lines.append("These are the values that were adopted with the effects: nothing new was found about them.")
+    elif moved and adoption.dimensions_came(content):
         lines.append(
             "What was adopted fitted with other dimensions (`adopted` in run.yaml): dimensions take each other's "
             "place, so these need not be the wrong ones."
