@@ -27,26 +27,26 @@ def aspect_of(sign: str) -> str:
     return next((aspect for aspect, signs in SIGNS.items() if sign in signs), sign)
 
 
-def by_aspect(judge: Judge, one: Weighed, best: Weighed) -> dict[str, float]:
-    """What each aspect adds to the log of how much likelier `one` is than `best`; the parts add up to all of it."""
-    found: dict[str, float] = {}
-    for sign, part in judge.because(one, best).items():
-        found[aspect_of(sign)] = found.get(aspect_of(sign), 0.0) + part
-    return found
+def by_aspect(judge: Judge, rival: Weighed, best: Weighed) -> dict[str, float]:
+    """What each aspect adds to the log of how much likelier `rival` is than `best`; the parts add up to all of it."""
+    lead_by_aspect: dict[str, float] = {}
+    for sign, part in judge.because(rival, best).items():
+        lead_by_aspect[aspect_of(sign)] = lead_by_aspect.get(aspect_of(sign), 0.0) + part
+    return lead_by_aspect
 
 
-def chief(judge: Judge, one: Weighed, best: Weighed) -> list[dict[str, Any]]:
+def chief(judge: Judge, rival: Weighed, best: Weighed) -> list[dict[str, Any]]:
     """The aspects that count most against an explanation: `log_odds`, and by how much the first sign is `more`."""
-    found = sorted(by_aspect(judge, one, best).items(), key=lambda item: item[1])
+    leads = sorted(by_aspect(judge, rival, best).items(), key=lambda item: item[1])
     return [
-        {"aspect": aspect, "log_odds": part, "more": _lead(aspect, one) - _lead(aspect, best)}
-        for aspect, part in found[:CHIEF]
+        {"aspect": aspect, "log_odds": part, "more": _lead(aspect, rival) - _lead(aspect, best)}
+        for aspect, part in leads[:CHIEF]
         if part < 0.0
     ]
 
 
-def _lead(aspect: str, one: Weighed) -> float:
+def _lead(aspect: str, rival: Weighed) -> float:
     """The sign that tells which way an aspect points; of what is no sign, the number of effects."""
     if aspect.startswith("mark_"):
-        return float(aspect.removeprefix("mark_") in one.ids)
-    return one.signs.get(SIGNS[aspect][0], 0.0) if aspect in SIGNS else float(len(one.ids))
+        return float(aspect.removeprefix("mark_") in rival.ids)
+    return rival.signs.get(SIGNS[aspect][0], 0.0) if aspect in SIGNS else float(len(rival.ids))

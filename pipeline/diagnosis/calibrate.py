@@ -47,11 +47,11 @@ def _between(candidates: list[Shape], shape: Shape, width: float, kinds: bool) -
 
     With `kinds` a parameter of a few values takes each of them.
     """
-    found = []
+    neighbours = []
     for name in shape:
         others = sorted({other[name] for other in candidates if set(other) == set(shape)})
         if len(others) < FEW:
-            found += [{**shape, name: other} for other in others if kinds and other != shape[name]]
+            neighbours += [{**shape, name: other} for other in others if kinds and other != shape[name]]
             continue
         place = int(np.searchsorted(others, shape[name]))
         lower, upper = others[max(place - 1, 0)], others[min(place + 1, len(others) - 1)]
@@ -59,8 +59,8 @@ def _between(candidates: list[Shape], shape: Shape, width: float, kinds: bool) -
         for side in (-1.0, 1.0):
             value = float(f"{shape[name] + side * width * reach:.8g}")
             if others[0] <= value <= others[-1]:
-                found.append({**shape, name: value})
-    return found
+                neighbours.append({**shape, name: value})
+    return neighbours
 
 
 def refine(problem: Problem, noise: Noise, state: State) -> State:

@@ -17,13 +17,13 @@ def suggested(problem: Problem, state: State) -> dict[str, list[Shape]]:
 
 def catalogue(problem: Problem, more: dict[str, list[Shape]]) -> dict[str, list[Shape]]:
     """All shapes of all mechanisms that the recording could show, and those that it suggests."""
-    found = {id_: mechanism.shapes(problem.drivers) + more[id_] for id_, mechanism in problem.library.items()}
+    catalogued = {id_: mechanism.shapes(problem.drivers) + more[id_] for id_, mechanism in problem.library.items()}
     if not set(PORTS) <= set(problem.system.ports):  # the shapes that act where the system has a port
-        found = {
+        catalogued = {
             id_: [shape for shape in shapes if placed(problem.system, problem.terms(mechanisms()[id_], shape))]
-            for id_, shapes in found.items()
+            for id_, shapes in catalogued.items()
         }
-    return {id_: shapes for id_, shapes in found.items() if shapes}
+    return {id_: shapes for id_, shapes in catalogued.items() if shapes}
 
 
 def without_physics(problem: Problem, more: dict[str, list[Shape]]) -> np.ndarray:

@@ -21,8 +21,10 @@ def left(problem: Problem, state: State) -> Array:
 def seen(problem: Problem, state: State) -> dict[str, Shape]:
     """By mechanism, the shape of the random effect that a residual shows."""
     residual, predicted = left(problem, state), problem.simulate(state)[: problem.rows]
-    found = {id_: mechanism.random(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()}
-    return {id_: shape for id_, shape in found.items() if shape is not None}
+    random_shapes = {
+        id_: mechanism.random(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()
+    }
+    return {id_: shape for id_, shape in random_shapes.items() if shape is not None}
 
 
 def act(problem: Problem, id_: str, shape: Shape) -> Act:

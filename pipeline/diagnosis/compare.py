@@ -10,17 +10,17 @@ COMPLETED = 0.8  # of what an explanation leaves: a larger one that takes so muc
 REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
 
 
-def price(search: Search, one: Explanation) -> float:
+def price(search: Search, explanation: Explanation) -> float:
     """Misfit, and two numbers (when, how much) for every sudden event after the first of its kind."""
-    return one.fit.misfit + 2.0 * search.penalty * (len(one.keys) - len(one.ids))
+    return explanation.fit.misfit + 2.0 * search.penalty * (len(explanation.keys) - len(explanation.ids))
 
 
-def beats(search: Search, one: Explanation, other: Explanation) -> bool:
-    """Whether the recording tells `one` from `other`.
+def beats(search: Search, explanation: Explanation, other: Explanation) -> bool:
+    """Whether the recording tells `explanation` from `other`.
 
-    The gap must be what the truth of `one` implies; where it is less, it must remain if both formulas may bend.
+    The gap must be what the truth of `explanation` implies; where it is less, it must remain if both formulas may bend.
     """
-    for first, second in ((one, other), (search.with_discrepancy(one), search.with_discrepancy(other))):
+    for first, second in ((explanation, other), (search.with_discrepancy(explanation), search.with_discrepancy(other))):
         seen = price(search, second) - price(search, first)
         if seen <= LEAST_GAP:
             return False
@@ -32,9 +32,9 @@ def beats(search: Search, one: Explanation, other: Explanation) -> bool:
     return True
 
 
-def explains(search: Search, one: Explanation, floor: float) -> bool:
+def explains(search: Search, explanation: Explanation, floor: float) -> bool:
     """Whether an explanation takes enough of the mismatch to be one."""
-    return one.energy - floor**2 <= (1.0 - EXPLAINED) * (search.nothing.energy - floor**2)
+    return explanation.energy - floor**2 <= (1.0 - EXPLAINED) * (search.nothing.energy - floor**2)
 
 
 def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
@@ -49,13 +49,20 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
     rivals = search.all_of(len(chosen.ids))
     whole = nothing - min(rival.fit.misfit for rival in rivals)
     close = [rival for rival in rivals if nothing - rival.fit.misfit >= CONTENDER * whole]
-    best = min(close, key=lambda one: price(search, one), default=chosen)
-    sets = sorted((one for one in close if not beats(search, best, one)), key=lambda one: one.cost) or [chosen]
+    best = min(close, key=lambda explanation: price(search, explanation), default=chosen)
+    sets = sorted(
+        (explanation for explanation in close if not beats(search, best, explanation)),
+        key=lambda explanation: explanation.cost,
+    ) or [chosen]
     simpler = without_flaw(search, sets[0], rivals, floor)
-    found = [*to_the_noise(search, chosen, floor), *([simpler] if simpler else []), *sets]
-    core = search.explain(tuple(set.intersection(*(set(one.ids) for one in sets))))
-    bare = core.ids and core.ids not in [one.ids for one in found] and explains(search, core, floor)
-    return [*found, core] if bare else found  # where any other will do beside it, none may be needed
+    unbeaten_sets = [*to_the_noise(search, chosen, floor), *([simpler] if simpler else []), *sets]
+    core = search.explain(tuple(set.intersection(*(set(explanation.ids) for explanation in sets))))
+    bare = (
+        core.ids
+        and core.ids not in [explanation.ids for explanation in unbeaten_sets]
+        and explains(search, core, floor)
+    )
+    return [*unbeaten_sets, core] if bare else unbeaten_sets  # where any other will do beside it, none may be needed
 
 
 def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
@@ -68,25 +75,32 @@ def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Expl
     left = chosen.energy - floor**2
     least = max(LEAST_EFFECT * floor, INEXACT * search.mismatch(floor)) ** 2
     complete = [
-        one
-        for one in search.all_of(len(chosen.ids) + 1)[:TRIED]
-        if chosen.energy - one.energy >= max(COMPLETED * left, least) and one.cost <= chosen.cost - LEAST_MORE
+        explanation
+        for explanation in search.all_of(len(chosen.ids) + 1)[:TRIED]
+        if chosen.energy - explanation.energy >= max(COMPLETED * left, least)
+        and explanation.cost <= chosen.cost - LEAST_MORE
     ]
-    return [one for one in complete if one is complete[0] or not beats(search, complete[0], one)]
+    return [
+        explanation
+        for explanation in complete
+        if explanation is complete[0] or not beats(search, complete[0], explanation)
+    ]
 
 
-def without_flaw(search: Search, one: Explanation, rivals: list[Explanation], floor: float) -> Explanation | None:
+def without_flaw(
+    search: Search, explanation: Explanation, rivals: list[Explanation], floor: float
+) -> Explanation | None:
     """The explanation without its last mechanism, where that one may be no more than a flaw of another's formula.
 
     So it may where it takes away little, and where another in its place would take away nearly as much.
     """
-    if len(one.ids) < 2:
+    if len(explanation.ids) < 2:
         return None
-    smaller = [search.explain(tuple(other for other in one.ids if other != id_)) for id_ in one.ids]
+    smaller = [search.explain(tuple(other for other in explanation.ids if other != id_)) for id_ in explanation.ids]
     small = min(smaller, key=lambda other: other.cost)
-    without, whole = search.with_discrepancy(small), search.with_discrepancy(one)
+    without, whole = search.with_discrepancy(small), search.with_discrepancy(explanation)
     if without.energy - whole.energy > (FLAW * search.mismatch(floor)) ** 2 or not explains(search, small, floor):
         return None
     needed = REPLACED * (without.cost - whole.cost)
-    others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != one.ids]
+    others = [rival for rival in rivals if set(small.ids) < set(rival.ids) and rival.ids != explanation.ids]
     return small if any(without.cost - search.with_discrepancy(rival).cost >= needed for rival in others) else None

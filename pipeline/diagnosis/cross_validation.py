@@ -15,7 +15,7 @@ AS_WELL = 1.35  # times the best error: hardly worse to a person who predicts
 
 def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
     """Error (rms) of each explanation on stretches that its coefficients were fitted without, shapes held."""
-    wanted = np.unique(np.concatenate([one.fit.columns for one in sets])).astype(int)
+    wanted = np.unique(np.concatenate([explanation.fit.columns for explanation in sets])).astype(int)
     place = {int(column): number for number, column in enumerate(wanted)}
     table = np.ascontiguousarray(linear.table[[*wanted, -1]])
     first = linear.problem.drivers.first[: linear.rows]
@@ -28,11 +28,11 @@ def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
         count += len(rows)
         part = white[:, rows]
         products = whole - part @ part.T
-        for number, one in enumerate(sets):
-            own = np.array([place[int(column)] for column in one.fit.columns])
+        for number, explanation in enumerate(sets):
+            own = np.array([place[int(column)] for column in explanation.fit.columns])
             gram = products[np.ix_(own, own)] + np.diag(np.maximum(prior[own], 0.0))
-            low, high = linear.low[one.fit.columns], linear.high[one.fit.columns]
-            start = linear.begin[one.fit.columns]
+            low, high = linear.low[explanation.fit.columns], linear.high[explanation.fit.columns]
+            start = linear.begin[explanation.fit.columns]
             unseen = np.diag(gram) <= LEAST_SEEN * np.diag(whole)[own]  # its number stays 0
             gram[unseen], gram[:, unseen], low[unseen], high[unseen], start[unseen] = 0.0, 0.0, 0.0, 0.0, 0.0
             gram[unseen, unseen] = 1.0
@@ -48,4 +48,4 @@ def by_prediction(linear: Linear, sets: list[Explanation]) -> list[Explanation]:
     errors = left_out_errors(linear, sets)
     enough = [number for number, error in enumerate(errors) if error <= AS_WELL * min(errors)]
     first = min(enough, key=lambda number: (len(sets[number].ids), errors[number]))
-    return [sets[first], *(one for number, one in enumerate(sets) if number != first)]
+    return [sets[first], *(explanation for number, explanation in enumerate(sets) if number != first)]

@@ -41,16 +41,16 @@ def parts(rig: Rig, loads: bool, faster: bool) -> Parts:
 
     `loads` and `faster`: whether other loads and a higher speed than before are asked.
     """
-    found = {
+    legs_by_part = {
         f"one stroke{speed}{load}{hold}": rig.stroke(slower=slower, load=times, dwell_s=dwell_s)
         for slower, speed in SPEEDS.items()
         for times, load in LOADS.items()
         for dwell_s, hold in HOLDS.items()
         if (faster or slower >= 1.0) and (loads or times == 1.0)
     }
-    found |= {f"a rest of {seconds:.0f} s": rig.rest(seconds) for seconds in RESTS_S}
+    legs_by_part |= {f"a rest of {seconds:.0f} s": rig.rest(seconds) for seconds in RESTS_S}
     partial = (name for name in CANDIDATES if name.startswith(("two", "four")))
-    return found | {name: CANDIDATES[name](rig) for name in partial}
+    return legs_by_part | {name: CANDIDATES[name](rig) for name in partial}
 
 
 def cost_min(legs: list[Leg], at: float) -> float:

@@ -13,7 +13,7 @@ def detectable(search: Search, floor: float) -> dict[str, float]:
     gram = np.linalg.inv(linear.gram[np.ix_(known, known)])
     calibration = linear.table[known]
     plain = calibration @ calibration.T + np.diag(linear.raw_prior[known])
-    found = {}
+    size_by_id = {}
     for id_, shapes in linear.catalogue.items():
         sizes = []
         for number in range(len(shapes)):
@@ -34,5 +34,5 @@ def detectable(search: Search, floor: float) -> dict[str, float]:
             amplitude = max(np.sqrt(needed / seen), LEAST_EFFECT * floor / np.sqrt(left / linear.rows))
             sizes.append(amplitude * np.sqrt(raw / linear.rows))
         if sizes:
-            found[id_] = float(np.median(sizes))
-    return found
+            size_by_id[id_] = float(np.median(sizes))
+    return size_by_id

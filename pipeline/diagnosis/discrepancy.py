@@ -38,7 +38,7 @@ def factors(drivers: Drivers, acting: Array) -> Array:
     Over twist, time, load, rate and direction, and finest where the effect is at work.
     """
     rate, energy = np.abs(drivers.rate), np.square(acting)
-    found = [
+    all_factors = [
         hats(drivers.motion, 6),
         bumps(drivers.motion, energy, 6),
         bumps(drivers.elapsed_s, energy, 5),
@@ -46,8 +46,8 @@ def factors(drivers: Drivers, acting: Array) -> Array:
         *(drivers.directed(width * drivers.span)[None] for width in MEMORIES),
     ]
     if drivers.loaded:
-        found.append(hats(drivers.load, 3))
-    return np.vstack(found)
+        all_factors.append(hats(drivers.load, 3))
+    return np.vstack(all_factors)
 
 
 def columns(problem: Problem, states: list[State]) -> dict[str, Array]:
@@ -56,13 +56,13 @@ def columns(problem: Problem, states: list[State]) -> dict[str, Array]:
     Where the reading has a true zero no deviation is a constant: that would be physics of its own.
     Shape (columns, samples), in the reading's unit.
     """
-    found: dict[str, Array] = {}
+    column_by_name: dict[str, Array] = {}
     for state in states:
         for act in state.acts:
-            if act not in problem.included and act.id not in found:
+            if act not in problem.included and act.id not in column_by_name:
                 acting = effect(problem, state, act.id)
                 deviations = SIGMA * acting * factors(problem.drivers, acting)
-                found[act.id] = (
+                column_by_name[act.id] = (
                     deviations if problem.system.free_zero else deviations - deviations.mean(axis=1, keepdims=True)
                 )
-    return found
+    return column_by_name

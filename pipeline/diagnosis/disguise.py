@@ -48,15 +48,15 @@ def only_calibration(effect: Array, dimensions: Linear) -> bool:
     return bool(np.sqrt(np.mean(effect**2)) > TAKEN_BACK * np.sqrt(np.mean(left**2)))
 
 
-def disguised(linear: Linear, one: Explanation, dimensions: Linear) -> bool:
+def disguised(linear: Linear, explanation: Explanation, dimensions: Linear) -> bool:
     """Whether a mechanism of an explanation is calibration in disguise, by the linearised simulator."""
     at = len(linear.calibration)
     effects: dict[str, Array] = {}
-    for key in one.keys:
+    for key in explanation.keys:
         columns, shape = linear.index[key], linear.catalogue[key[0]][key[1]]
         if outside(linear.problem, linear.problem.terms(mechanisms()[key[0]], shape)):
             return True
-        moved = one.fit.coefficients[at : at + len(columns)] @ linear.table[columns]
+        moved = explanation.fit.coefficients[at : at + len(columns)] @ linear.table[columns]
         effects[key[0]] = effects.get(key[0], 0.0) + moved
         at += len(columns)
     return any(only_calibration(effect, dimensions) for effect in effects.values())

@@ -14,17 +14,17 @@ from .words.quantity import size
 LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no physics
 
 
-def refuse_faint(found: Study, folder: Path) -> None:
+def refuse_faint(study: Study, folder: Path) -> None:
     """Raise BadInput where the reading hardly leaves the noise, so that any verdict would be a guess.
 
     What was measured to move counts, or what should have moved where that is more. What a regression without physics
     foretells of strokes that it has not seen is no noise, even if no mechanism explains it.
     """
-    problem, floor = found.problem, found.floor
+    problem, floor = study.problem, study.floor
     measured = float(np.subtract(*np.percentile(problem.measured[: problem.rows], [99.5, 0.5])))
-    moved = max(measured, float(np.ptp(problem.simulate(found.nominal)[: problem.rows])))
+    moved = max(measured, float(np.ptp(problem.simulate(study.nominal)[: problem.rows])))
     if moved < LEAST_MOTION * floor:
-        floor = min(floor, unforeseen(problem, found.base))
+        floor = min(floor, unforeseen(problem, study.base))
     if moved < LEAST_MOTION * floor:
         unit = problem.drivers.units.reading
         gap = f"moves by {size(moved, unit)} and has a noise of {size(floor, unit)}: nothing can be told from it"

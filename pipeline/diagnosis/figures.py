@@ -36,8 +36,10 @@ def title(content: dict[str, Any]) -> str:
     head, held = f"{name}: {content['verdict']}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
     if not ids:
-        said = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
-        return f"{head}\n{said if len(said) <= WIDE else f'beside {len(held)} adopted effects'}" if held else head
+        subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
+        return (
+            f"{head}\n{subtitle if len(subtitle) <= WIDE else f'beside {len(held)} adopted effects'}" if held else head
+        )
     others = content["alternatives"]
     best = TOGETHER.join(ids)
     if not others:
@@ -50,26 +52,28 @@ def title(content: dict[str, Any]) -> str:
 
 def warning(content: dict[str, Any], words: Vocabulary) -> str:
     """A run.yaml not to predict with, and which dimensions stand at the limit of calibration, a line each, if any."""
-    lines = [said] if (said := unfit(content, words)) else []
-    found = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
-    one = len(found) == 1
-    if found:
-        said = f"{listing(found)} {'stands at its limit' if one else 'stand at their limits'} of three tolerances"
-        lines += [f"{said}: measure {'it' if one else 'them'} again first"]
+    lines = [sentence] if (sentence := unfit(content, words)) else []
+    names = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
+    single = len(names) == 1
+    if names:
+        sentence = (
+            f"{listing(names)} {'stands at its limit' if single else 'stand at their limits'} of three tolerances"
+        )
+        lines += [f"{sentence}: measure {'it' if single else 'them'} again first"]
     return "\n".join(lines)
 
 
-def page(found: Study, content: Verdict, path: Path) -> None:
+def page(study: Study, content: Verdict, path: Path) -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
-    write_page(drawn(found, content), path)
+    write_page(drawn(study, content), path)
 
 
-def drawn(found: Study, said: Verdict) -> Figure:
+def drawn(study: Study, verdict: Verdict) -> Figure:
     """The page as a figure of matplotlib, known to no window and no notebook."""
-    content: dict[str, Any] = dict(said)
-    problem, drivers, floor = found.problem, found.problem.drivers, found.floor
+    content: dict[str, Any] = dict(verdict)
+    problem, drivers, floor = study.problem, study.problem.drivers, study.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
-    states = {"nominal": found.nominal, "calibrated": found.base, "as diagnosed": found.state}
+    states = {"nominal": study.nominal, "calibrated": study.base, "as diagnosed": study.state}
     simulated = {name: problem.simulate(state) for name, state in states.items()}
     if np.array_equal(simulated["as diagnosed"], simulated["calibrated"]):  # nothing is named: draw nothing twice
         del simulated["as diagnosed"]

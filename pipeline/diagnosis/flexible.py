@@ -44,9 +44,9 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
     """
     from ..ground.regression import boosted_trees  # seconds to import, and asked only where something is left
 
-    left, told = problem.measured - problem.simulate(state), signals(problem.drivers)
-    predict = boosted_trees(told[~unseen], left[~unseen], SEED)
-    added = predict(told)
+    left, inputs = problem.measured - problem.simulate(state), signals(problem.drivers)
+    predict = boosted_trees(inputs[~unseen], left[~unseen], SEED)
+    added = predict(inputs)
     return Foretold(
         added if fine is problem else predict(signals(fine.drivers)),
         locate.box(np.where(unseen, added - added[unseen].mean(), 0.0), problem),

@@ -30,7 +30,7 @@ def groups(drivers: Drivers) -> dict[str, Array]:
     """Columns by the driver that they follow, each of shape (columns, samples). Each without a unit."""
     side = drivers.directed(0.02 * drivers.span)
     rate, sine = drivers.rate if drivers.velocity is None else drivers.smooth(drivers.rate), drivers.sine
-    found = {
+    bases = {
         "twist": hats(drivers.motion, 14)[1:],
         "direction": np.vstack([side * hats(drivers.motion, 8), drivers.directed(0.1 * drivers.span)]),
         "time": np.vstack([hats(drivers.elapsed_s, 14)[1:], sine * hats(drivers.elapsed_s, 8)[1:]]),
@@ -38,18 +38,18 @@ def groups(drivers: Drivers) -> dict[str, Array]:
         "angle within the turn": around(drivers),
     }
     if drivers.velocity is None:  # otherwise it is the simulator's own, and a smoother one would quiet its noise
-        found["acceleration"] = np.vstack([drivers.slope(rate), drivers.slope(rate) * sine])
+        bases["acceleration"] = np.vstack([drivers.slope(rate), drivers.slope(rate) * sine])
     if drivers.loaded:
         load = drivers.load - np.mean(drivers.load)
-        found["load"] = np.vstack(
+        bases["load"] = np.vstack(
             [hats(drivers.load, 4)[1:], load * hats(drivers.motion, 7), load * side, load * side * sine]
         )
     if drivers.temperature_c is not None:
         kelvin = drivers.smooth(drivers.temperature_c)
-        found["temperature"] = np.vstack([kelvin - kelvin.mean(), (kelvin - kelvin.mean()) * sine])
+        bases["temperature"] = np.vstack([kelvin - kelvin.mean(), (kelvin - kelvin.mean()) * sine])
     if drivers.current_a is not None:
-        found["current"] = drivers.smooth(drivers.current_a)[None]
-    return found
+        bases["current"] = drivers.smooth(drivers.current_a)[None]
+    return bases
 
 
 def dictionary(drivers: Drivers) -> Array:

@@ -74,8 +74,8 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
     row = first_held_out(problem)
     if row is None:
         return None, None
-    unseen, held = (one.record.time_s >= problem.record.time_s[row] for one in (fine, to_polish))
-    found = polished(study(problem.until(row)), to_polish.until(int(np.argmax(held))))
+    unseen, held = (sampled.record.time_s >= problem.record.time_s[row] for sampled in (fine, to_polish))
+    studied = polished(study(problem.until(row)), to_polish.until(int(np.argmax(held))))
 
     def error(state: State, added: Array | float = 0.0) -> float:
         residual = fine.measured - fine.simulate(state) - added
@@ -88,16 +88,16 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
 
     errors: Errors = {
         "split": "last 30 % of strokes",
-        "nominal": error(found.nominal),
-        "calibrated": error(found.base),
-        "explained": error(found.state),
+        "nominal": error(studied.nominal),
+        "calibrated": error(studied.base),
+        "explained": error(studied.state),
     }
-    if errors["explained"] > LEFT * min(fine_floor(fine, found), quick(fine, found.state, unseen)):
+    if errors["explained"] > LEFT * min(fine_floor(fine, studied), quick(fine, studied.state, unseen)):
         later = problem.record.time_s >= problem.record.time_s[row]
-        states = [found.base] if found.state is found.base else [found.base, found.state]
+        states = [studied.base] if studied.state is studied.base else [studied.base, studied.state]
         tried = [foretold(problem, fine, state, later) for state in states]
         sizes = [error(state, without.added) for state, without in zip(states, tried, strict=True)]
         without = tried[int(np.argmin(sizes))]
         errors["without_physics"] = min(sizes)
         errors["left"] = {"location": without.location, "driver": without.driver}
-    return errors, found
+    return errors, studied

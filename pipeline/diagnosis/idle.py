@@ -21,14 +21,14 @@ def without_idle(content: dict[str, Any], ending: str) -> dict[str, Any]:
     ids = {entry["id"] for entry in kept}
     others = [other for other in content["alternatives"] if set(other) != ids]
     shown: list[dict[str, Any]] = []
-    twins = [one for one in content["evidence"]["explanations"] if set(one["ids"]) == ids]
-    for one in content["evidence"]["explanations"]:
-        if one["standing"] == "named":
-            shares = [each["probability"] for each in (one, *twins) if each.get("probability") is not None]
-            kept_ids = [id_ for id_ in one["ids"] if id_ not in idle]
-            shown.append(one | {"ids": kept_ids, "probability": sum(shares) if shares else None})
-        elif set(one["ids"]) != ids:
-            shown.append(one)
+    twins = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == ids]
+    for explanation in content["evidence"]["explanations"]:
+        if explanation["standing"] == "named":
+            shares = [each["probability"] for each in (explanation, *twins) if each.get("probability") is not None]
+            kept_ids = [id_ for id_ in explanation["ids"] if id_ not in idle]
+            shown.append(explanation | {"ids": kept_ids, "probability": sum(shares) if shares else None})
+        elif set(explanation["ids"]) != ids:
+            shown.append(explanation)
     made = content | {"mechanisms": kept, "alternatives": others}
     if content["mismatch"]:
         made["mismatch"] = content["mismatch"] | {"driver": [mechanisms()[entry["id"]].driver for entry in kept]}

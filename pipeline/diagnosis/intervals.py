@@ -57,12 +57,12 @@ def slopes_of_shape(problem: Problem, state: State, act: Act) -> Array:
 
     Shape (parameters, samples), in the reading's unit.
     """
-    before, found = problem.simulate(state), []
+    before, slopes = problem.simulate(state), []
     for number, name in continuous(problem, act):
         moved = tuple({**old, name: old[name] * (1.0 + STEP * (i == number))} for i, old in enumerate(act.shapes))
         acts = tuple(replace(act, shapes=moved) if other is act else other for other in state.acts)
-        found.append((problem.simulate(replace(state, acts=acts)) - before) * (0.5 / STEP))
-    return np.array(found).reshape(len(found), len(before))
+        slopes.append((problem.simulate(replace(state, acts=acts)) - before) * (0.5 / STEP))
+    return np.array(slopes).reshape(len(slopes), len(before))
 
 
 def intervals(
@@ -132,6 +132,6 @@ def intervals(
         for place, (number, name) in enumerate(continuous(problem, act), start=at):
             shapes[act.id, number, name] = 0.5 * Z90 * float(np.sqrt(covariance[place, place]))
         at += len(ways)
-        found = interval(rms, weights, FORM_SHARE)
-        sizes_[act.id] = Interval(found.value, max(found.low, 0.0), found.high)
+        form_interval = interval(rms, weights, FORM_SHARE)
+        sizes_[act.id] = Interval(form_interval.value, max(form_interval.low, 0.0), form_interval.high)
     return parameters, sizes_, shapes

@@ -41,55 +41,57 @@ class Judge:
     weights: Array
     of_none: Array
 
-    def basis(self, some: list[Weighed]) -> Array:
+    def basis(self, weighed: list[Weighed]) -> Array:
         """What the weights multiply, shape (explanations, weights). Each without a unit."""
-        signs = {name: np.array([one.signs.get(name, 0.0) for one in some]) for name in self.knots}  # 0: no such mark
+        signs = {
+            name: np.array([candidate.signs.get(name, 0.0) for candidate in weighed]) for name in self.knots
+        }  # 0: no such mark
         ramps = [
             np.clip((signs[name] - low) / (high - low), 0.0, 1.0)
             for name, knots in self.knots.items()
             for low, high in pairwise(knots)
         ]
-        named = [BY_NAME * np.array([float(name in one.ids) for one in some]) for name in self.names]
-        sizes = np.array([len(one.ids) for one in some])
-        every = np.column_stack([BY_SIZE * np.ones(len(some)), *ramps, *named])
+        named = [BY_NAME * np.array([float(name in candidate.ids) for candidate in weighed]) for name in self.names]
+        sizes = np.array([len(candidate.ids) for candidate in weighed])
+        every = np.column_stack([BY_SIZE * np.ones(len(weighed)), *ramps, *named])
         apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
         return np.hstack([every, APART * apart])
 
-    def because(self, one: Weighed, other: Weighed) -> dict[str, float]:
-        """What each sign, the `names` and the `size` add to the log of how much likelier `one` is than `other`.
+    def because(self, candidate: Weighed, other: Weighed) -> dict[str, float]:
+        """What each sign, the `names` and the `size` add to the log of how much likelier `candidate` is than `other`.
 
         The parts add up to all of it. A sign counts by the mean of its weights in explanations of either size; what
         is due to the sizes alone counts under `size`.
         """
-        first, second = self.basis([one, other])
+        first, second = self.basis([candidate, other])
         half = len(self.weights) // (1 + len(SIZES))
         weights = self.weights[:half] + APART * np.array(
-            [self.weights[half * len(each.ids) : half * (1 + len(each.ids))] for each in (one, other)]
+            [self.weights[half * len(each.ids) : half * (1 + len(each.ids))] for each in (candidate, other)]
         )
         mean, apart = weights.mean(axis=0), weights[0] - weights[1]
         parts = mean * (first - second)[:half]
-        found = {"size": float(parts[0] + apart @ (first + second)[:half] / 2.0)}
+        lead_by_sign = {"size": float(parts[0] + apart @ (first + second)[:half] / 2.0)}
         at = 1
         for name, knots in self.knots.items():
-            found[name], at = float(parts[at : at + len(knots) - 1].sum()), at + len(knots) - 1
-        return found | {"names": float(parts[at:].sum())}
+            lead_by_sign[name], at = float(parts[at : at + len(knots) - 1].sum()), at + len(knots) - 1
+        return lead_by_sign | {"names": float(parts[at:].sum())}
 
-    def probabilities(self, some: list[Weighed]) -> Array:
+    def probabilities(self, weighed: list[Weighed]) -> Array:
         """Of each explanation, and, last, of none of them. Shape (explanations + 1,), shares of 1."""
-        scores = np.append(self.basis(some) @ self.weights, none_of(some) @ self.of_none)
+        scores = np.append(self.basis(weighed) @ self.weights, none_of(weighed) @ self.of_none)
         odds = np.exp(scores - scores.max())
         return np.asarray(odds / odds.sum())
 
 
-def none_of(some: list[Weighed]) -> Array:
+def none_of(weighed: list[Weighed]) -> Array:
     """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is.
 
     Shape (weights,), each without a unit.
     """
-    singles = [one for one in some if len(one.ids) == 1]
-    best = min(one.signs["left_share"] for one in some)
-    return np.array([1.0, best, max(best, -3.0), min(one.signs["left_share"] for one in singles or some),
-                     some[0].signs["mismatch_floors"]])  # fmt: skip
+    singles = [candidate for candidate in weighed if len(candidate.ids) == 1]
+    best = min(candidate.signs["left_share"] for candidate in weighed)
+    return np.array([1.0, best, max(best, -3.0), min(candidate.signs["left_share"] for candidate in singles or weighed),
+                     weighed[0].signs["mismatch_floors"]])  # fmt: skip
 
 
 def read(content: dict[str, Any]) -> Judge:

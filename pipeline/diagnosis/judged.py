@@ -44,12 +44,12 @@ def held(named: Array) -> list[int]:
     return [int(place) for place in likeliest[: int(np.argmax(reached >= HELD)) + 1]]
 
 
-def helpers_share(some: list[Weighed], named: Array) -> float:
+def helpers_share(candidates: list[Weighed], named: Array) -> float:
     """Probability of the explanations without physics of the library: it counts as that of "none of them".
 
     `named` has the shape (explanations,).
     """
-    return float(sum(share for one, share in zip(some, named, strict=True) if not physics(one.ids)))
+    return float(sum(share for candidate, share in zip(candidates, named, strict=True) if not physics(candidate.ids)))
 
 
 def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
@@ -59,15 +59,15 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
     """
     if not search.linear.problem.drivers.levered:
         sets = cross_validation.by_prediction(search.linear, compare.unbeaten(search, chosen, floor))
-        return Judged(sets, {one.ids: 1.0 / len(sets) for one in sets}, 0.0)
-    some = weighed(search, base, floor)
-    *shares, none = search.linear.problem.judge.probabilities(some).tolist()
+        return Judged(sets, {explanation.ids: 1.0 / len(sets) for explanation in sets}, 0.0)
+    candidates = weighed(search, base, floor)
+    *shares, none = search.linear.problem.judge.probabilities(candidates).tolist()
     named = np.array(shares)
-    untaught = np.array([len(one.ids) > TAUGHT for one in some])
-    if len(chosen.ids) > TAUGHT and untaught.any() and set(some[int(np.argmax(named))].ids) < set(chosen.ids):
+    untaught = np.array([len(candidate.ids) > TAUGHT for candidate in candidates])
+    if len(chosen.ids) > TAUGHT and untaught.any() and set(candidates[int(np.argmax(named))].ids) < set(chosen.ids):
         # no lesson has three effects: where a third is worth much more than a discrepancy of formulas, it is taken
         named = np.where(untaught, named, 0.0)
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
-    none += helpers_share(some, named)
-    likely = {one.ids: float(share) for one, share in zip(some, named, strict=True)}
-    return Judged([search.explain(some[place].ids) for place in held(named)], likely, none, tuple(some))
+    none += helpers_share(candidates, named)
+    likely = {candidate.ids: float(share) for candidate, share in zip(candidates, named, strict=True)}
+    return Judged([search.explain(candidates[place].ids) for place in held(named)], likely, none, tuple(candidates))

@@ -12,5 +12,5 @@ from .interface import Mechanism
 def mechanisms() -> dict[str, Mechanism]:
     """All mechanisms by id, sorted."""
     names = sorted(module.name for module in pkgutil.iter_modules(mechanisms_folder.__path__))
-    found = (importlib.import_module(f"{mechanisms_folder.__name__}.{name}").MECHANISM for name in names)
-    return {mechanism.id: mechanism for mechanism in found}
+    all_mechanisms = (importlib.import_module(f"{mechanisms_folder.__name__}.{name}").MECHANISM for name in names)
+    return {mechanism.id: mechanism for mechanism in all_mechanisms}

@@ -49,7 +49,7 @@ class Linear(Products):
     ) -> None:
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, catalogue
         rows = self.rows = problem.rows
-        here = linearised(problem, state)
+        tangent = linearised(problem, state)
         more = sum(map(len, (deviations or {}).values())) + (0 if extra is None else len(extra))
         columns = Columns(rows, FEW + PER_SHAPE * sum(map(len, catalogue.values())) + more)
         run_index = problem.record.run_index[:rows]
@@ -57,27 +57,30 @@ class Linear(Products):
         for run in range(problem.runs):
             columns.add((run_index == run).astype(float), -reach, reach, spread, float(state.zeros[run]))
         for index in problem.movable:
-            one = problem.parameters[index]
-            least, most = max(-one.reach * one.sigma, one.lowest - one.nominal), one.reach * one.sigma
-            moved = float(state.values[index] - one.nominal)
-            columns.add(here.slopes[one.name][:rows], least, most, one.sigma, moved)
+            parameter = problem.parameters[index]
+            least, most = (
+                max(-parameter.reach * parameter.sigma, parameter.lowest - parameter.nominal),
+                parameter.reach * parameter.sigma,
+            )
+            moved = float(state.values[index] - parameter.nominal)
+            columns.add(tangent.slopes[parameter.name][:rows], least, most, parameter.sigma, moved)
         self.calibration = known = np.arange(len(columns))
         self.index: dict[Key, np.ndarray] = {}
         for id_, shapes in catalogue.items():
             for number, shape in enumerate(shapes):
                 before = len(columns)
                 for term in problem.terms(mechanisms()[id_], shape):
-                    columns.add(column(problem, term, here)[:rows], term.low, term.high, np.inf)
+                    columns.add(column(problem, term, tangent)[:rows], term.low, term.high, np.inf)
                 self.index[id_, number] = np.arange(before, len(columns))
         self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
         self.deviations = {id_: columns.free(ways, 1.0) for id_, ways in (deviations or {}).items()}
         self.low, self.high, sigma, self.at = columns.numbers()
-        target = (problem.measured - here.predicted)[:rows] + self.at[known] @ columns.table[known]
+        target = (problem.measured - tangent.predicted)[:rows] + self.at[known] @ columns.table[known]
         for act in state.acts:
             if act in problem.included:
                 continue
             for term, coefficient in problem.act_terms(act):
-                target = target + coefficient * column(problem, term, here)[:rows]
+                target = target + coefficient * column(problem, term, tangent)[:rows]
         self.begin = np.zeros(len(columns))  # calibration starts where it stands, the rest at nothing
         self.begin[known] = np.clip(self.at[known], self.low[known], self.high[known])
         prior = np.where(np.isfinite(sigma), 1.0 / np.square(sigma), 0.0)
@@ -163,5 +166,5 @@ class Linear(Products):
             shapes.append(self.catalogue[key[0]][key[1]])
             coefficients.extend(float(value) for value in fit.coefficients[at : at + count])
             at += count
-        found = tuple(Act(id_, tuple(shapes), tuple(values_)) for id_, (shapes, values_) in acts.items())
-        return State(values, fit.coefficients[: problem.runs].copy(), problem.included + found)
+        acts_found = tuple(Act(id_, tuple(shapes), tuple(values_)) for id_, (shapes, values_) in acts.items())
+        return State(values, fit.coefficients[: problem.runs].copy(), problem.included + acts_found)

@@ -67,12 +67,12 @@ def box(mismatch: Array, problem: Problem, share: float = SHARE) -> dict[str, An
         count, a, b, c, d = _smallest(energy, samples, share * whole)
         if best is None or count < best[0]:
             last = min((b + 1) * per_bin, len(strokes)) - 1
-            found = {
+            location = {
                 problem.system.driver: [low + c * width, low + (d + 1) * width],
                 "strokes": [int(max(strokes[a * per_bin], 1)), int(max(strokes[last], 1))],
                 "phase": phase,
                 "share": float(energy[a : b + 1, c : d + 1].sum() / whole),
             }
-            best = (count, found)
+            best = (count, location)
     assert best is not None  # the whole recording always qualifies
     return best[1]

@@ -18,9 +18,9 @@ RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits
 Shapes = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
 
 
-def as_entry(found: Interval) -> dict[str, float]:
+def as_entry(interval: Interval) -> dict[str, float]:
     """A value with its 90 % interval, as an entry."""
-    return {"value": found.value, "low": found.low, "high": found.high}
+    return {"value": interval.value, "low": interval.low, "high": interval.high}
 
 
 def effect_of(problem: Problem, state: State, act: Act) -> Array:
@@ -36,41 +36,41 @@ def parameters_of(
     problem: Problem, act: Act, relative: tuple[float, float], shapes: Shapes
 ) -> dict[str, dict[str, Any]]:
     """Parameters of an act by name, with 90 % intervals and units; strengths are as uncertain as the effect's size."""
-    said, found = problem.drivers.units, {}
+    names, parameters = problem.drivers.units, {}
     for number, entry in enumerate(entries((act,), problem.drivers)):
         terms = problem.terms(mechanisms()[act.id], act.shapes[number])
-        units = {said.name(term.name): said.unit(term.unit) for term in terms}
-        sums = totals(terms, entry["parameters"], said)
+        units = {names.name(term.name): names.unit(term.unit) for term in terms}
+        sums = totals(terms, entry["parameters"], names)
         units |= {name: unit for name, (_, unit) in sums.items()}
-        own = {said.name(name): name for name in act.shapes[number]}
+        own = {names.name(name): name for name in act.shapes[number]}
         for name, value in (entry["parameters"] | {name: value for name, (value, _) in sums.items()}).items():
             half = shapes.get((act.id, number, own.get(name, name)), 0.0)  # none where it was chosen from a few
             low, high = sorted(value * factor for factor in (relative if name in units else (1.0 - half, 1.0 + half)))
             shape = own.get(name, name)
-            unit = units.get(name, said.unit(mechanisms()[act.id].units.get(shape, unit_of_shape(shape))))
+            unit = units.get(name, names.unit(mechanisms()[act.id].units.get(shape, unit_of_shape(shape))))
             label = name if number == 0 else f"{name}_{number + 1}"
-            found[label] = {"value": value, "low": low, "high": high, "unit": unit}
-    return found
+            parameters[label] = {"value": value, "low": low, "high": high, "unit": unit}
+    return parameters
 
 
-def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shapes, unit: str) -> list[dict[str, Any]]:
+def listed(study: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shapes, unit: str) -> list[dict[str, Any]]:
     """All that is named; `fine` is the problem at the recording's own rate, `unit` the ending of the channel."""
-    problem, entries_ = found.problem, []
-    for act in found.best.acts:
+    problem, entries_ = study.problem, []
+    for act in study.best.acts:
         if act in problem.included:
             continue
-        effect = effect_of(problem, found.best, act)
-        if act.id in found.random:
-            effect = chance.trace(problem, found.best, found.floor)
-            size = Interval(*(found.random_rms * end for end in (1.0, *RANDOM_ENDS)))
+        effect = effect_of(problem, study.best, act)
+        if act.id in study.random:
+            effect = chance.trace(problem, study.best, study.floor)
+            size = Interval(*(study.random_rms * end for end in (1.0, *RANDOM_ENDS)))
         else:
-            own_rate = rms(effect_of(fine, found.best, act)) / (rms(effect) or 1.0)
+            own_rate = rms(effect_of(fine, study.best, act)) / (rms(effect) or 1.0)
             size = Interval(*(own_rate * end for end in (sizes[act.id].value, sizes[act.id].low, sizes[act.id].high)))
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
         entries_.append(
             {
                 "id": act.id,
-                "confidence": confidence(found, act.id),
+                "confidence": confidence(study, act.id),
                 f"rms_{unit}": as_entry(size),
                 "parameters": parameters_of(problem, act, relative, shapes),
                 "location": locate.box(effect, problem),
@@ -79,14 +79,14 @@ def listed(found: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
     return entries_
 
 
-def totals(terms: list[Term], parameters: dict[str, float], said: Units) -> dict[str, tuple[float, str]]:
+def totals(terms: list[Term], parameters: dict[str, float], names: Units) -> dict[str, tuple[float, str]]:
     """Sums of the coefficients that share a `total`, with their units, where more than one is at work."""
-    found: dict[str, list[tuple[float, str]]] = {}
+    parts_by_total: dict[str, list[tuple[float, str]]] = {}
     for term in terms:
-        name = said.name(term.name)
+        name = names.name(term.name)
         if term.total and name in parameters:
-            found.setdefault(said.name(term.total), []).append((parameters[name], said.unit(term.unit)))
-    return {name: (sum(value for value, _ in parts), parts[0][1]) for name, parts in found.items()}
+            parts_by_total.setdefault(names.name(term.total), []).append((parameters[name], names.unit(term.unit)))
+    return {name: (sum(value for value, _ in parts), parts[0][1]) for name, parts in parts_by_total.items()}
 
 
 def unit_of_shape(name: str) -> str:
@@ -95,6 +95,6 @@ def unit_of_shape(name: str) -> str:
     return next((unit for ending, unit in endings.items() if name.endswith(ending)), "1")
 
 
-def confidence(found: Study, id_: str) -> float:
+def confidence(study: Study, id_: str) -> float:
     """How likely the mechanism is at work: the judge's probability; 1 where its every move is chance and was seen."""
-    return 1.0 if id_ in found.random else float(np.clip(found.judged.confidence(id_), 0.0, 1.0))
+    return 1.0 if id_ in study.random else float(np.clip(study.judged.confidence(id_), 0.0, 1.0))

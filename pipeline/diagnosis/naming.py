@@ -32,21 +32,21 @@ class Units:
         if not self._strange:
             return name
 
-        def load(found: re.Match[str]) -> str:
-            return f"{float(found[1]) / 10.0 * self.load_size:g}_{self.load}"
+        def load(match: re.Match[str]) -> str:
+            return f"{float(match[1]) / 10.0 * self.load_size:g}_{self.load}"
 
-        said = re.sub(r"([0-9.]+)_n(?=_|$)", load, name)
+        own_name = re.sub(r"([0-9.]+)_n(?=_|$)", load, name)
 
-        def word(said: str) -> str:
-            stem = said.rstrip("0123456789")  # the power of a unit stays
-            return words[stem] + said[len(stem) :] if stem in words else said
+        def word(ours: str) -> str:
+            stem = ours.rstrip("0123456789")  # the power of a unit stays
+            return words[stem] + ours[len(stem) :] if stem in words else ours
 
-        return "_".join(map(word, said.split("_"))).lower()
+        return "_".join(map(word, own_name.split("_"))).lower()
 
     def unit(self, unit: str) -> str:
         """A unit of the library in these units, as `mm/10N`."""
         words = {"mm": self.reading, "turns": self.motion, "turn": self.motion.rstrip("s"), "10N": self._load}
-        return re.sub(r"10N|mm|turns?", lambda found: words[found.group()], unit) if self._strange else unit
+        return re.sub(r"10N|mm|turns?", lambda match: words[match.group()], unit) if self._strange else unit
 
     @property
     def _strange(self) -> bool:

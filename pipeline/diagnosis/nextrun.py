@@ -39,12 +39,12 @@ class Proposal:
 
     def entry(self, run: Run, fixed_load: bool) -> dict[str, Any]:
         """It as `diagnosis.json` holds it; `fixed_load`: whether the load stood still in what was recorded."""
-        found: dict[str, Any] = {"title": self.title, "legs": as_legs(self.legs, run), "from": self.rig.at}
-        found |= {"load": self.rig.under, "fixed_load": fixed_load}
+        content: dict[str, Any] = {"title": self.title, "legs": as_legs(self.legs, run), "from": self.rig.at}
+        content |= {"load": self.rig.under, "fixed_load": fixed_load}
         if self.now and self.then:
-            found["parts"] = [list(ids) for ids in self.then[1:]]
-            found |= {"gap_now": self.now[0], "gap_then": self.then[0]}
-        return found | ({"follows": self.follows} if self.follows else {})
+            content["parts"] = [list(ids) for ids in self.then[1:]]
+            content |= {"gap_now": self.now[0], "gap_then": self.then[0]}
+        return content | ({"follows": self.follows} if self.follows else {})
 
 
 def appended(record: Record, legs: list[Leg]) -> Record:
@@ -90,9 +90,9 @@ def separation(
     longer = lengthened(problem, run, record)
     catalogue: dict[str, list] = {}
     chosen: list[tuple[Key, ...]] = []
-    for one in sets:
+    for explanation in sets:
         keys = []
-        for id_, number in one.keys:
+        for id_, number in explanation.keys:
             shape = search.linear.catalogue[id_][number]
             known = catalogue.setdefault(id_, [])
             if shape not in known:
@@ -101,12 +101,12 @@ def separation(
         chosen.append(tuple(keys))
     linear = Linear(longer, search.linear.state, noise, catalogue)
     gaps = []
-    for i, one in enumerate(sets):
+    for i, explanation in enumerate(sets):
         columns = linear.columns_of(chosen[i])
-        truth = Fit(columns, one.fit.coefficients, 0.0, 0.0, 0)
+        truth = Fit(columns, explanation.fit.coefficients, 0.0, 0.0, 0)
         for rival, other in zip(chosen, sets, strict=True):
-            if not set(one.ids) <= set(other.ids):  # a larger one can always copy it
-                gaps.append((linear.gap(truth, linear.columns_of(rival)), one.ids, other.ids))
+            if not set(explanation.ids) <= set(other.ids):  # a larger one can always copy it
+                gaps.append((linear.gap(truth, linear.columns_of(rival)), explanation.ids, other.ids))
     return min(gaps, key=lambda gap: gap[0])
 
 
@@ -141,14 +141,14 @@ def options(problem: Problem, run: Run, noise: Noise, search: Search, sets: list
     runs = Runs(problem, run, noise, search, sets)
     built: dict[str, Proposal] = {}
     for loads, faster in ((runs.changes, True), (False, True), (False, False)):
-        one = runs.built(loads, faster)
-        built.setdefault(one.title, one)
+        proposal = runs.built(loads, faster)
+        built.setdefault(proposal.title, proposal)
     candidates = [
         runs.proposal(name, [runs.rig.home(), *legs(runs.rig)])
         for name, legs in CANDIDATES.items()
         if runs.changes or "load" not in name
     ]
-    return [*built.values(), *sorted(candidates, key=lambda one: -one.then[0] if one.then else 0.0)]
+    return [*built.values(), *sorted(candidates, key=lambda proposal: -proposal.then[0] if proposal.then else 0.0)]
 
 
 def best(problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> Proposal:

@@ -79,9 +79,12 @@ def decide(
     better = left["nominal"] ** 2 - left["base"] ** 2
     new = {id_: shape for id_, shape in random.items() if id_ not in {act.id for act in problem.included}}
     if new:
-        sets = [replace(one, ids=tuple(sorted({*one.ids, *new}))) for one in sets or [search.nothing]]
-        there = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
-        silent = [chance.act(problem, id_, shape) for id_, shape in new.items() if id_ not in there]
+        sets = [
+            replace(explanation, ids=tuple(sorted({*explanation.ids, *new})))
+            for explanation in sets or [search.nothing]
+        ]
+        acting = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
+        silent = [chance.act(problem, id_, shape) for id_, shape in new.items() if id_ not in acting]
         best = replace(best, acts=(*best.acts, *silent))
     if not sets:
         verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"

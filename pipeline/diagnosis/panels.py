@@ -58,35 +58,39 @@ def ways(drivers: Drivers) -> tuple[str, str]:
     return ("winding", "unwinding") if drivers.units.motion == "turns" else ("up", "down")
 
 
-def briefly(one: dict[str, Any]) -> str:
+def briefly(explanation: dict[str, Any]) -> str:
     """What stands beside an explanation's point: its probability, and why a probable one is none."""
-    share = one.get("probability")
-    said = [] if share is None else [percent(share) if share else "less than 1 %"]
-    return ", ".join(said + ["its effects cancel"] * bool(one.get("balanced")))
+    share = explanation.get("probability")
+    parts = [] if share is None else [percent(share) if share else "less than 1 %"]
+    return ", ".join(parts + ["its effects cancel"] * bool(explanation.get("balanced")))
 
 
 def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "noise") -> None:
     """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
     adopted = set(included(content))
-    others = [one for one in content["evidence"]["explanations"] if not adopted & set(one["ids"])]
-    shown = sorted(others, key=lambda one: one.get("probability") or 0.0)
+    all_explanations = content["evidence"]["explanations"]
+    others = [explanation for explanation in all_explanations if not adopted & set(explanation["ids"])]
+    shown = sorted(others, key=lambda explanation: explanation.get("probability") or 0.0)
     floor = content["evidence"][f"floor_{ending}"]
-    left = [max(rivals.left_of(one, content, ending) / floor, 1e-3) for one in shown]
-    colours = [STANDINGS[one["standing"]][0] for one in shown]
+    left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
+    colours = [STANDINGS[explanation["standing"]][0] for explanation in shown]
     axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
     axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
-    bent = [min(one[f"bent_{ending}"] / floor, rms) for one, rms in zip(shown, left, strict=True)]
+    bent = [min(explanation[f"bent_{ending}"] / floor, rms) for explanation, rms in zip(shown, left, strict=True)]
     decide = not rivals.all_below_noise(content, ending)
     if decide:
         axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
-    axes.set_yticks(range(len(shown)), [rivals.called(one["ids"]) for one in shown], fontsize=7)
-    for place, (one, rms) in enumerate(zip(shown, left, strict=True)):
-        axes.text(1.15 * rms, place, briefly(one), va="center", fontsize=6.5, color="0.3")
+    axes.set_yticks(range(len(shown)), [rivals.called(explanation["ids"]) for explanation in shown], fontsize=7)
+    for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
+        axes.text(1.15 * rms, place, briefly(explanation), va="center", fontsize=6.5, color="0.3")
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
-    there = {one["standing"] for one in shown}
-    standings = [name for name in STANDINGS if name in there]
-    said = {name: MORE_ALONE if name == "not needed" and "named" not in there else STANDINGS[name][1] for name in there}
-    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=said[name]) for name in standings]
+    shown_standings = {explanation["standing"] for explanation in shown}
+    standings = [name for name in STANDINGS if name in shown_standings]
+    meanings = {
+        name: MORE_ALONE if name == "not needed" and "named" not in shown_standings else STANDINGS[name][1]
+        for name in shown_standings
+    }
+    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=meanings[name]) for name in standings]
     if decide:
         handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
@@ -97,8 +101,8 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
         xlabel="rms left ÷ noise",
     )
     plain(axes.xaxis)
-    likely = any(one.get("probability") is not None for one in shown)
-    no_more = bool(content.get("simulation")) and not there & {"named", "tied", "not enough"}
+    likely = any(explanation.get("probability") is not None for explanation in shown)
+    no_more = bool(content.get("simulation")) and not shown_standings & {"named", "tied", "not enough"}
     title = NO_MORE if no_more else f"explanations: what each leaves{', and its probability' * likely}"
     axes.set_title(title, fontsize=10)
 
@@ -127,8 +131,8 @@ def held_out(
     axes.vlines(places, floor, values, colors=colours, lw=2.5)
     axes.scatter(places, values, c=colours, s=55, zorder=2.5)
     for place, value in enumerate(values):
-        said = f"{size(value, unit)}\n{times(value / floor)} × noise"
-        axes.annotate(said, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
+        label = f"{size(value, unit)}\n{times(value / floor)} × noise"
+        axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
     axes.set(xticks=places, xticklabels=names, xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
@@ -145,20 +149,20 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
     everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
     units, going, (up, down) = drivers.units, MOTION.get(drivers.units.motion, MOTION[""]), ways(drivers)
-    found = {
+    channels = {
         f"{going}, {up} ({units.motion})": (drivers.motion, moving & (drivers.rate > 0)),
         f"{going}, {down} ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
         "time (s)": (drivers.elapsed_s, everywhere),
         f"rate ({units.motion}/s)": (drivers.rate, everywhere),
     }
     if drivers.loaded:  # else it moves by no more than its noise, which nothing follows
-        found[f"load ({units.load})"] = drivers.load * units.load_size, everywhere
+        channels[f"load ({units.load})"] = drivers.load * units.load_size, everywhere
     if drivers.turn and drivers.span > drivers.turn:
-        found["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
+        channels["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
     if drivers.temperature_c is not None:
-        found["temperature (°C)"] = (drivers.smooth(drivers.temperature_c), everywhere)
+        channels["temperature (°C)"] = (drivers.smooth(drivers.temperature_c), everywhere)
     return {
-        label: pair for label, pair in found.items() if pair[1].sum() > BINS and np.ptp(pair[0]) > 0
+        label: pair for label, pair in channels.items() if pair[1].sum() > BINS and np.ptp(pair[0]) > 0
     }  # a constant is followed by nothing
 
 
@@ -166,14 +170,14 @@ def filled(figure: SubFigure, count: int) -> list[Axes]:
     """So many panels in two rows without a hole; all share the axis of the first."""
     upper = (count + 1) // 2
     grid = figure.add_gridspec(2 if count > 1 else 1, upper * max(count - upper, 1))
-    found: list[Axes] = []
+    filled_axes: list[Axes] = []
     for row, many in enumerate((upper, count - upper)):
         wide = upper * max(count - upper, 1) // max(many, 1)
         for place in range(many):
-            share = {"sharey": found[0]} if found else {}
-            found.append(figure.add_subplot(grid[row, place * wide : (place + 1) * wide], **share))
-            found[-1].tick_params(labelleft=place == 0)
-    return found
+            share = {"sharey": filled_axes[0]} if filled_axes else {}
+            filled_axes.append(figure.add_subplot(grid[row, place * wide : (place + 1) * wide], **share))
+            filled_axes[-1].tick_params(labelleft=place == 0)
+    return filled_axes
 
 
 def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str) -> None:

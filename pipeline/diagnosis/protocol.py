@@ -102,8 +102,8 @@ AFTER_UNKNOWN: dict[str, tuple[str, Callable[[Rig], list[Leg]]]] = {
 def as_legs(legs: list[Leg], run: Run) -> list[dict[str, Any]]:
     """Legs for a machine to follow: how long each takes, and the driver and the load at its end, by their channels."""
     driver, load_name = run.system.driver, run.system.load if any(force for _, _, force in legs) else None
-    found = []
+    entries = []
     for seconds, to, force in legs:
         leg = {"seconds": seconds, driver: to}
-        found.append(leg | {load_name: force} if load_name else leg)
-    return found
+        entries.append(leg | {load_name: force} if load_name else leg)
+    return entries

@@ -46,13 +46,13 @@ def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
 
     The mask and the signal have the shape (samples,); `least` is in the signal's unit.
     """
-    padded, found = np.pad(signal, 2, mode="reflect"), np.zeros(len(signal), np.bool_)
+    padded, is_lonely = np.pad(signal, 2, mode="reflect"), np.zeros(len(signal), np.bool_)
     for start in range(0, len(signal), BLOCK):
         part = signal[start : start + BLOCK]
         around = np.vstack([padded[start + k : start + k + len(part)] for k in (0, 1, 3, 4)])
         gap = np.abs(part - np.median(around, axis=0))
-        found[start : start + BLOCK] = (gap > least) & (np.ptp(around, axis=0) < 0.35 * gap)
-    return found
+        is_lonely[start : start + BLOCK] = (gap > least) & (np.ptp(around, axis=0) < 0.35 * gap)
+    return is_lonely
 
 
 def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
@@ -118,8 +118,8 @@ def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -
         measured = despiked(measured)
 
     def optional(name: str) -> Array | None:
-        there = name in samples and name not in (system.driver, system.channel, system.load)
-        return mean(despiked(samples[name].to_numpy())) if there else None
+        is_there = name in samples and name not in (system.driver, system.channel, system.load)
+        return mean(despiked(samples[name].to_numpy())) if is_there else None
 
     return Record(
         mean(time_s), mean(motion), mean(velocity), mean(acceleration), mean(measured), mean(load),

@@ -134,24 +134,28 @@ class Search:
         else:
             good_sets = [explanation.ids for explanation in self.all_of(size - 1)[:2]]
             sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
-        return sorted(self.explained([found for found in sets if apart(found)]), key=lambda one: one.cost)
+        return sorted(self.explained([ids for ids in sets if apart(ids)]), key=lambda explanation: explanation.cost)
 
     def leaders(self, chosen: Explanation) -> list[Explanation]:
         """The chosen explanation, and the others of its size that come close to it."""
         alike = self.all_of(len(chosen.ids))
-        near = [*alike[:3], *sorted(alike, key=lambda one: one.energy)[:3]]
+        near = [*alike[:3], *sorted(alike, key=lambda explanation: explanation.energy)[:3]]
         half = 0.5 * (self.nothing.energy + chosen.energy)
-        others = {one.ids: one for one in near if one.ids != chosen.ids and one.energy < half}
+        others = {
+            explanation.ids: explanation
+            for explanation in near
+            if explanation.ids != chosen.ids and explanation.energy < half
+        }
         return [chosen, *others.values()]
 
-    def with_discrepancy(self, one: Explanation) -> Explanation:
+    def with_discrepancy(self, explanation: Explanation) -> Explanation:
         """An explanation whose formulas may be wrong by a little, as smooth functions of the drivers."""
-        deviations = [self.linear.deviations[id_] for id_ in one.ids if id_ in self.linear.deviations]
-        columns = np.concatenate([self.linear.columns_of(one.keys), *deviations]).astype(int)
+        deviations = [self.linear.deviations[id_] for id_ in explanation.ids if id_ in self.linear.deviations]
+        columns = np.concatenate([self.linear.columns_of(explanation.keys), *deviations]).astype(int)
         fit = self.linear.fit(columns)
-        active = one.fit.active
-        cost = fit.misfit + self.penalty * (active + sum(self.free[id_] for id_, _ in one.keys))
-        return Explanation(one.ids, one.keys, fit, cost, self.linear.plain(columns).energy)
+        active = explanation.fit.active
+        cost = fit.misfit + self.penalty * (active + sum(self.free[id_] for id_, _ in explanation.keys))
+        return Explanation(explanation.ids, explanation.keys, fit, cost, self.linear.plain(columns).energy)
 
     def more(self, small: Explanation, large: Explanation, floor: float) -> bool:
         """Whether a larger explanation has physics that no discrepancy of the smaller one's formulas makes up for."""
@@ -179,7 +183,7 @@ class Search:
             larger = self.all_of(size)
             if not larger:
                 break
-            best = next((one for one in larger[:TRIED] if self.more(chosen, one, floor)), None)
+            best = next((explanation for explanation in larger[:TRIED] if self.more(chosen, explanation, floor)), None)
             if best is None:
                 break
             chosen = best

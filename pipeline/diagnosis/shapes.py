@@ -89,15 +89,15 @@ def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
     """
     height = jumps(residual)
     apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
-    found: list[Shape] = []
+    candidates: list[Shape] = []
     for _ in range(SEEN):
         place = int(np.argmax(height))
         if height[place] <= 0.0:
             break
         at_s = float(f"{drivers.elapsed_s[place]:.8g}")
-        found += [{"at_s": at_s, "within_s": within_s} for within_s in (0.0, WITHIN_S)]
+        candidates += [{"at_s": at_s, "within_s": within_s} for within_s in (0.0, WITHIN_S)]
         height[max(place - apart, 0) : place + apart] = 0.0
-    return found
+    return candidates
 
 
 def slipped(drivers: Drivers, shape: Shape) -> Array:
@@ -123,5 +123,5 @@ def varied(shapes: list[Shape]) -> int:
     for shape in shapes:
         for name, value in shape.items():
             values.setdefault(name, set()).add(value)
-    apart = {name for name, some in values.items() if len(some) > 1 or any(name not in shape for shape in shapes)}
+    apart = {name for name, tried in values.items() if len(tried) > 1 or any(name not in shape for shape in shapes)}
     return max((len(apart & set(shape)) for shape in shapes), default=0)

@@ -26,10 +26,10 @@ LARGEST_DIAGNOSIS = 100_000_000  # bytes
 
 def state_of(content: Simulated, problem: Problem, path: Path, run: str) -> State:
     """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
-    values = [value_of(content, one.name, path, one.nominal) for one in problem.parameters]
+    values = [value_of(content, parameter.name, path, parameter.nominal) for parameter in problem.parameters]
     together = content.get("run")
     if isinstance(together, list) and run in together[1:]:  # the zero of its motor is its own
-        names = [one.name for one in problem.parameters]
+        names = [parameter.name for parameter in problem.parameters]
         own = f"{problem.system.homed}_{together.index(run) + 1}"
         if problem.system.homed and own in content["parameters"]:
             values[names.index(problem.system.homed)] += value_of(content, own, path, 0.0)
@@ -68,14 +68,14 @@ def of_run(run: Run) -> Simulated:
     Dimensions are those of run.yaml where none were adopted, or where one has been measured again since.
     """
     held: dict[str, Part] = (
-        {} if measured_since(run) else {name: {"value": one.fitted} for name, one in _adopted(run).items()}
+        {} if measured_since(run) else {name: {"value": dimension.fitted} for name, dimension in _adopted(run).items()}
     )
     return {"run": run.run, "parameters": held, "simulation": run.simulation}
 
 
 def measured_since(run: Run) -> list[str]:
     """The dimensions that run.yaml gives another value than it had when effects were adopted."""
-    now = {one.name: one.nominal for one in run.system.parameters(run)}
+    now = {parameter.name: parameter.nominal for parameter in run.system.parameters(run)}
     then = _adopted(run)
     return [name for name in now if name in then and not math.isclose(now[name], then[name].nominal, rel_tol=1e-4)]
 
@@ -85,11 +85,11 @@ def _adopted(run: Run) -> dict[str, Fitted]:
 
     The zero of a reading stays with the recording that it was fitted to.
     """
-    with_some = [one for one in run.adopted if one.dimensions]
+    with_some = [adopted for adopted in run.adopted if adopted.dimensions]
     if not with_some or not run.simulation:
         return {}
     own, held = with_some[-1].runs == [run.run], with_some[-1].dimensions or {}
-    return {name: one for name, one in held.items() if own or not name.startswith("zero")}
+    return {name: dimension for name, dimension in held.items() if own or not name.startswith("zero")}
 
 
 def has_zero(content: Simulated, system: System, run: str) -> bool:
@@ -107,12 +107,12 @@ def simulated(problem: Problem, content: Simulated, path: Path, run: str) -> Arr
         with np.errstate(all="ignore"):
             predicted = problem.simulate(state)
     except (ArithmeticError, LookupError, ValueError) as error:
-        said, predicted = f" ({type(error).__name__}: {short(str(error))})", np.full(1, np.nan)
+        reason, predicted = f" ({type(error).__name__}: {short(str(error))})", np.full(1, np.nan)
     else:
-        said = ""
+        reason = ""
     if not np.isfinite(predicted).all():
         field = "simulation" if state.acts else "parameters"
-        raise BadInput(path, field, f"gives no number at some samples{said}", "give a diagnosis.json as it was made")
+        raise BadInput(path, field, f"gives no number at some samples{reason}", "give a diagnosis.json as it was made")
     return predicted
 
 

@@ -50,11 +50,11 @@ class Steps:
         while self.reach > SHORTEST:
             near = self.reach * ways
             fit = whole if self.reach == 1.0 else linear.fit(columns, stands - near, stands + near)
-            found = linear.state_of(fit, keys)
-            after = misfit_of(self.problem, self.noise, found)
+            state = linear.state_of(fit, keys)
+            after = misfit_of(self.problem, self.noise, state)
             if after <= self.misfit * (1.0 + ROUNDING):
-                self.state, self.misfit, self.reach = found, after, min(LONGER * self.reach, 1.0)
-                self.acts = tuple(act for act in found.acts if act not in self.problem.included)
+                self.state, self.misfit, self.reach = state, after, min(LONGER * self.reach, 1.0)
+                self.acts = tuple(act for act in state.acts if act not in self.problem.included)
                 return True
             self.reach *= SHORTER
         return False

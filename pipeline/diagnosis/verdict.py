@@ -43,30 +43,30 @@ def tidy(value: Any) -> Any:
     return int(value) if isinstance(value, np.integer) else value
 
 
-def mismatch_signal(found: Study) -> tuple[Array, list[str]]:
+def mismatch_signal(study: Study) -> tuple[Array, list[str]]:
     """The mismatch without its noise, and the drivers it follows: by the best explanation, or by the dictionary.
 
     Shape (samples,), in the reading's unit.
     """
-    problem = found.problem
-    before = problem.simulate(found.base)
-    if found.verdict in ("explained", "ambiguous") or (found.sets and not physics(found.sets[0].ids)):
-        driven = [mechanisms()[id_].driver for id_ in found.sets[0].ids]
-        signal = problem.simulate(found.best) - before
-        if found.random:
-            signal = np.hypot(signal, chance.trace(problem, found.best, found.floor))
+    problem = study.problem
+    before = problem.simulate(study.base)
+    if study.verdict in ("explained", "ambiguous") or (study.sets and not physics(study.sets[0].ids)):
+        driven = [mechanisms()[id_].driver for id_ in study.sets[0].ids]
+        signal = problem.simulate(study.best) - before
+        if study.random:
+            signal = np.hypot(signal, chance.trace(problem, study.best, study.floor))
         return signal, driven
-    return systematic(found, found.base)
+    return systematic(study, study.base)
 
 
-def systematic(found: Study, state: State) -> tuple[Array, list[str]]:
+def systematic(study: Study, state: State) -> tuple[Array, list[str]]:
     """What the generic dictionary finds in the residual of a simulator, and the driver of most of it.
 
     Shape (samples,), in the reading's unit.
     """
-    problem = found.problem
+    problem = study.problem
     columns = generic.groups(problem.drivers)
-    linear = Linear(problem, state, white(found.floor), {}, np.vstack(list(columns.values())))
+    linear = Linear(problem, state, white(study.floor), {}, np.vstack(list(columns.values())))
     table, target = linear.table[:-1], (problem.measured - problem.simulate(state))[: problem.rows]
     whole = np.concatenate([linear.calibration, linear.extra])
     known = table[linear.calibration]
@@ -81,37 +81,37 @@ def systematic(found: Study, state: State) -> tuple[Array, list[str]]:
     return np.asarray(table[whole].T @ solution), [min(left, key=lambda name: left[name])]
 
 
-def relative(found: Study) -> dict[str, Any]:
+def relative(study: Study) -> dict[str, Any]:
     """What each simulator leaves, over the reading itself, both rms, after the filter that is stated with them."""
-    problem, below_hz = found.problem, found.problem.system.stated_below_hz
+    problem, below_hz = study.problem, study.problem.system.stated_below_hz
 
     def size(signal: Array) -> float:
         return rms(band.within(signal, problem.drivers.first, problem.drivers.step_s, below_hz)[: problem.rows])
 
-    states = (("nominal", found.nominal), ("calibrated", found.base), ("explained", found.state))
+    states = (("nominal", study.nominal), ("calibrated", study.base), ("explained", study.state))
     left = {name: size(problem.measured - problem.simulate(state)) for name, state in states}
     whole = size(problem.measured)
-    said = f"averages of {problem.drivers.step_s * 1e3:.3g} ms, then {band.words(below_hz, problem.drivers.step_s)}"
-    return {**{name: value / whole for name, value in left.items()}, "filter": said}
+    averages = f"averages of {problem.drivers.step_s * 1e3:.3g} ms, then {band.words(below_hz, problem.drivers.step_s)}"
+    return {**{name: value / whole for name, value in left.items()}, "filter": averages}
 
 
-def own_alone(found: Study) -> bool:
+def own_alone(study: Study) -> bool:
     """Whether mechanisms of a user's own, which the contract does not count, are what explains."""
-    ids = found.sets[0].ids if found.sets else ()
+    ids = study.sets[0].ids if study.sets else ()
     return bool(ids) and not physics(ids) and not any(mechanisms()[id_].helper for id_ in ids)
 
 
-def next_experiment(found: Study, run: Run) -> nextrun.Proposal | None:
+def next_experiment(study: Study, run: Run) -> nextrun.Proposal | None:
     """What to record next."""
-    if found.verdict == "unknown":
-        return nextrun.after_unknown(found.problem, run, " and ".join(mismatch_signal(found)[1]))
-    if found.verdict != "ambiguous":
+    if study.verdict == "unknown":
+        return nextrun.after_unknown(study.problem, run, " and ".join(mismatch_signal(study)[1]))
+    if study.verdict != "ambiguous":
         return None
-    return nextrun.best(found.problem, run, found.noise, found.search, found.sets)
+    return nextrun.best(study.problem, run, study.noise, study.search, study.sets)
 
 
 def diagnosis(
-    found: Study,
+    study: Study,
     fine: Problem,
     heldout: Errors | None,
     runs: list[Run],
@@ -119,27 +119,27 @@ def diagnosis(
     without: frozenset[str],
 ) -> Verdict:
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
-    problem = found.problem
+    problem = study.problem
     unit = problem.system.channel.rpartition("_")[2]
-    parameters, sizes, shapes = intervals(problem, found.state, found.noise)
-    named = found.verdict in ("explained", "ambiguous")
+    parameters, sizes, shapes = intervals(problem, study.state, study.noise)
+    named = study.verdict in ("explained", "ambiguous")
     mismatch: dict[str, Any] | None = None
     pattern: dict[str, Any] | None = None
-    if found.verdict != "consistent":
-        signal, driver = mismatch_signal(found)
-        if found.verdict == "parameters":
+    if study.verdict != "consistent":
+        signal, driver = mismatch_signal(study)
+        if study.verdict == "parameters":
             pattern = {"location": locate.box(signal, problem), "driver": driver}
-            signal = problem.simulate(found.base) - problem.simulate(found.nominal)
+            signal = problem.simulate(study.base) - problem.simulate(study.nominal)
             driver = ["the dimensions themselves"]
-        elif named and not found.random:
-            rest, follows = systematic(found, found.state)
+        elif named and not study.random:
+            rest, follows = systematic(study, study.state)
             pattern = {"location": locate.box(rest, problem), "driver": follows, f"rms_{unit}": rms(rest)}
             pattern["half"] = locate.box(rest, problem, 0.5)
         place = locate.box(signal, problem)
-        mismatch = {f"rms_{unit}": found.mismatch, "location": place, "driver": driver}
+        mismatch = {f"rms_{unit}": study.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
-    fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, found)}
-    fit[f"detectable_{unit}"] = detectable(found.search, found.noise.floor)
+    fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, study)}
+    fit[f"detectable_{unit}"] = detectable(study.search, study.noise.floor)
     fit["heldout"] = (
         {
             "split": heldout["split"],
@@ -151,21 +151,21 @@ def diagnosis(
     if heldout and (worse := worse_than_nominal(heldout)):
         fit["worse_than_nominal"] = worse
     if not problem.system.free_zero:
-        fit["relative_residual"] = relative(found)
+        fit["relative_residual"] = relative(study)
     zeros = (
         {}
         if not problem.system.free_zero
         else {
             "zero" if problem.runs == 1 else f"zero_{number + 1}": float(zero)
-            for number, zero in enumerate(found.state.zeros)
+            for number, zero in enumerate(study.state.zeros)
         }
     )
     content: dict[str, Any] = {
         "run": runs[0].run,
-        "verdict": found.verdict,
+        "verdict": study.verdict,
         "mismatch": mismatch,
-        "mechanisms": listed(found, fine, sizes, shapes, unit) if named else [],
-        "alternatives": [list(other.ids) for other in found.sets[1:]] if found.verdict == "ambiguous" else [],
+        "mechanisms": listed(study, fine, sizes, shapes, unit) if named else [],
+        "alternatives": [list(other.ids) for other in study.sets[1:]] if study.verdict == "ambiguous" else [],
         "next_experiment": None,
         "next_run": experiment.entry(runs[0], float(np.ptp(problem.record.load)) == 0.0) if experiment else None,
         "parameters": {
@@ -173,20 +173,20 @@ def diagnosis(
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
-        "simulation": entries(found.state.acts, problem.drivers),
+        "simulation": entries(study.state.acts, problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
-    content["evidence"] = evidence(found) | ({"pattern": pattern} if pattern else {})
+    content["evidence"] = evidence(study) | ({"pattern": pattern} if pattern else {})
     if heldout and "left" in heldout:
         content["evidence"]["left_of_unseen"] = heldout["left"]
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():
         content["parameters"][name]["at_bound"] = which
     if without:
         content["without"] = sorted(without)
-    if found.verdict == "unknown" and own_alone(found):
-        _, sizes, shapes = intervals(problem, found.best, found.noise)
-        own = {"mechanisms": listed(found, fine, sizes, shapes, unit)}
-        content["of_your_own"] = own | {"simulation": entries(found.best.acts, problem.drivers)}
+    if study.verdict == "unknown" and own_alone(study):
+        _, sizes, shapes = intervals(problem, study.best, study.noise)
+        own = {"mechanisms": listed(study, fine, sizes, shapes, unit)}
+        content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]
     for name, interval in parameters.items():

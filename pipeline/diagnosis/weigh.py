@@ -18,12 +18,15 @@ MOST_CANCELLED = 5.0
 
 def candidates(search: Search) -> list[Explanation]:
     """The explanations that are weighed: the best of every size that was searched."""
-    found: dict[tuple[str, ...], Explanation] = {}
+    by_ids: dict[tuple[str, ...], Explanation] = {}
     for size, most in zip(SIZES, (SINGLES, PAIRS, TRIPLES), strict=True):
-        known = sorted((one for one in search.known if len(one.ids) == size), key=lambda one: one.cost)
-        for one in [*known[:most], *sorted(known, key=lambda one: one.energy)[:BY_ENERGY]]:
-            found[one.ids] = one
-    return list(found.values())
+        known = sorted(
+            (explanation for explanation in search.known if len(explanation.ids) == size),
+            key=lambda explanation: explanation.cost,
+        )
+        for explanation in [*known[:most], *sorted(known, key=lambda explanation: explanation.energy)[:BY_ENERGY]]:
+            by_ids[explanation.ids] = explanation
+    return list(by_ids.values())
 
 
 def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
@@ -31,11 +34,15 @@ def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
 
     A mechanism whose mark the recording lacks is in none of them.
     """
-    some, marks, library = candidates(search), marked(search.linear.problem, base), search.linear.problem.library
+    explanations, marks, library = (
+        candidates(search),
+        marked(search.linear.problem, base),
+        search.linear.problem.library,
+    )
     return [
-        Weighed(one.ids, {**signs(search, one, some, floor), **own(marks, one.ids)})
-        for one in some
-        if all(marks.get(id_, 0.0) >= library[id_].least_mark for id_ in one.ids)
+        Weighed(explanation.ids, {**signs(search, explanation, explanations, floor), **own(marks, explanation.ids)})
+        for explanation in explanations
+        if all(marks.get(id_, 0.0) >= library[id_].least_mark for id_ in explanation.ids)
     ]
 
 
@@ -44,13 +51,13 @@ def marked(problem: Problem, base: State) -> dict[str, float]:
     predicted = problem.simulate(base)[: problem.rows]
     residual = problem.measured[: problem.rows] - predicted
     library = problem.library.items()
-    return {id_: one.mark(problem.drivers, residual, predicted) for id_, one in library if one.mark}
+    return {id_: mechanism.mark(problem.drivers, residual, predicted) for id_, mechanism in library if mechanism.mark}
 
 
 def own(marks: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
     """Each mark, apart for a set that names its mechanism and for one that does not."""
-    found = {f"with_{id_}": mark if id_ in ids else 0.0 for id_, mark in marks.items()}
-    return found | {f"without_{id_}": 0.0 if id_ in ids else mark for id_, mark in marks.items()}
+    mark_by_sign = {f"with_{id_}": mark if id_ in ids else 0.0 for id_, mark in marks.items()}
+    return mark_by_sign | {f"without_{id_}": 0.0 if id_ in ids else mark for id_, mark in marks.items()}
 
 
 def amplitude(energy: float, floor: float) -> float:
@@ -74,65 +81,73 @@ def cost(difference: float) -> float:
     return float(np.arcsinh(difference / 10.0))
 
 
-def signs(search: Search, one: Explanation, some: list[Explanation], floor: float) -> dict[str, float]:
+def signs(search: Search, explanation: Explanation, rivals: list[Explanation], floor: float) -> dict[str, float]:
     """The signs of one explanation beside the others; costs compressed, shares and sizes as logarithms."""
     whole = max(amplitude(search.nothing.energy, floor), 1e-12)
-    left = amplitude(one.energy, floor)
-    found = {
+    left = amplitude(explanation.energy, floor)
+    sign_by_name = {
         "mismatch_floors": float(np.log(whole / floor + 0.01)),
         "left_share": float(np.log(left / whole + 0.003)),
         "left_floors": float(np.log(left / floor + 0.02)),
-        "numbers": float(one.fit.active),
-        "gain": cost(search.nothing.cost - one.cost),
+        "numbers": float(explanation.fit.active),
+        "gain": cost(search.nothing.cost - explanation.cost),
     }
     for size in SIZES:
-        group = [other for other in some if len(other.ids) == size] or [search.nothing]
-        found[f"behind_{size}"] = cost(one.cost - min(other.cost for other in group))
+        group = [other for other in rivals if len(other.ids) == size] or [search.nothing]
+        sign_by_name[f"behind_{size}"] = cost(explanation.cost - min(other.cost for other in group))
         least = amplitude(min(other.energy for other in group), floor)
-        found[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (left - least) / whole))
-    return found | _parts(search, one, some, floor, whole) | _more(one, some, floor, whole) | {
-        "cancels": cancelled(search, one)
-    }  # fmt: skip
+        sign_by_name[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (left - least) / whole))
+    sign_by_name |= _parts(search, explanation, rivals, floor, whole)
+    sign_by_name |= _more(explanation, rivals, floor, whole)
+    return sign_by_name | {"cancels": cancelled(search, explanation)}
 
 
-def _parts(search: Search, one: Explanation, some: list[Explanation], floor: float, whole: float) -> dict[str, float]:
+def _parts(
+    search: Search, explanation: Explanation, rivals: list[Explanation], floor: float, whole: float
+) -> dict[str, float]:
     """What the part that is worth least is worth, and how much of it another in its place would do."""
     smaller = (
-        [search.explain(tuple(id_ for id_ in one.ids if id_ != out)) for out in one.ids] if len(one.ids) > 1 else []
+        [search.explain(tuple(id_ for id_ in explanation.ids if id_ != out)) for out in explanation.ids]
+        if len(explanation.ids) > 1
+        else []
     )
     without = min(smaller or [search.nothing], key=lambda other: other.energy)
-    others = [other for other in some if len(other.ids) == len(one.ids) and set(other.ids) > set(without.ids)]
-    instead = max((without.cost - other.cost for other in others if other is not one), default=0.0)
+    others = [other for other in rivals if len(other.ids) == len(explanation.ids) and set(other.ids) > set(without.ids)]
+    instead = max((without.cost - other.cost for other in others if other is not explanation), default=0.0)
     return {
-        "weakest_share": float(np.log(worth(without, one) / whole + 0.003)),
-        "weakest_floors": float(np.log(worth(without, one) / floor + 0.01)),
-        "weakest_gain": cost(min(other.cost for other in smaller or [search.nothing]) - one.cost),
-        "weakest_completes": completes(without, one, floor),
-        "instead": float(np.clip(instead / max(without.cost - one.cost, 1.0), -3.0, 3.0)),
+        "weakest_share": float(np.log(worth(without, explanation) / whole + 0.003)),
+        "weakest_floors": float(np.log(worth(without, explanation) / floor + 0.01)),
+        "weakest_gain": cost(min(other.cost for other in smaller or [search.nothing]) - explanation.cost),
+        "weakest_completes": completes(without, explanation, floor),
+        "instead": float(np.clip(instead / max(without.cost - explanation.cost, 1.0), -3.0, 3.0)),
     }
 
 
-def _more(one: Explanation, some: list[Explanation], floor: float, whole: float) -> dict[str, float]:
+def _more(explanation: Explanation, rivals: list[Explanation], floor: float, whole: float) -> dict[str, float]:
     """What the best further mechanism would add."""
-    larger = [other for other in some if len(other.ids) == len(one.ids) + 1 and set(other.ids) > set(one.ids)]
+    larger = [
+        other
+        for other in rivals
+        if len(other.ids) == len(explanation.ids) + 1 and set(other.ids) > set(explanation.ids)
+    ]
     if not larger:
         return {**NO_MORE, "more_share": float(np.log(0.003)), "more_floors": float(np.log(0.01))}
     best = min(larger, key=lambda other: other.cost)
     return {
-        "more_gain": cost(one.cost - best.cost),
-        "more_share": float(np.log(worth(one, best) / whole + 0.003)),
-        "more_floors": float(np.log(worth(one, best) / floor + 0.01)),
-        "more_completes": completes(one, best, floor),
+        "more_gain": cost(explanation.cost - best.cost),
+        "more_share": float(np.log(worth(explanation, best) / whole + 0.003)),
+        "more_floors": float(np.log(worth(explanation, best) / floor + 0.01)),
+        "more_completes": completes(explanation, best, floor),
     }
 
 
-def cancelled(search: Search, one: Explanation) -> float:
+def cancelled(search: Search, explanation: Explanation) -> float:
     """The logarithm of how much larger the parts of an explanation are than what they do together."""
     linear = search.linear
-    fit = linear.plain(linear.columns_of(one.keys))
+    fit = linear.plain(linear.columns_of(explanation.keys))
     at, sizes, together = len(linear.calibration), 0.0, np.zeros(linear.rows)
-    for id_ in one.ids:
-        count = sum(len(linear.index[key]) for key in one.keys if key[0] == id_)
+    for id_ in explanation.ids:
+        count = sum(len(linear.index[key]) for key in explanation.keys if key[0] == id_)
         columns = slice(at, at + count)
         effect = linear.table[fit.columns[columns]].T @ fit.coefficients[columns]
         at, sizes, together = at + count, sizes + float(np.std(effect)), together + effect

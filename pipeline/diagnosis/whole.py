@@ -42,26 +42,26 @@ def diagnosed(
     to_polish = own_rate.to_polish(runs, tables, fine)
     say("held out")  # first: a study is large, and this one is let go before the other begins
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
-    found = engine.study(problem, say)
-    faint.refuse_faint(found, folders[0])
-    found = engine.polished(found, to_polish)
+    study = engine.study(problem, say)
+    faint.refuse_faint(study, folders[0])
+    study = engine.polished(study, to_polish)
     say("writing")
-    experiment = optional("the next experiment", name, lambda: verdict.next_experiment(found, runs[0]))
-    content = verdict.diagnosis(found, fine, held, runs, experiment, without)
-    earlier = [cast(Adoption, one.model_dump(exclude_none=True)) for run in runs for one in run.adopted]
+    experiment = optional("the next experiment", name, lambda: verdict.next_experiment(study, runs[0]))
+    content = verdict.diagnosis(study, fine, held, runs, experiment, without)
+    earlier = [cast(Adoption, adoption.model_dump(exclude_none=True)) for run in runs for adoption in run.adopted]
     if earlier:
-        content["adopted"] = [one for place, one in enumerate(earlier) if one not in earlier[:place]]
-    content["evidence"] |= of_run_yaml(found, runs)
-    return content, found
+        content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
+    content["evidence"] |= of_run_yaml(study, runs)
+    return content, study
 
 
-def of_run_yaml(found: Study, runs: list[Run]) -> dict[str, Any]:
+def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:
     """What the words must know of run.yaml beside its dimensions, for the `evidence`.
 
     The tolerances and the sensor's scale that it gives, and by how much a run errs with the effects and dimensions that
     it has adopted: rms in the channel's unit, with the zero of the reading at its best.
     """
-    problem, channel = found.problem, runs[0].system.channel
+    problem, channel = study.problem, runs[0].system.channel
     known: dict[str, Any] = {"tolerances_given": sorted(runs[0].tolerance)}
     scale = runs[0].channels[channel].scale if channel in runs[0].channels else 1.0
     if scale != 1.0:
@@ -94,7 +94,7 @@ def described(run: Run, field: str) -> Any:
     """What `run.yaml` says of a thing that runs of one rig must share: not load, strokes before and id."""
     value = getattr(run, field)
     if field == "rig":
-        return {key: one for key, one in value.items() if key != "load_n"}
+        return {key: entry for key, entry in value.items() if key != "load_n"}
     return value.model_copy(update={"strokes_before": 0, "id": None}) if field == "string" and value else value
 
 

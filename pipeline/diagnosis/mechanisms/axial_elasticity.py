@@ -22,14 +22,14 @@ def saturating(load: Array, toe: float) -> Array:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Stretch with the load: straight, with a toe, and growing faster than the load."""
     load, load0 = drivers.load, shape["from_load"]
-    found = [Term("straight_mm_per_10_n", "length", load - load0, "mm/10N")]
+    all_terms = [Term("straight_mm_per_10_n", "length", load - load0, "mm/10N")]
     yielding = load * np.abs(load) - load0 * abs(load0)
     if drivers.levered:  # what a cable drive yields to is its friction
-        found.append(Term("yielding_mm", "length", yielding))
+        all_terms.append(Term("yielding_mm", "length", yielding))
     for toe in TOE_LOADS:
         signal = saturating(load, toe) - saturating(np.array(load0), toe)
-        found.append(Term(f"toe_{toe * 10:g}_n_mm", "length", signal))
-    return found
+        all_terms.append(Term(f"toe_{toe * 10:g}_n_mm", "length", signal))
+    return all_terms
 
 
 MECHANISM = Mechanism(

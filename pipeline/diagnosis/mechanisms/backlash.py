@@ -17,11 +17,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """The string's twist follows the motor's with a dead band."""
-    found = []
+    all_terms = []
     for name, share in INSIDE.items() if drivers.levered else [("share", 1.0)]:
         followed = play(drivers.motion, np.full(len(drivers.motion), share * shape["half_width_turns"]))
-        found.append(Term(name, "twist", followed - drivers.motion, "1", high=1.25))
-    return found
+        all_terms.append(Term(name, "twist", followed - drivers.motion, "1", high=1.25))
+    return all_terms
 
 
 MECHANISM = Mechanism(

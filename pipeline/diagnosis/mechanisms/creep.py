@@ -19,7 +19,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Kelvin-Voigt branches that follow the load, and the tension that the twist adds to it."""
-    found = []
+    all_terms = []
     tensions = {"load": (drivers.load, drivers.load0)}
     if shape["loaded"] and drivers.levered:
         tensions["steep_load"] = (drivers.load * np.abs(drivers.load), drivers.load0 * abs(drivers.load0))
@@ -31,8 +31,8 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         start = 0.0 if shape["fresh"] else before
         for tau_s in within(TIMES_S, shape):
             strain = lowpass(tension, drivers.time_s, tau_s, start) - start
-            found.append(Term(f"{name}_{tau_s:g}_s_mm_per_10_n", "length", strain, "mm/10N"))
-    return found
+            all_terms.append(Term(f"{name}_{tau_s:g}_s_mm_per_10_n", "length", strain, "mm/10N"))
+    return all_terms
 
 
 MECHANISM = Mechanism(

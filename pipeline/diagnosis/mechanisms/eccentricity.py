@@ -26,14 +26,14 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
     within = np.gradient(angle)  # turns in one sample, over which its reading is a mean
     waves = {name: wave(2.0 * np.pi * angle) * np.sinc(within) for name, wave in WAVES.items()}
-    found = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
+    all_terms = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
     if not shape["wheel_mm"] and drivers.levered:
-        found += [Term(f"{name}_turns", "twist", wave, "turns", -np.inf) for name, wave in waves.items()]
+        all_terms += [Term(f"{name}_turns", "twist", wave, "turns", -np.inf) for name, wave in waves.items()]
     for harmonic in HARMONICS if drivers.levered and not shape["wheel_mm"] else ():
         for name, wave in WAVES.items():
             signal = wave(2.0 * np.pi * harmonic * angle) * np.sinc(harmonic * within)
-            found.append(Term(f"{name}_{harmonic}_mm", "sensor", signal, "mm", -np.inf))
-    return found
+            all_terms.append(Term(f"{name}_{harmonic}_mm", "sensor", signal, "mm", -np.inf))
+    return all_terms
 
 
 MECHANISM = Mechanism(

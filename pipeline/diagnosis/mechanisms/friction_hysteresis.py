@@ -60,20 +60,20 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
         sides = {name: drivers.directed(shape[key]) for name, key in WIDTHS.items()}
     else:
         sides = {f"stop_{share:g}": drivers.directed(share * shape["span_turns"]) for share in STOPS}
-    found = []
+    all_terms = []
     for name, side in sides.items():
-        found += [
+        all_terms += [
             Term(f"{name}_{key}", "resistance", side * size, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
             for key, size in envelopes(drivers, bool(shape["loaded"])).items()
         ]
     if "fastest_turns_per_s" in shape:
         for share in SLOW:
             side = np.tanh(drivers.rate / (share * shape["fastest_turns_per_s"]))
-            found.append(Term(f"dry_{share:g}_mm", "resistance", side))
-            found.append(
+            all_terms.append(Term(f"dry_{share:g}_mm", "resistance", side))
+            all_terms.append(
                 Term(f"dry_{share:g}_twist_mm_per_10_n", "resistance", side * drivers.load * drivers.tangent, "mm/10N")
             )
-    return found
+    return all_terms
 
 
 def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
@@ -82,17 +82,17 @@ def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
     Each of shape (samples,), a factor.
     """
     load, slope = drivers.load, drivers.tangent
-    found = {"mm": np.ones_like(load)}
+    envelope_by_unit = {"mm": np.ones_like(load)}
     if drivers.levered:
-        found["load_twist_mm_per_10_n"] = load * slope
-        found["load_steep_mm_per_10_n"] = load * slope**3
+        envelope_by_unit["load_twist_mm_per_10_n"] = load * slope
+        envelope_by_unit["load_steep_mm_per_10_n"] = load * slope**3
     if loaded and drivers.levered:
-        found["root_load_twist_mm"] = np.sqrt(np.abs(load)) * slope
+        envelope_by_unit["root_load_twist_mm"] = np.sqrt(np.abs(load)) * slope
     if loaded:
-        found["load_mm_per_10_n"] = np.abs(load)
+        envelope_by_unit["load_mm_per_10_n"] = np.abs(load)
     if loaded and not drivers.levered:
-        found["slack_mm"] = np.exp(-np.abs(load) / SLACK_LOAD)
-    return found
+        envelope_by_unit["slack_mm"] = np.exp(-np.abs(load) / SLACK_LOAD)
+    return envelope_by_unit
 
 
 MECHANISM = Mechanism(

@@ -44,15 +44,15 @@ def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
             break
         peaks.append(float(hz[peak]))
         height[np.abs(hz - hz[peak]) < 0.12 * hz[peak]] = 0.0
-    found: list[Shape] = []
+    suggested: list[Shape] = []
     for peak_hz in peaks:
         for share in NEAR:
             shape = {"frequency_hz": float(f"{share * peak_hz:.6g}"), "heavy_slow": 0.0}
-            found += [{**shape, "damping": damping} for damping in (0.015, 0.04, 0.1)]
+            suggested += [{**shape, "damping": damping} for damping in (0.015, 0.04, 0.1)]
     if len(peaks) > 1:
         both = {"frequency_hz": float(f"{peaks[0]:.6g}"), "second_hz": float(f"{peaks[1]:.6g}"), "heavy_slow": 0.0}
-        found += [{**both, "damping": damping} for damping in (0.015, 0.04, 0.1)]
-    return found
+        suggested += [{**both, "damping": damping} for damping in (0.015, 0.04, 0.1)]
+    return suggested
 
 
 def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:
@@ -84,10 +84,10 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     load = np.maximum(drivers.load, 0.05)
     hz = shape["frequency_hz"] * (load**-0.5 if shape["heavy_slow"] else np.ones_like(load))
     hz = np.minimum(hz, 0.45 / drivers.step_s)
-    found = mode(drivers, hz, shape["damping"], "swing")
+    all_terms = mode(drivers, hz, shape["damping"], "swing")
     if "second_hz" in shape:
-        found += mode(drivers, np.full_like(load, shape["second_hz"]), shape["damping"], "second_swing")
-    return found
+        all_terms += mode(drivers, np.full_like(load, shape["second_hz"]), shape["damping"], "second_swing")
+    return all_terms
 
 
 def mode(drivers: Drivers, hz: Array, damping: float, name: str) -> list[Term]:

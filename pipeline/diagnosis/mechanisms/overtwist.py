@@ -34,25 +34,25 @@ def shapes(drivers: Drivers) -> list[Shape]:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Extra contraction beyond the critical twist: at once, by a play, and by coils that form there and melt late."""
     critical, softness = shape["critical_turns"], shape["softness_turns"]
-    found = []
+    all_terms = []
     for loop in (0.0, *LOOPS):
         width = loop * shape["top_turns"]
         late = play(drivers.motion, np.full(len(drivers.motion), width)) + width
         beyond = hinge(late, critical, softness)
-        found.append(Term(f"loop_{loop:g}_mm_per_turn", "length", -beyond, "mm/turn"))
-        found.append(Term(f"loop_{loop:g}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
+        all_terms.append(Term(f"loop_{loop:g}_mm_per_turn", "length", -beyond, "mm/turn"))
+        all_terms.append(Term(f"loop_{loop:g}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
     for loop in LOOPS:
         memory = 2.0 * loop * shape["top_turns"]
         coils = [coiled(drivers.motion, critical + apart * softness, memory) for apart in SPREAD]
-        found.append(Term(f"coiled_{loop:g}_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn"))
+        all_terms.append(Term(f"coiled_{loop:g}_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn"))
         for born in BORN:
             at = critical + born * (shape["top_turns"] - critical)
             width = 0.1 * (shape["top_turns"] - critical)
-            there = np.mean([relay(drivers.motion, at + apart * width, memory) for apart in SPREAD], axis=0)
-            found.append(Term(f"born_{born:g}_loop_{loop:g}_mm", "length", -there))
+            born_share = np.mean([relay(drivers.motion, at + apart * width, memory) for apart in SPREAD], axis=0)
+            all_terms.append(Term(f"born_{born:g}_loop_{loop:g}_mm", "length", -born_share))
     beyond = hinge(drivers.motion, critical, softness)
-    found.append(Term("slowly_mm_per_turn", "length", -lowpass(beyond, drivers.time_s, SLOWLY_S, 0.0), "mm/turn"))
-    return found
+    all_terms.append(Term("slowly_mm_per_turn", "length", -lowpass(beyond, drivers.time_s, SLOWLY_S, 0.0), "mm/turn"))
+    return all_terms
 
 
 @njit(cache=True)
@@ -62,10 +62,10 @@ def relay(turns: Array, born: float, memory: float) -> Array:
     Shape (samples,); all in turns but the answer.
     """
     out = np.zeros_like(turns)
-    there = False
+    is_born = False
     for i in range(turns.size):
-        there = turns[i] > born or (there and turns[i] > born - memory)
-        out[i] = 1.0 if there else 0.0
+        is_born = turns[i] > born or (is_born and turns[i] > born - memory)
+        out[i] = 1.0 if is_born else 0.0
     return out
 
 

@@ -24,15 +24,15 @@ def shapes(drivers: Drivers) -> list[Shape]:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Saturating and straight growth with work, the same or more under load, and with each new highest tension."""
     grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
-    found = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
+    all_terms = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
     if shape["loaded"] and drivers.levered:
         for name, signal in grown.items():
             for power, share in SHARES.items():
-                found.append(Term(f"{name}_{power}_load_mm", "length", signal * np.abs(drivers.load) ** share))
+                all_terms.append(Term(f"{name}_{power}_load_mm", "length", signal * np.abs(drivers.load) ** share))
         highest = np.maximum.accumulate(drivers.load)
-        found.append(Term("new_highest_load_mm", "length", highest - highest[0]))
+        all_terms.append(Term("new_highest_load_mm", "length", highest - highest[0]))
     tension = np.maximum.accumulate(drivers.load * drivers.tangent**2)
-    return [*found, Term("new_highest_twist_mm", "length", tension - tension[0])]
+    return [*all_terms, Term("new_highest_twist_mm", "length", tension - tension[0])]
 
 
 MECHANISM = Mechanism(

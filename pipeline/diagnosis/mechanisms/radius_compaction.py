@@ -25,26 +25,28 @@ def shapes(drivers: Drivers) -> list[Shape]:
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Relative loss of radius: powers of the helix angle's tangent, with and without load, and the load's logarithm."""
     slope = np.maximum(drivers.tangent, 0.0)
-    found = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
+    all_terms = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
     for share in SATURATING:
-        found.append(Term(f"within_{share:g}", "radius", np.expm1(-slope / (share * shape["steepest"])), "1", high=0.5))
+        all_terms.append(
+            Term(f"within_{share:g}", "radius", np.expm1(-slope / (share * shape["steepest"])), "1", high=0.5)
+        )
     for share in SETTLING:
         early = np.expm1(-((slope / (share * shape["steepest"])) ** 2))
-        found.append(Term(f"settled_{share:g}", "radius", early, "1", high=0.5))
+        all_terms.append(Term(f"settled_{share:g}", "radius", early, "1", high=0.5))
     for share in STAGES:
         late = -1.0 / (1.0 + np.exp((share - slope / shape["steepest"]) / WIDE))
-        found.append(Term(f"stage_at_{share:g}", "radius", late, "1", high=0.5))
+        all_terms.append(Term(f"stage_at_{share:g}", "radius", late, "1", high=0.5))
     pressure = np.maximum(drivers.load, 0.0) * slope**2 / shape["highest_pressure"]
     for share in PRESSED:
         for name, power in (("closing", 1), ("ordering", 2)):
-            found.append(
+            all_terms.append(
                 Term(f"{name}_at_{share:g}", "radius", np.expm1(-((pressure / share) ** power)), "1", high=0.5)
             )
     if shape["loaded"]:
         load = np.maximum(drivers.load, 0.05)
-        found += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]
-        found.append(Term("log_load", "radius", -np.log(load), "1", high=0.5))
-    return found
+        all_terms += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]
+        all_terms.append(Term("log_load", "radius", -np.log(load), "1", high=0.5))
+    return all_terms
 
 
 MECHANISM = Mechanism(

@@ -13,15 +13,15 @@ def shapes(drivers: Drivers) -> list[Shape]:
     """Twist that is taken up, in turns: lost (a toe), or as a length that a stop holds; none without a string."""
     if not drivers.levered:
         return []
-    found: list[Shape] = []
+    candidates: list[Shape] = []
     for share in SHARES:
         turns = float(f"{share * float(np.percentile(drivers.motion, 99.9)):.6g}")
-        found += [{"take_up_turns": turns, "stop": 0.0, "softness": soft} for soft in (0.05, 0.3)]
+        candidates += [{"take_up_turns": turns, "stop": 0.0, "softness": soft} for soft in (0.05, 0.3)]
         order = np.argsort(drivers.motion, kind="stable")
         height = np.interp([0.0, turns], drivers.motion[order], drivers.contraction[order])
         if height[1] > height[0]:
-            found.append({"take_up_mm": float(f"{height[1] - height[0]:.6g}"), "stop": 1.0, "softness": 0.05})
-    return found
+            candidates.append({"take_up_mm": float(f"{height[1] - height[0]:.6g}"), "stop": 1.0, "softness": 0.05})
+    return candidates
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:

@@ -52,7 +52,7 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, f
     step = np.clip(step, -CLIP * spread, CLIP * spread) * np.sign(moved)
     grain = resolution(residual + predicted)
     at_rest = float(np.std(step[still])) if still.sum() > FEWEST else 0.0
-    found = (0.0, 0.0)
+    strongest = (0.0, 0.0)
     for part in np.array_split(np.flatnonzero(moving)[np.argsort(np.abs(moved[moving]), kind="stable")], 4):
         if len(part) < FEWEST:
             continue
@@ -62,8 +62,8 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, f
         skew = float(np.mean(step[part] ** 3)) / moving_on**3 * float(np.sqrt(len(part) / 15.0))
         if skew > SURE:
             return skew, moving_on
-        found = max(found, (skew, moving_on))
-    return found
+        strongest = max(strongest, (skew, moving_on))
+    return strongest
 
 
 def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:

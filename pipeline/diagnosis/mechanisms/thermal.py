@@ -40,27 +40,27 @@ def _powers(drivers: Drivers) -> dict[str, Array]:
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     """Strain with the measured temperature (at once or delayed), or with filtered friction and motor power."""
-    sign, found = shape["sign"], []
+    sign, all_terms = shape["sign"], []
     if shape["measured"]:
         measured = np.zeros_like(drivers.motion) if drivers.temperature_c is None else drivers.temperature_c
         kelvin = drivers.smooth(measured)
         kelvin = kelvin - kelvin[0]
-        found.append(Term("at_once_mm_per_k", "length", sign * kelvin, "mm/K"))
+        all_terms.append(Term("at_once_mm_per_k", "length", sign * kelvin, "mm/K"))
         for tau_s in within(TIMES_S, shape)[:4:2]:
             delayed = lowpass(kelvin, drivers.time_s, tau_s, 0.0)
-            found.append(Term(f"after_{tau_s:g}_s_mm_per_k", "length", sign * delayed, "mm/K"))
-        return found
+            all_terms.append(Term(f"after_{tau_s:g}_s_mm_per_k", "length", sign * delayed, "mm/K"))
+        return all_terms
     for name, power in _powers(drivers).items():
         usual = shape[f"usual_{name}"]
         if usual == 0.0:
             continue
         for tau_s in within(TIMES_S, shape):
             warm = lowpass(power / usual, drivers.time_s, tau_s, 0.0)
-            found.append(Term(f"{name}_{tau_s:g}_s_mm", "length", sign * warm))
+            all_terms.append(Term(f"{name}_{tau_s:g}_s_mm", "length", sign * warm))
             if tau_s > BEHIND_S:
                 behind = lowpass(warm, drivers.time_s, BEHIND_S, 0.0)
-                found.append(Term(f"{name}_{tau_s:g}_s_behind_mm", "length", sign * behind))
-    return found
+                all_terms.append(Term(f"{name}_{tau_s:g}_s_behind_mm", "length", sign * behind))
+    return all_terms
 
 
 MECHANISM = Mechanism(

@@ -27,11 +27,11 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     The powers are a string's: where a guide rubs, a root would only blur the step of friction into the straight line.
     """
     rate = drivers.rate
-    found = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn")]
+    all_terms = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn")]
     if shape["loaded"]:
-        found.append(Term("loaded_mm_per_turn_s_10_n", "resistance", rate * drivers.load, "mm s/turn/10N"))
+        all_terms.append(Term("loaded_mm_per_turn_s_10_n", "resistance", rate * drivers.load, "mm s/turn/10N"))
     if not drivers.levered:
-        return found
+        return all_terms
     steep = np.abs(drivers.tangent) / shape["steepest"]
     powers = {
         "low": np.sign(rate) * np.abs(rate) ** 0.3,
@@ -43,13 +43,13 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     }
     for name, power in powers.items():
         if name != "straight":
-            found.append(Term(f"{name}_mm", "resistance", power))
+            all_terms.append(Term(f"{name}_mm", "resistance", power))
         for tau_s in RELAXING_S:
             late = lowpass(power, drivers.time_s, tau_s, 0.0)
-            found.append(Term(f"{name}_relaxing_{tau_s:g}_s_mm", "resistance", late))
+            all_terms.append(Term(f"{name}_relaxing_{tau_s:g}_s_mm", "resistance", late))
         twice = lowpass(lowpass(power, drivers.time_s, TWICE_S, 0.0), drivers.time_s, TWICE_S, 0.0)
-        found.append(Term(f"{name}_relaxing_twice_{TWICE_S:g}_s_mm", "resistance", twice))
-    return found
+        all_terms.append(Term(f"{name}_relaxing_twice_{TWICE_S:g}_s_mm", "resistance", twice))
+    return all_terms
 
 
 MECHANISM = Mechanism(

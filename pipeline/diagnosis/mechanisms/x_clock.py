@@ -26,10 +26,10 @@ def terms(drivers: Drivers, shape: Shape) -> list[Term]:
     def late(delay: Array) -> Callable[[Array], Array]:
         return lambda reading: np.asarray(-delay * drivers.slope(reading))
 
-    found = [Term("parting_s", "sensor", late(share), "s", -MOST_S, MOST_S)]
+    all_terms = [Term("parting_s", "sensor", late(share), "s", -MOST_S, MOST_S)]
     for count, wave in half_waves(share, shape, 1).items():
-        found.append(Term(f"wandering_{count}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
-    return found
+        all_terms.append(Term(f"wandering_{count}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
+    return all_terms
 
 
 MECHANISM = Mechanism(

@@ -42,14 +42,14 @@ def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
     height[lines(drivers.contraction[:count], time_s) > LINE] = 0.0
     height[:LEAST_PERIODS] = 0.0
     whole_s = float(drivers.elapsed_s[count - 1])
-    found: list[Shape] = []
+    suggested: list[Shape] = []
     for _ in range(MOST):
         peak = int(np.argmax(height))
         if height[peak] < LINE:
             break
-        found += [{"hz": float(f"{(peak + step) / whole_s:.8g}")} for step in STEPS]
+        suggested += [{"hz": float(f"{(peak + step) / whole_s:.8g}")} for step in STEPS]
         height[max(peak - 4, 0) : peak + 5] = 0.0
-    return found
+    return suggested
 
 
 def terms(drivers: Drivers, shape: Shape) -> list[Term]:
