@@ -41,11 +41,11 @@ def main() -> None:
     if name not in PROGRAMS:
         raise BadInput("arguments", name, "is no program", f"use one of {', '.join(PROGRAMS)}")
     module = name.replace("-", "_")
-    found = importlib.import_module(f"{__package__}.{module}")
-    if hasattr(found, "__path__"):
-        found = importlib.import_module(f"{found.__name__}.__main__")
+    module_found = importlib.import_module(f"{__package__}.{module}")
+    if hasattr(module_found, "__path__"):
+        module_found = importlib.import_module(f"{module_found.__name__}.__main__")
     sys.argv = [command(module), *sys.argv[2:]]
-    program(found.main)()
+    program(module_found.main)()
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ def diagnose(
     pairs = [read_samples(folder) for folder in folders]
     runs, tables = [run for run, _ in pairs], [table for _, table in pairs]
     by = judge(judge_file) if judge_file else None
-    content, found = diagnosed(runs, tables, folders, without, by, say)
+    content, study = diagnosed(runs, tables, folders, without, by, say)
     jumps = optional("the zero of this string's runs", name, lambda: jumps_into(folders, runs, tables)) or []
     if jumps:
         keys = ("before", "run", "jump_mm", "floor_mm")
@@ -62,24 +62,24 @@ def diagnose(
         content["run"] = [run.run for run in runs]
     if rivals:
         fixed_load = bool((content["next_run"] or {}).get("fixed_load"))
-        write_text(out / "next_runs.json", json.dumps(foretold(found, runs[0], fixed_load)) + "\n")
+        write_text(out / "next_runs.json", json.dumps(foretold(study, runs[0], fixed_load)) + "\n")
     write_text(out / "diagnosis.json", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    optional("the page of figures", name, lambda: draw(found, content, out / "diagnosis"))
+    optional("the page of figures", name, lambda: draw(study, content, out / "diagnosis"))
     write_block(content, out)
     doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
-    told = (dict(content), runs[0].system, folders, out, doubts)
-    words = verdict_text(*told)
-    write_text(out / "details.txt", details_text(*told) + "\n")
+    texts_from = (dict(content), runs[0].system, folders, out, doubts)
+    words = verdict_text(*texts_from)
+    write_text(out / "details.txt", details_text(*texts_from) + "\n")
     write_text(out / "verdict.txt", words + "\n")
     return words
 
 
-def draw(found: Study, content: Verdict, path: Path) -> None:
+def draw(study: Study, content: Verdict, path: Path) -> None:
     """Draw the page of figures; what draws takes 40 MB, and is imported when the search has let go of more."""
-    found.search.linear.let_go()
+    study.search.linear.let_go()
     from .diagnosis import figures
 
-    figures.page(found, content, path)
+    figures.page(study, content, path)
 
 
 def write_block(content: Verdict, out: Path) -> None:
@@ -136,11 +136,11 @@ def main() -> int:
     without = frozenset(arguments.without)
     for id_ in sorted(without - set(library.mechanisms())):
         raise BadInput("arguments", "--without", f"{id_} is no mechanism", f"use {', '.join(library.mechanisms())}")
-    asked = (arguments.out, without, arguments.note_refusals, arguments.judge)
+    options = (arguments.out, without, arguments.note_refusals, arguments.judge)
     if arguments.together:
         print(diagnose(folders, arguments.out, together=True, without=without, judge_file=arguments.judge))
         return 0
-    outcomes = each_alone(_one, folders, *asked, jobs=arguments.jobs, preload=MODULES)
+    outcomes = each_alone(_one, folders, *options, jobs=arguments.jobs, preload=MODULES)
     for text, fine in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
     return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2

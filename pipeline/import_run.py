@@ -44,8 +44,8 @@ def read_mapping(path: Path) -> dict[str, Any]:
 
 def origin(file: Path, mapping: Path) -> str:
     """Where a run came from, as comments of YAML: both files by name and check sum."""
-    told = (("imported from", file), ("through the mapping", mapping))
-    return "".join(f"# {what} {str(path)!a}, sha256 {sha256(path)}\n" for what, path in told)
+    origins = (("imported from", file), ("through the mapping", mapping))
+    return "".join(f"# {what} {str(path)!a}, sha256 {sha256(path)}\n" for what, path in origins)
 
 
 def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came_from: str) -> None:
@@ -90,8 +90,8 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     if not loads:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
-    said = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
-    sentence = f"{folder}: {len(samples)} samples" + (f"; mended {said}" if said else "")
+    rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
+    sentence = f"{folder}: {len(samples)} samples" + (f"; mended {rules}" if rules else "")
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
 
@@ -149,9 +149,9 @@ def main() -> None:
     if arguments.map is None or arguments.run is None:
         parser.error("--map and --run are needed; without a mapping yet, draft one with --guess")
     raw = arguments.out or Path("raw")
-    said = import_run(arguments.file, arguments.map, arguments.run, raw)
-    print(said)
-    print(following(Path(said.partition(": ")[0]), recorded=True))
+    folder_text = import_run(arguments.file, arguments.map, arguments.run, raw)
+    print(folder_text)
+    print(following(Path(folder_text.partition(": ")[0]), recorded=True))
 
 
 if __name__ == "__main__":

@@ -39,18 +39,20 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
 
     What does not vary in the dataset need not be told. Raises BadInput naming the column.
     """
-    told = question_table(path, list(dataset.columns))
-    known = [name for name in MAPS if name in told.columns]
+    questions = question_table(path, list(dataset.columns))
+    known = [name for name in MAPS if name in questions.columns]
     if len(known) != 1:
-        given = f"are {', '.join(map(repr, told.columns))}: {'both' if known else 'neither'} of {' and '.join(MAPS)}"
+        given = (
+            f"are {', '.join(map(repr, questions.columns))}: {'both' if known else 'neither'} of {' and '.join(MAPS)}"
+        )
         raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
-    if told.empty:
+    if questions.empty:
         raise BadInput(path, "rows", "there are none", "write one question a line")
-    points = pd.DataFrame(index=range(len(told)))
+    points = pd.DataFrame(index=range(len(questions)))
     for name in dataset.columns:
-        if name in told.columns:
-            refuse_cells(path, told[name], dataset[name], numeric=name in (*COLUMNS, *ASKED))
-            points[name] = told[name].to_numpy()
+        if name in questions.columns:
+            refuse_cells(path, questions[name], dataset[name], numeric=name in (*COLUMNS, *ASKED))
+            points[name] = questions[name].to_numpy()
         elif name == GIVEN[known[0]]:
             points[name] = np.nan
         elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
@@ -74,9 +76,9 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
     """What was asked beside its answer: value, low and high in the answer's unit, and whether it lies inside."""
-    found = getattr(intervals, MAPS[known])(points, level)
+    interval = getattr(intervals, MAPS[known])(points, level)
     wanted = GIVEN[known]
-    renamed = found.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
+    renamed = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
     return pd.concat([points[[known, *ASKED]], renamed], axis=1)
 
 
@@ -106,8 +108,8 @@ def main() -> None:
         raise BadInput("--model", arguments.model, problem, "choose another, such as spline")
     file_to_write(arguments.out, reads=[arguments.dataset, arguments.questions])
     dataset = opened(arguments.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
-    for said in read_jumps([arguments.dataset.with_name(NAME)]):
-        print(f"beware: {said}", file=sys.stderr)
+    for note in read_jumps([arguments.dataset.with_name(NAME)]):
+        print(f"beware: {note}", file=sys.stderr)
     points, known = read_questions(arguments.questions, dataset)
     intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
     try:

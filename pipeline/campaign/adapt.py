@@ -24,10 +24,10 @@ def terms(points: pd.DataFrame) -> Array:
     """
     zone_mm = points["torsion_zone_mm"].fillna(points["length_mm"]).to_numpy()  # a pair's is its whole length
     wound = point_contraction_mm(points) / zone_mm / TOP
-    way, one = points["direction"].to_numpy(float), np.ones(len(points))
+    way, ones = points["direction"].to_numpy(float), np.ones(len(points))
     grown = np.log1p(points["stroke"].to_numpy(float)) - np.log(5.0)
     first = (points["stroke"] == 1).to_numpy(float)
-    return np.column_stack([one, wound, wound**2, wound**3, way, way * wound, grown, grown * wound, first])
+    return np.column_stack([ones, wound, wound**2, wound**3, way, way * wound, grown, grown * wound, first])
 
 
 class Adaptation:

@@ -13,17 +13,17 @@ from .points import SCHEMA
 
 def parser(doc: str | None) -> argparse.ArgumentParser:
     """The command line of a program with this docstring; a program may add to it."""
-    found = argparse.ArgumentParser(description=doc)
-    found.add_argument("points", type=Path)
-    found.add_argument("--model", required=True)
-    found.add_argument("--settings", default="{}", metavar="JSON")
-    found.add_argument("--seed", type=seed, default=0)
-    found.add_argument("--out", type=Path, required=True, help="the file to write; required")
-    return found
+    parser_made = argparse.ArgumentParser(description=doc)
+    parser_made.add_argument("points", type=Path)
+    parser_made.add_argument("--model", required=True)
+    parser_made.add_argument("--settings", default="{}", metavar="JSON")
+    parser_made.add_argument("--seed", type=seed, default=0)
+    parser_made.add_argument("--out", type=Path, required=True, help="the file to write; required")
+    return parser_made
 
 
-def points_of(asked: argparse.Namespace) -> pd.DataFrame:
+def points_of(arguments: argparse.Namespace) -> pd.DataFrame:
     """The campaign's points (`points.SCHEMA`); raises BadInput for these or the model before anything is fitted."""
-    configured(asked.model, asked.settings)
-    file_to_write(asked.out, reads=[asked.points])
-    return opened(asked.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    configured(arguments.model, arguments.settings)
+    file_to_write(arguments.out, reads=[arguments.points])
+    return opened(arguments.points, SCHEMA, "make it: python -m pipeline.campaign.points")

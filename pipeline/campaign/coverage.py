@@ -34,12 +34,12 @@ def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed:
         raise BadInput("string", str(rows["string"].iloc[0]), problem, "record more of it, or leave it out") from None
     results = []
     for map_, column in MAPS.items():
-        for stroke, asked in ahead.groupby("stroke", sort=True):
+        for stroke, stroke_points in ahead.groupby("stroke", sort=True):
             for level in LEVELS:
-                found = getattr(intervals, map_)(asked.assign(**{column: np.nan}), level)
-                truth, wide = asked[column].to_numpy(), (found["high"] - found["low"]).to_numpy()
-                inside = found["inside"].to_numpy() & np.isfinite(wide)  # what has no end holds anything
-                held = (found["low"].to_numpy() <= truth) & (truth <= found["high"].to_numpy())
+                interval = getattr(intervals, map_)(stroke_points.assign(**{column: np.nan}), level)
+                truth, wide = stroke_points[column].to_numpy(), (interval["high"] - interval["low"]).to_numpy()
+                inside = interval["inside"].to_numpy() & np.isfinite(wide)  # what has no end holds anything
+                held = (interval["low"].to_numpy() <= truth) & (truth <= interval["high"].to_numpy())
                 width = float(np.median(wide[inside])) if inside.any() else np.nan
                 about = (str(rows["string"].iloc[0]), str(rows["material"].iloc[0]), map_, int(stroke) - last, level)
                 share = float(held[inside].mean()) if inside.any() else np.nan
@@ -59,8 +59,8 @@ def main() -> None:
     by_string = [rows for _, rows in points.groupby("string", sort=True)]
     settings = json.loads(arguments.settings)
     with fitting(arguments.model):
-        some = steps(by_string[: arguments.strings], "string")
-        parts = [of_string(rows, arguments.model, settings, arguments.seed) for rows in some]
+        shown = steps(by_string[: arguments.strings], "string")
+        parts = [of_string(rows, arguments.model, settings, arguments.seed) for rows in shown]
     table = pd.concat(parts, ignore_index=True)
     schemas.write(table, COVERAGE, arguments.out)
     weighted = table.assign(held=table["held"] * table["points"]).groupby(["map", "level"])[["held", "points"]].sum()

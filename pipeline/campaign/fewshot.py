@@ -27,10 +27,10 @@ PROBED = (
 PROBES = 200  # points on which a model is asked what it reads
 
 
-def errors(model: Any, asked: pd.DataFrame) -> tuple[float, float]:
+def errors(model: Any, points: pd.DataFrame) -> tuple[float, float]:
     """Forward RMSE in mm and inverse RMSE in turns, each map without the answer it is to give."""
-    forward = model.forward(asked.assign(displacement_mm=np.nan)) - asked["displacement_mm"]
-    inverse = model.inverse(asked.assign(motor_turns=np.nan)) - asked["motor_turns"]
+    forward = model.forward(points.assign(displacement_mm=np.nan)) - points["displacement_mm"]
+    inverse = model.inverse(points.assign(motor_turns=np.nan)) - points["motor_turns"]
     return float(np.sqrt(np.mean(forward**2))), float(np.sqrt(np.mean(inverse**2)))
 
 
@@ -47,11 +47,11 @@ def reads(model: Model, points: pd.DataFrame) -> str:
 
     Found by asking: each column in turn gets the values of the points in reverse order, so those of other strings.
     """
-    some = points.iloc[:: max(1, len(points) // PROBES)].reset_index(drop=True)
+    probes = points.iloc[:: max(1, len(points) // PROBES)].reset_index(drop=True)
 
     def moved(name: str) -> bool:
-        other = some.assign(**{name: some[name].to_numpy()[::-1]})
-        by = (getattr(model, map_)(other) - getattr(model, map_)(some) for map_ in ("forward", "inverse"))
+        other = probes.assign(**{name: probes[name].to_numpy()[::-1]})
+        by = (getattr(model, map_)(other) - getattr(model, map_)(probes) for map_ in ("forward", "inverse"))
         return any(float(np.abs(change).max()) > 1e-6 for change in by)
 
     return " ".join(name for name in PROBED if moved(name))
@@ -64,32 +64,32 @@ def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[i
     """
     for string, rows in points[points["strings"] == "test"].groupby("string", sort=True):
         count = rows["stroke"].rank(method="dense")
-        asked = rows[count > ASKED_AFTER].reset_index(drop=True)
-        if asked.empty:
+        rows_asked = rows[count > ASKED_AFTER].reset_index(drop=True)
+        if rows_asked.empty:
             problem = f"has {int(count.max())} strokes, and {ASKED_AFTER} are shown before any is asked about"
             raise BadInput("string", str(string), problem, "record more of it, or leave it out of the campaign")
-        yield asked, {shots: rows[count <= shots].reset_index(drop=True) for shots in SHOTS}
+        yield rows_asked, {shots: rows[count <= shots].reset_index(drop=True) for shots in SHOTS}
 
 
 def curves(name: str, settings: Mapping[str, object], points: pd.DataFrame, seed: int) -> pd.DataFrame:
     """Errors of a model by string, strokes shown, and how it learnt: "transfer" or "alone"; columns of `FEW_SHOT`."""
     rows = []
-    said = about(name)
-    learns, alone_from = not said.each_string_apart, said.least_strokes_alone
+    model_about = about(name)
+    learns, alone_from = not model_about.each_string_apart, model_about.least_strokes_alone
     model = fitted(name, settings, points, seed) if learns else make_model(name, **settings)
-    told = reads(model, points[points["strings"] == "test"])
+    columns_read = reads(model, points[points["strings"] == "test"])
     if learns:
         adaptation = Adaptation(model, points[points["strings"] == "tune"])
-    for asked, shown in steps(asked_and_shown(points), "string"):
-        which = (str(asked["string"].iloc[0]), str(asked["material"].iloc[0]))
+    for points_asked, shown in steps(asked_and_shown(points), "string"):
+        which = (str(points_asked["string"].iloc[0]), str(points_asked["material"].iloc[0]))
         for shots, few in shown.items():
             if learns:
-                rows.append((name, *which, "transfer", told, shots, *errors(adaptation.to(few), asked)))
+                rows.append((name, *which, "transfer", columns_read, shots, *errors(adaptation.to(few), points_asked)))
             if alone_from is not None and shots >= alone_from:
                 alone = make_model(name, **settings)
                 if shots:
                     alone.fit(few, seed)
-                rows.append((name, *which, "alone", told, shots, *errors(alone, asked)))
+                rows.append((name, *which, "alone", columns_read, shots, *errors(alone, points_asked)))
     return pd.DataFrame(rows, columns=FEW_SHOT.names)
 
 

@@ -20,10 +20,10 @@ from .tables import FLOOR
 
 def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:
     """Rows of `FLOOR`: of each string that models are asked about, what an oracle that sees the answers misses."""
-    for asked, _ in steps(asked_and_shown(points), "string"):
-        missed = residuals(asked, FLOORS["floor"])
+    for points_asked, _ in steps(asked_and_shown(points), "string"):
+        missed = residuals(points_asked, FLOORS["floor"])
         forward_mm, inverse_turns = (float(np.sqrt(np.mean(np.square(errors)))) for errors in missed)
-        yield str(asked["string"].iloc[0]), str(asked["material"].iloc[0]), forward_mm, inverse_turns
+        yield str(points_asked["string"].iloc[0]), str(points_asked["material"].iloc[0]), forward_mm, inverse_turns
 
 
 @program

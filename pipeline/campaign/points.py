@@ -38,7 +38,9 @@ def string_points(folders: Sequence[Path]) -> pd.DataFrame:
     place, count = passage.cumcount(), passage["stroke"].transform("size")
     step = np.maximum(count / MOST_POINTS, 1.0)
     kept = points[np.floor(place / step) != np.floor((place - 1) / step)]
-    materials = sorted({one.run.string.material for one in recorded if one.run.string is not None})
+    materials = sorted(
+        {recorded_run.run.string.material for recorded_run in recorded if recorded_run.run.string is not None}
+    )
     if len(materials) > 1:
         problem = f"is of {' and of '.join(materials)}"
         raise BadInput(folders[0] / "run.yaml", "string", problem, "correct its runs, or give one another string.id")
@@ -59,11 +61,11 @@ def campaign_points(folder: Path) -> pd.DataFrame:
     if not folders:
         raise BadInput(folder, "runs", "there is none", "make some: python -m pipeline.rig.campaign")
     strings: dict[str, list[Path]] = {}
-    for one in folders:
-        run = read_run(one)
+    for run_folder in folders:
+        run = read_run(run_folder)
         if run.string is None:
-            raise BadInput(one / "run.yaml", "string", "is missing", "a campaign is of strings")
-        strings.setdefault(run.string_id, []).append(one)
+            raise BadInput(run_folder / "run.yaml", "string", "is missing", "a campaign is of strings")
+        strings.setdefault(run.string_id, []).append(run_folder)
     points = pd.concat([string_points(runs) for runs in steps(strings.values(), "string")], ignore_index=True)
     return labelled(points)[SCHEMA.names]
 

@@ -54,8 +54,8 @@ def points(parts: list[str]) -> list[str]:
 def numbers(parts: list[str]) -> list[float] | None:
     """The fields as numbers, None unless all of them are finite ones."""
     try:
-        found = [float(part) for part in parts]
+        values = [float(part) for part in parts]
     except ValueError:
         return None
-    good = bool(found) and all(map(math.isfinite, found)) and not any("_" in part for part in parts)
-    return found if good else None
+    good = bool(values) and all(map(math.isfinite, values)) and not any("_" in part for part in parts)
+    return values if good else None

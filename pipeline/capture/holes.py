@@ -42,13 +42,13 @@ class Steps:
 
 def find(times: Iterable[float], usual: float) -> tuple[int, list[Lost]]:
     """How many holes there are, and the first of them: samples before it, that time, and about how many are missing."""
-    found: list[Lost] = []
+    holes: list[Lost] = []
     before, count = None, 0
     for number, time in enumerate(times):
         if before is not None and usual > 0 and time - before > HOLE * usual:
             count += 1
             missing = round(min((time - before) / usual, MOST)) - 1
-            if len(found) < LISTED:
-                found.append({"after_samples": number, "after_time": before, "samples_about": missing})
+            if len(holes) < LISTED:
+                holes.append({"after_samples": number, "after_time": before, "samples_about": missing})
         before = time
-    return count, found
+    return count, holes

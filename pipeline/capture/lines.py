@@ -111,9 +111,13 @@ class Lines:
             if len(header) == count and (is_known(header) or its == between != " "):
                 self._printed = header
                 self.columns = self.columns or header
-                self.text -= sum(one == header for one, _ in self.headers)
-                said = between.join(header)
-                self.greetings = [one for one in self.greetings if re.sub(r"\s", "", one) != re.sub(r"\s", "", said)]
+                self.text -= sum(fields == header for fields, _ in self.headers)
+                header_text = between.join(header)
+                self.greetings = [
+                    greeting
+                    for greeting in self.greetings
+                    if re.sub(r"\s", "", greeting) != re.sub(r"\s", "", header_text)
+                ]
                 return
 
     def _pass_over(self, line: bytes) -> None:
@@ -122,8 +126,8 @@ class Lines:
             return
         self.text += 1
         if len(self.greetings) < GREETINGS:
-            said = line[:80].decode("ascii", "replace").strip()
-            self.greetings.append("".join(one if one.isprintable() else "?" for one in said))
+            line_text = line[:80].decode("ascii", "replace").strip()
+            self.greetings.append("".join(character if character.isprintable() else "?" for character in line_text))
 
     def _bad(self) -> None:
         self.bad += 1

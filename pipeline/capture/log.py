@@ -32,9 +32,9 @@ def check_folder(folder: Path) -> None:
 
 
 def _check_empty(folder: Path, but: str = "") -> None:
-    for there in (*RECORDINGS, LINES, "capture.json"):
-        if there != but and os.path.lexists(folder / there):
-            raise BadInput(folder, there, "is there already and is never overwritten", "choose a new run name")
+    for name in (*RECORDINGS, LINES, "capture.json"):
+        if name != but and os.path.lexists(folder / name):
+            raise BadInput(folder, name, "is there already and is never overwritten", "choose a new run name")
 
 
 @contextmanager

@@ -73,9 +73,9 @@ def check(hello: Hello, legs: Sequence[Leg], name: str) -> None:
     if hello.program is None:
         problem = "takes no program: its HELLO declares no limits of one"
         raise BadInput(name, "HELLO.program", problem, "move the motor by hand, or bring its firmware up to date")
-    found = refusal(legs, hello.program)
-    if found is not None:
-        _, number, sentence = found
+    reason = refusal(legs, hello.program)
+    if reason is not None:
+        _, number, sentence = reason
         field = f"program, leg {number}" if number else "program"
         raise BadInput(name, field, sentence, "choose another run, or widen the limits in the firmware if that is safe")
 

@@ -171,5 +171,5 @@ def tell_lines(info: CaptureJson, folder: Path) -> None:
     if info["holes"]:
         print(f"{folder}: {missing(info['holes'])}")
     if lines["time_backward"]:
-        said = f"the device's time stands or falls back {lines['time_backward']} times"
-        print(f"{folder}: {said}: was it reset, or is the time another column than {clock_of(info)}?")
+        sentence = f"the device's time stands or falls back {lines['time_backward']} times"
+        print(f"{folder}: {sentence}: was it reset, or is the time another column than {clock_of(info)}?")

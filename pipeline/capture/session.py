@@ -57,16 +57,16 @@ def capture_lines(
     name: str, folder: Path, baud: int, columns: tuple[str, ...], longest_s: float = math.inf
 ) -> CaptureJson:
     """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
-    asked = Asked()
+    end_request = Asked()
     check_folder(folder)
     with ExitStack() as until_committed:
         with Port(name, baud) as port:
             beginning = await_header(port, name, columns)
-            until_committed.enter_context(asked.listening())
+            until_committed.enter_context(end_request.listening())
             log = Log(folder, LINES)
             try:
                 began = datetime.now(UTC)
-                outcome = follow(port, log, asked, columns, beginning, longest_s)
+                outcome = follow(port, log, end_request, columns, beginning, longest_s)
             except OSError as error:
                 mend = f"make room, then run {command('capture')} --recover {folder}"
                 raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
@@ -88,7 +88,7 @@ def capture(
     With `legs` the rig follows them: it takes them as a whole before START, or the run is not begun. `stopped` says
     whether somebody has asked to stop in another way than by Ctrl-C; before START that is a KeyboardInterrupt too.
     """
-    asked = Asked()
+    end_request = Asked()
     check_folder(folder)
     with ExitStack() as until_committed:
         with Port(name, baud) as port:
@@ -105,12 +105,12 @@ def capture(
                 load(port, hello, legs, name)
             if stopped():
                 raise KeyboardInterrupt
-            until_committed.enter_context(asked.listening())
+            until_committed.enter_context(end_request.listening())
             log = Log(folder)
             try:
                 log.append(beginning)
                 began = datetime.now(UTC)
-                outcome = record(port, log, hello, lambda: asked() + stopped(), longest_s, beats=bool(legs))
+                outcome = record(port, log, hello, lambda: end_request() + stopped(), longest_s, beats=bool(legs))
             except OSError as error:
                 mend = f"make room, then run {command('capture')} --recover {folder}"
                 raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None

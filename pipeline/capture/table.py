@@ -88,7 +88,7 @@ def commit_lines(
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", again)
             check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
-            hole_count, found = holes.find(times, printed.steps.usual)
+            hole_count, hole_list = holes.find(times, printed.steps.usual)
     except FileExistsError:
         mend = f"move it away, then run {command('capture')} --recover {folder}"
         raise BadInput(folder, CSV, f"is there already; {LINES} is whole and kept", mend) from None
@@ -113,7 +113,7 @@ def commit_lines(
             "swapped_headers": lines.swapped,
             "other_headers": lines.others,
         },
-        "holes": found,
+        "holes": hole_list,
     }
     return seal(folder, LINES, info)
 

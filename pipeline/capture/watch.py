@@ -69,7 +69,7 @@ class Watch:
 
     def _wrong_way(self) -> bool:
         """Whether the displacement fell from the least to the most twisted of the last seconds, by more than noise."""
-        least, most = (pick(self._past, key=lambda one: abs(one[0])) for pick in (min, max))
+        least, most = (pick(self._past, key=lambda moves: abs(moves[0])) for pick in (min, max))
         wound = abs(most[0]) - abs(least[0])
         return wound >= LEAST_TURNS and most[1] - least[1] < -WRONG_QUANTA * self._quantum_mm
 

@@ -57,31 +57,33 @@ def _header_to_write(out: Path, reads: list[Path]) -> None:
 
 def main() -> None:
     """Export."""
-    asked = arguments(sys.argv[1:])
-    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", asked.name):
-        raise BadInput("--name", asked.name, "cannot begin a C name", "use letters, digits and _")
-    if len(asked.name) > LONGEST:
-        raise BadInput("--name", f"{asked.name[:40]}…", f"has {len(asked.name)} characters", f"use at most {LONGEST}")
-    if asked.format == "c":
-        if asked.out is None or asked.out.is_dir():
-            asked.out = (asked.out or Path()) / f"{asked.name}.h"
-        _header_to_write(asked.out, [asked.file, *([asked.dataset] if asked.dataset else [])])
+    options = arguments(sys.argv[1:])
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", options.name):
+        raise BadInput("--name", options.name, "cannot begin a C name", "use letters, digits and _")
+    if len(options.name) > LONGEST:
+        raise BadInput(
+            "--name", f"{options.name[:40]}…", f"has {len(options.name)} characters", f"use at most {LONGEST}"
+        )
+    if options.format == "c":
+        if options.out is None or options.out.is_dir():
+            options.out = (options.out or Path()) / f"{options.name}.h"
+        _header_to_write(options.out, [options.file, *([options.dataset] if options.dataset else [])])
     else:
-        folder_to_write(asked.out or Path())
-    source = opened(asked.file, asked.model, Beside(asked.dataset, asked.split, asked.string))
-    if asked.format == "c":
-        out = asked.out
-        with writable(asked.file):
-            text = header(source, asked.name)
+        folder_to_write(options.out or Path())
+    source = opened(options.file, options.model, Beside(options.dataset, options.split, options.string))
+    if options.format == "c":
+        out = options.out
+        with writable(options.file):
+            text = header(source, options.name)
         write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text")
         return
     from .onnx_model import graphs  # a header needs no onnx
 
-    with writable(asked.file):
-        made = graphs(source, asked.name)
+    with writable(options.file):
+        made = graphs(source, options.name)
     for way, graph in made.items():
-        out = (asked.out or Path()) / f"{asked.name}.{way}.onnx"
+        out = (options.out or Path()) / f"{options.name}.{way}.onnx"
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")

@@ -140,12 +140,12 @@ def body(source: Source) -> Body:
         ("forward", "motor_turns", model.inputs, model.outputs),
         ("inverse", "displacement_mm", model.outputs, model.inputs),
     )
-    for way, asked, mine, other in sides:
+    for way, answer, mine, other in sides:
         made.code += function(
             "tsa_real",
-            f"tsa_raw_{way}(const tsa_state *at, tsa_real {asked})",
+            f"tsa_raw_{way}(const tsa_state *at, tsa_real {answer})",
             "tsa_real x[TSA_FIRST + TSA_SECOND], given[1] = {0};",
-            f"x[0] = {scaled(asked, mine)};",
+            f"x[0] = {scaled(answer, mine)};",
             *four_others(source, mine, model.settings.log_stroke),
             f"tsa_chain_{way}(given, x);",
             f"return {restored('x[0]', other)};",

@@ -77,7 +77,7 @@ def header(source: Source, name: str) -> str:
 def _comment(source: Source, made: Body) -> str:
     inputs = source.inputs
     baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items()]
-    assumed = [f"{field} is {said}." for field, said in inputs.assumed.items()]
+    assumed = [f"{field} is {assumption}." for field, assumption in inputs.assumed.items()]
     lines = [
         f"A twisted string actuator's kinematics, the fitted model {source.name}: twist to contraction and back.",
         "C99 (and C++), no dependency but <math.h>, no allocation, no state. Numbers are float; -DTSA_REAL=double.",

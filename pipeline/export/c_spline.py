@@ -85,10 +85,10 @@ def _terms(first: int, last: int, indent: str) -> str:
     return "".join(f"{indent}sum = 1 + sum * (rest * {real(1.0 / number)});\n" for number in range(first, last, -1))
 
 
-def feature_terms(others: list[str], told: bool) -> list[str]:
+def feature_terms(others: list[str], directed: bool) -> list[str]:
     """The knots' features in `Spline`'s order, of the C names one, grown, first and way."""
     terms = ["1", "grown", "first", *others, *(f"{other} * grown" for other in others)]
-    return terms + (["way", "way * grown", "way * first", *(f"way * {other}" for other in others)] if told else [])
+    return terms + (["way", "way * grown", "way * first", *(f"way * {other}" for other in others)] if directed else [])
 
 
 def body(source: Source) -> Body:

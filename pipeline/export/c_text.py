@@ -68,4 +68,4 @@ def function(returns: str, head: str, *lines: str) -> str:
 
 def renamed(text: str, name: str) -> str:
     """The text with another prefix than tsa_ and TSA_."""
-    return PREFIX.sub(lambda found: (name if found[1] == "tsa" else name.upper()) + "_", text)
+    return PREFIX.sub(lambda match: (name if match[1] == "tsa" else name.upper()) + "_", text)

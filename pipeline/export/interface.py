@@ -40,6 +40,6 @@ def names() -> tuple[str, ...]:
 
 def exporter(name: str) -> Exporter:
     """The exporter of a model of `names()`."""
-    found: Any = importlib.import_module(f"{__package__}.exporters.{name}")
-    held: Exporter = found
+    module: Any = importlib.import_module(f"{__package__}.exporters.{name}")
+    held: Exporter = module
     return held

@@ -59,14 +59,14 @@ def spline(query: Query, source: Source) -> str:
     gained = g.beside(query.wide(g.constant([[0.0]])), g.add("CumSum", rises, g.whole(1)))
     values = g.add("Add", gained, start)
     forward = query.given == "motor_turns"
-    asked = g.add("Div", query.base_mm() if forward else query.read("displacement_mm"), zone)
+    contraction = g.add("Div", query.base_mm() if forward else query.read("displacement_mm"), zone)
     steps = g.constant(at[None]) if forward else values
-    passed = g.number(g.add("GreaterOrEqual", asked, steps))
+    passed = g.number(g.add("GreaterOrEqual", contraction, steps))
     number = g.clipped(g.add("Sub", g.sum(passed), 1.0), 0.0, float(bins - 1))
     curve = _Bin(g, at, g.add("Cast", number, to=TensorProto.INT64), values, rises, slopes)
     if forward:
-        return g.add("Mul", curve.value(asked), zone)
-    return query.base_turns(g.add("Mul", curve.root(asked), zone))
+        return g.add("Mul", curve.value(contraction), zone)
+    return query.base_turns(g.add("Mul", curve.root(contraction), zone))
 
 
 class _Bin:
@@ -126,11 +126,11 @@ def _features(query: Query, source: Source) -> str:
     first = g.number(g.add("Equal", query.read("stroke"), 1.0))
     base = g.beside(query.wide(g.constant([[1.0]])), grown, first)
     others = query.conditions(source)
-    told = [base, *([others, g.add("Mul", others, grown)] if others else [])]
+    inputs = [base, *([others, g.add("Mul", others, grown)] if others else [])]
     if model.settings.direction:
         way = query.read("direction")
-        told += [g.add("Mul", table, way) for table in ([base, others] if others else [base])]
-    return g.beside(*told)
+        inputs += [g.add("Mul", table, way) for table in ([base, others] if others else [base])]
+    return g.beside(*inputs)
 
 
 def _grown(g: Graph, stroke: str, law: Law) -> str:

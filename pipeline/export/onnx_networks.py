@@ -72,10 +72,10 @@ def conditional(query: Query, source: Source) -> str:
     g, model, forward = query.graph, source.model, query.given == "motor_turns"
     mine, other = (model.inputs, model.outputs) if forward else (model.outputs, model.inputs)
     others = query.conditions(source)
-    told = [*([query.read("direction")] if model.settings.direction else []), *([others] if others else [])]
-    chain = _Chain(g, blocks(model.network), g.beside(*told) if told else "")
-    asked = query.base_mm() if forward else query.read(query.given)
-    root = g.add("Sqrt", g.add("Max", g.add("Add", asked, model.shift_mm), 0.0))
+    inputs = [*([query.read("direction")] if model.settings.direction else []), *([others] if others else [])]
+    chain = _Chain(g, blocks(model.network), g.beside(*inputs) if inputs else "")
+    contraction = query.base_mm() if forward else query.read(query.given)
+    root = g.add("Sqrt", g.add("Max", g.add("Add", contraction, model.shift_mm), 0.0))
     wanted = query.wide(query.scaled(root, mine.mean[0], mine.std[0]))
     four = query.paper_conditions(mine.mean[1:], mine.std[1:])
     answer = g.columns(chain.forward(g.beside(wanted, four)), [0]) if forward else _secant(chain, wanted, four)
@@ -87,17 +87,17 @@ def conditional(query: Query, source: Source) -> str:
 def _secant(chain: _Chain, wanted: str, four: str) -> str:
     """The blocks backwards, then `Cinn.inverse`'s steps of the secant."""
     g = chain.g
-    there = g.columns(chain.inverse(g.beside(wanted, four)), [0])
+    reached = g.columns(chain.inverse(g.beside(wanted, four)), [0])
     slope, last, missed = g.constant([[1.0]]), "", ""
     for step in range(SECANTS):
-        short = g.add("Sub", wanted, g.columns(chain.forward(g.beside(there, four)), [0]))
+        short = g.add("Sub", wanted, g.columns(chain.forward(g.beside(reached, four)), [0]))
         if step:
-            apart = g.add("Sub", there, last)
+            apart = g.add("Sub", reached, last)
             near = g.add("Less", g.add("Abs", apart), NEAREST)
             secant = g.add("Div", g.add("Sub", missed, short), g.add("Where", near, NEAREST, apart))
             slope = g.add("Where", near, slope, g.clipped(secant, FLATTEST, STEEPEST))
-        last, missed, there = there, short, g.add("Add", there, g.add("Div", short, slope))
-    return there
+        last, missed, reached = reached, short, g.add("Add", reached, g.add("Div", short, slope))
+    return reached
 
 
 def pair_of_mlps(query: Query, source: Source) -> str:
@@ -106,10 +106,10 @@ def pair_of_mlps(query: Query, source: Source) -> str:
     side = 0 if query.given == "motor_turns" else 1
     mine, other = model.scalings[side], model.scalings[1 - side]
     others = query.conditions(source)
-    told = g.beside(query.read("direction"), *([others] if others else []))
+    inputs = g.beside(query.read("direction"), *([others] if others else []))
     x = g.beside(
         query.scaled(query.read(query.given), mine.mean[0], mine.std[0]),
         query.paper_conditions(mine.mean[1:5], mine.std[1:5]),
-        query.scaled(told, mine.mean[None, 5:], mine.std[None, 5:]),
+        query.scaled(inputs, mine.mean[None, 5:], mine.std[None, 5:]),
     )
     return query.restored(dense(g, x, layers(model.networks[side]), "silu"), other.mean[0], other.std[0])

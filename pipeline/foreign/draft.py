@@ -32,8 +32,8 @@ def _rig(system: System) -> list[str]:
     lines = []
     if system.needs_string:
         keys = ("material", "radius_mm", "length_mm")
-        told = {key: String.model_fields[key].description or key for key in keys}
-        lines += ["string:", *(_filled(key, what) for key, what in told.items())]
+        meanings = {key: String.model_fields[key].description or key for key in keys}
+        lines += ["string:", *(_filled(key, what) for key, what in meanings.items())]
     if system.rig:
         lines += [
             "rig:",
@@ -44,8 +44,8 @@ def _rig(system: System) -> list[str]:
 
 def _layout(layout: TextFile) -> list[str]:
     default = TextFile.model_validate({})
-    told = {key: value for key, value in layout.model_dump().items() if value != getattr(default, key)}
-    return [f"file: {write_yaml(told, flow=True)}"] if told else []
+    settings = {key: value for key, value in layout.model_dump().items() if value != getattr(default, key)}
+    return [f"file: {write_yaml(settings, flow=True)}"] if settings else []
 
 
 def _span(values: Array) -> str:
@@ -58,12 +58,12 @@ def _channel(channel: str, role: Role | None, free: list[str | int]) -> list[str
     if role is None:
         names = ", ".join(key_name(column) for column in free[:SHOWN_COLUMNS])
         return [f"  {channel}:", _filled("column", f"one of {names}", 4), _filled("unit", unit, 4)]
-    told: dict[str, Any] = {"column": role.column, "unit": role.unit, "scale": role.scale}
-    told = {key: value for key, value in told.items() if value is not None and (key, value) != ("scale", 1.0)}
+    settings: dict[str, Any] = {"column": role.column, "unit": role.unit, "scale": role.scale}
+    settings = {key: value for key, value in settings.items() if value is not None and (key, value) != ("scale", 1.0)}
     check = f"  # check: {'; '.join(role.why)}" if role.why else ""
     if role.unit is not None and role.unit != "count":
-        return [f"  {channel}: {write_yaml(told, flow=True)}{check}"]
-    body = write_yaml(told).rstrip("\n").replace("\n", "\n    ")
+        return [f"  {channel}: {write_yaml(settings, flow=True)}{check}"]
+    body = write_yaml(settings).rstrip("\n").replace("\n", "\n    ")
     missing = ("counts_per_turn", "how many counts a turn has") if role.unit else ("unit", unit)
     return [f"  {channel}:{check}", f"    {body}", _filled(*missing, 4)]
 

@@ -30,7 +30,7 @@ def header_unit(name: str) -> str | None:
     if last in WHOLE:
         return WHOLE[last]
     for place in PLACES:
-        found = re.search(place, name)
-        if found and (unit := unit_word(found[1])):
+        match = re.search(place, name)
+        if match and (unit := unit_word(match[1])):
             return unit
     return None

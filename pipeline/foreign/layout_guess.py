@@ -85,9 +85,14 @@ def _of_text(path: Path) -> Guessed:
     skip, header, below, units = _above(parted)
     numbers = [cell for _, row in parted if _of_numbers(row) for cell in row]
     comma = delimiter != "," and any(DECIMAL_COMMA.fullmatch(cell) for cell in numbers)
-    told: dict[str, object] = {"delimiter": delimiter, "decimal": "," if comma else ".", "header": header, "skip": skip}
-    told |= {"skip_below": below, "comment": comment, "encoding": encoding}
-    return Guessed(TextFile.model_validate(told), units)
+    settings: dict[str, object] = {
+        "delimiter": delimiter,
+        "decimal": "," if comma else ".",
+        "header": header,
+        "skip": skip,
+    }
+    settings |= {"skip_below": below, "comment": comment, "encoding": encoding}
+    return Guessed(TextFile.model_validate(settings), units)
 
 
 def _of_workbook(path: Path) -> Guessed:
@@ -95,8 +100,8 @@ def _of_workbook(path: Path) -> Guessed:
     title = next((title for title, rows in sheets.items() if any(_of_numbers(row) for _, row in rows)), None)
     skip, header, below, units = _above(sheets[title]) if title else (0, True, 0, [])
     sheet = title if len(sheets) > 1 else None
-    told: dict[str, object] = {"header": header, "skip": skip, "skip_below": below, "sheet": sheet}
-    return Guessed(TextFile.model_validate(told), units)
+    settings: dict[str, object] = {"header": header, "skip": skip, "skip_below": below, "sheet": sheet}
+    return Guessed(TextFile.model_validate(settings), units)
 
 
 def guess_layout(path: Path) -> Guessed:

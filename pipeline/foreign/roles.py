@@ -50,7 +50,7 @@ def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
 
     Each of shape (rows,), in the file's own unit.
     """
-    found: dict[str | int, Array] = {}
+    columns: dict[str | int, Array] = {}
     for place, name in enumerate(table.columns):
         column = table.iloc[:, place]
         if column.dtype.kind not in "fiu":
@@ -59,13 +59,13 @@ def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
         values = column.to_numpy(np.float64)
         if np.isfinite(values).mean() > 0.5:
             own = isinstance(name, str) and name and list(table.columns).count(name) == 1
-            found[name if own else place] = values
-    return found
+            columns[name if own else place] = values
+    return columns
 
 
 def _unit(column: str | int, units: dict[str | int, str]) -> str | None:
-    told = header_unit(column) if isinstance(column, str) else None
-    return told or unit_word(units.get(column, ""))
+    unit = header_unit(column) if isinstance(column, str) else None
+    return unit or unit_word(units.get(column, ""))
 
 
 def _score(channel: str, column: str | int, values: Array, unit: str | None) -> int:
@@ -123,14 +123,14 @@ def _sign(role: Role, other: Role | None) -> None:
         role.why.append("it falls in the file while the motor winds")
 
 
-def _role(channel: str, column: str | int, values: Array, told: str | None) -> Role:
+def _role(channel: str, column: str | int, values: Array, unit: str | None) -> Role:
     """How a column reads as a channel: in the unit that it is told in, else in the one that its numbers make likely."""
     likely = _by_size(channel, values)
     span = f"{np.nanmin(values):.6g} to {np.nanmax(values):.6g}"
-    if channel == "time_s" and told and likely and not _is_rate(values, told):
-        return Role(column, values, likely, why=[f"in {told}, as its name says, it would have no rate of a rig"])
-    why = [f"the unit is a guess from its numbers, {span}"] if told is None and likely else []
-    return Role(column, values, told or likely, why=why)
+    if channel == "time_s" and unit and likely and not _is_rate(values, unit):
+        return Role(column, values, likely, why=[f"in {unit}, as its name says, it would have no rate of a rig"])
+    why = [f"the unit is a guess from its numbers, {span}"] if unit is None and likely else []
+    return Role(column, values, unit or likely, why=why)
 
 
 def find_roles(system: System, columns: dict[str | int, Array], units: dict[str | int, str]) -> dict[str, Role]:
@@ -138,22 +138,22 @@ def find_roles(system: System, columns: dict[str | int, Array], units: dict[str 
 
     `columns` have the shape (rows,) in the file's units; `units` says those that a header tells.
     """
-    told = {column: _unit(column, units) for column in columns}
+    unit_by_column = {column: _unit(column, units) for column in columns}
     scores = [
-        (_score(channel, column, values, told[column]), -order, -place, channel, column)
+        (_score(channel, column, values, unit_by_column[column]), -order, -place, channel, column)
         for order, channel in enumerate(system.columns)
         for place, (column, values) in enumerate(columns.items())
     ]
     roles: dict[str, Role] = {}
     won: dict[str, int] = {}
-    for score, _, _, channel, column in sorted(scores, key=lambda one: one[:3], reverse=True):
+    for score, _, _, channel, column in sorted(scores, key=lambda scored: scored[:3], reverse=True):
         least = 1 if channel == "time_s" else 2
         free = column not in [role.column for role in roles.values()]
         if score >= least and free and channel not in roles:
-            roles[channel], won[channel] = _role(channel, column, columns[column], told[column]), score
+            roles[channel], won[channel] = _role(channel, column, columns[column], unit_by_column[column]), score
     used = {role.column for role in roles.values()}
     for channel, role in roles.items():
-        same = [one[4] for one in scores if one[3] == channel and one[0] == won[channel]]
+        same = [scored[4] for scored in scores if scored[3] == channel and scored[0] == won[channel]]
         alike = [key_name(column) for column in same if column not in used]
         if alike:
             role.why.append(f"{', '.join(alike[:MOST_ALIKE])} may be meant as well")

@@ -24,20 +24,20 @@ SPACE = b"\xef\xbb\xbf \t\r\n"  # may stand before the first sign of a text
 def formats() -> tuple[Format, ...]:
     """All formats: every module of this folder but the helpers holds one, found by listing it."""
     names = sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name not in HELPERS)
-    found: list[Format] = [importlib.import_module(f"{__name__}.{name}").FORMAT for name in names]
-    return tuple(found)
+    all_formats: list[Format] = [importlib.import_module(f"{__name__}.{name}").FORMAT for name in names]
+    return tuple(all_formats)
 
 
 def format_of(path: Path) -> Format:
     """The format of a file, by its first bytes, else by its name, else text; raises BadInput for what is no file."""
     with open_regular(path) as file:
         start = file.read(64)
-    known = [(sign, one) for one in formats() for sign in one.signs if start.lstrip(SPACE).startswith(sign)]
+    known = [(sign, format_) for format_ in formats() for sign in format_.signs if start.lstrip(SPACE).startswith(sign)]
     if known:
         return max(known, key=lambda pair: len(pair[0]))[1]
     name = path.name.lower().removesuffix(".gz")
-    by_name = (one for one in formats() if name.endswith(one.suffixes))
-    return next(by_name, next(one for one in formats() if ".csv" in one.suffixes))
+    by_name = (format_ for format_ in formats() if name.endswith(format_.suffixes))
+    return next(by_name, next(format_ for format_ in formats() if ".csv" in format_.suffixes))
 
 
 def _check_keys(path: Path, kind: Format, layout: TextFile) -> None:
@@ -48,13 +48,13 @@ def _check_keys(path: Path, kind: Format, layout: TextFile) -> None:
             raise BadInput(path, f"file.{key}", problem, "leave it out")
 
 
-def read_foreign(path: Path, layout: TextFile, asked: Sequence[str] = ()) -> pd.DataFrame:
+def read_foreign(path: Path, layout: TextFile, wanted: Sequence[str] = ()) -> pd.DataFrame:
     """Raw table of a recording as it stands in the file, in whatever format; raises BadInput.
 
-    `asked` are the columns that somebody wants: of a file that holds columns of several lengths, as MATLAB's and JSON
+    `wanted` are the columns that somebody wants: of a file that holds columns of several lengths, as MATLAB's and JSON
     do, they say which belong together. Without them it is the longest.
     """
     kind = format_of(path)
     _check_keys(path, kind, layout)
-    found = kind.read(path, layout)
-    return found if isinstance(found, pd.DataFrame) else table_of(found, asked, path)
+    table = kind.read(path, layout)
+    return table if isinstance(table, pd.DataFrame) else table_of(table, wanted, path)

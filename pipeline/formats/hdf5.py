@@ -99,8 +99,8 @@ def read_hdf5(path: Path, _: TextFile | None = None) -> Columns:
     except BadInput:
         raise
     except Exception as error:  # h5py raises whatever a damaged byte leads it to
-        said = f"{type(error).__name__}: {str(error)[:100]}"
-        raise BadInput(path, "file", f"is not a readable HDF5 file ({said})", "copy it again") from None
+        reason = f"{type(error).__name__}: {str(error)[:100]}"
+        raise BadInput(path, "file", f"is not a readable HDF5 file ({reason})", "copy it again") from None
     if objects and not columns:
         problem = "holds a table, a timeseries or another object of MATLAB's own, and no vector"
         raise BadInput(path, "file", problem, OBJECT_MEND)

@@ -25,11 +25,11 @@ class _Twice(ValueError):
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    told = dict(pairs)
-    if len(told) < len(pairs):
+    entries = dict(pairs)
+    if len(entries) < len(pairs):
         names = [name for name, _ in pairs]
         raise _Twice(next(name for name in names if names.count(name) > 1))
-    return told
+    return entries
 
 
 def _parsed(text: str, path: Path, field: str) -> Any:
@@ -54,19 +54,19 @@ def _has_lines(text: str) -> bool:
 def _lines(text: str, path: Path) -> list[Any]:
     """Values of one a line. A last line that was cut off is left out, which is said; raises BadInput for another."""
     lines = text.splitlines()
-    found = []
+    rows = []
     for number, line in enumerate(lines, 1):
         if not line.strip():
             continue
         try:
-            found.append(_parsed(line, path, f"line {number}"))
+            rows.append(_parsed(line, path, f"line {number}"))
         except ValueError as error:
-            if number == len(lines) and found:
+            if number == len(lines) and rows:
                 print(f"{path}: its last line, {short(line.strip())}, is cut off and was left out", file=sys.stderr)
                 break
             problem = f"is no JSON ({str(error)[:80]}): {short(line.strip())}"
             raise BadInput(path, f"line {number}", problem, "remove that line") from None
-    return found
+    return rows
 
 
 def read_json(path: Path, layout: TextFile) -> Columns:

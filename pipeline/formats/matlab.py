@@ -23,8 +23,8 @@ def read_matlab(path: Path, _: TextFile | None = None) -> Columns:
     command = [sys.executable, "-m", f"{__package__}.matlab_child", str(path.resolve())]
     done = subprocess.run(command, cwd=ROOT, capture_output=True)
     if done.returncode == TOLD:
-        said = done.stderr.decode("utf-8", "replace").strip()
-        raise BadInput(path, "file", f"is not a MATLAB file ({said})", "copy it again")
+        reason = done.stderr.decode("utf-8", "replace").strip()
+        raise BadInput(path, "file", f"is not a MATLAB file ({reason})", "copy it again")
     if done.returncode:
         raise BadInput(path, "file", "is not a MATLAB file: what reads such files fails on it", "copy it again")
     columns, objects = unpack(done.stdout)

@@ -96,15 +96,15 @@ def columns_of(value: Any, name: str = "", depth: int = 0) -> Iterator[tuple[str
             yield from columns_of(inside, name, depth + 1)
 
 
-def _found(asked: str, columns: Columns) -> str | None:
+def _found(wanted: str, columns: Columns) -> str | None:
     """The column of that name, or the only one whose path ends in it."""
-    if asked in columns:
-        return asked
-    ends = [name for name in columns if name.endswith(f".{asked}")]
+    if wanted in columns:
+        return wanted
+    ends = [name for name in columns if name.endswith(f".{wanted}")]
     return ends[0] if len(ends) == 1 else None
 
 
-def table_of(columns: Columns, asked: Sequence[str], path: Path) -> pd.DataFrame:
+def table_of(columns: Columns, wanted: Sequence[str], path: Path) -> pd.DataFrame:
     """The columns that are as long as those asked for, which keep the name by which they were asked.
 
     Raises BadInput where the file holds no series, or those asked for are of different lengths.
@@ -112,7 +112,7 @@ def table_of(columns: Columns, asked: Sequence[str], path: Path) -> pd.DataFrame
     series = {name: values for name, values in columns.items() if len(values) > 1}
     if not any(values.dtype.kind in "fiub" for values in series.values()):
         raise BadInput(path, "file", "holds no series of numbers", "save each channel as a series of its own")
-    places = {name: place for name in asked if (place := _found(name, series)) is not None}
+    places = {name: place for name in wanted if (place := _found(name, series)) is not None}
     lengths = {name: len(series[place]) for name, place in places.items()}
     if len(set(lengths.values())) > 1:
         first, *others = lengths

@@ -126,8 +126,8 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
             )
     except (ValueError, OverflowError, pd.errors.ParserWarning) as error:
         mend = "check file.delimiter, file.skip and file.comment, and the line that it names"
-        said = uneven(kept.getvalue(), layout.delimiter) or re.sub(r"\s+", " ", str(error)).strip()[:200]
-        raise BadInput(path, "file", f"is not a table ({said})", mend) from None
+        reason = uneven(kept.getvalue(), layout.delimiter) or re.sub(r"\s+", " ", str(error)).strip()[:200]
+        raise BadInput(path, "file", f"is not a table ({reason})", mend) from None
     if len(table) != count - layout.header:  # a quote that is left open takes the lines up to the next one with it
         problem = f"has {count - layout.header} lines of samples, of which {len(table)} can be told apart"
         raise BadInput(path, "file", problem, "remove the quotation mark that is left open in one of its lines")

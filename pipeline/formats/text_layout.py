@@ -37,8 +37,8 @@ def with_point(cell: Any) -> Any:
 
 def _of_numbers(line: str, delimiter: str) -> bool:
     """Whether a line is a row of a recording: two cells or more, most of them numbers or times of day."""
-    found = cells(line, delimiter)
-    return len(found) > 1 and 2 * sum(bool(NUMBER.fullmatch(cell)) or is_stamp(cell) for cell in found) > len(found)
+    words = cells(line, delimiter)
+    return len(words) > 1 and 2 * sum(bool(NUMBER.fullmatch(cell)) or is_stamp(cell) for cell in words) > len(words)
 
 
 def other_delimiter(lines: list[str], delimiter: str) -> str | None:
@@ -100,7 +100,7 @@ def uneven(content: bytes, delimiter: str) -> str | None:
     lines = content.decode("utf-8", "replace").splitlines()
     width = len(cells(lines[0], delimiter))
     for line in lines:
-        found = len(cells(line, delimiter))
-        if found > width:
-            return f"the line {short(line)} has {found} fields, its first line {short(lines[0])} has {width}"
+        count = len(cells(line, delimiter))
+        if count > width:
+            return f"the line {short(line)} has {count} fields, its first line {short(lines[0])} has {width}"
     return None

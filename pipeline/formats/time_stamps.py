@@ -39,10 +39,10 @@ def _day(date: str, month_first: bool) -> int | None:
 
 def _days(dates: list[str]) -> dict[str, float]:
     """The different dates of a column, in its order, as days: of day and month the order that puts them closer."""
-    told = [[_day(date, month_first) for date in dates] for month_first in (False, True)]
-    whole = [[day for day in days if day is not None] for days in told]
+    readings = [[_day(date, month_first) for date in dates] for month_first in (False, True)]
+    whole = [[day for day in days if day is not None] for days in readings]
     spans = [max(days) - min(days) if len(days) == len(dates) else np.inf for days in whole]
-    days = told[int(spans[1] < spans[0])]
+    days = readings[int(spans[1] < spans[0])]
     return {date: np.nan if day is None else float(day) for date, day in zip(dates, days, strict=True)}
 
 

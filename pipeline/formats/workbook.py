@@ -50,16 +50,16 @@ def _check_parts(path: Path) -> None:
 def _sheet(path: Path, book: Any, wanted: str | int | None) -> Any:
     """The sheet that `file.sheet` names, else the first; raises BadInput where it is not there."""
     sheets = {sheet.title: sheet for sheet in book.worksheets}
-    there = ", ".join(key_name(title) for title in list(sheets)[:12])
+    titles = ", ".join(key_name(title) for title in list(sheets)[:12])
     if not sheets:
         raise BadInput(path, "file.sheet", "the workbook holds no sheet of cells", SAVE)
     if isinstance(wanted, int) and str(wanted) not in sheets:
         if not 0 <= wanted < len(sheets):
-            problem = f"is {wanted}, but the workbook has {len(sheets)}, counted from 0: {there}"
+            problem = f"is {wanted}, but the workbook has {len(sheets)}, counted from 0: {titles}"
             raise BadInput(path, "file.sheet", problem, "name one of them")
         return list(sheets.values())[wanted]
     if wanted is not None and str(wanted) not in sheets:
-        raise BadInput(path, "file.sheet", f"{short(wanted)} is not in the workbook, only {there}", "name one of them")
+        raise BadInput(path, "file.sheet", f"{short(wanted)} is not in the workbook, only {titles}", "name one of them")
     return sheets[str(wanted)] if wanted is not None else next(iter(sheets.values()))
 
 
@@ -91,7 +91,7 @@ def _rows(path: Path, sheet: Any) -> Iterator[tuple[int, list[Any]]]:
 def _check_start(path: Path, rows: list[list[Any]], layout: TextFile) -> None:
     """Raise BadInput where titles stand above the names, or units between them and the numbers."""
     of_numbers = (sum(not isinstance(cell, str | None) for cell in row) * 2 > len(row) > 1 for row in rows[:LOOK])
-    first = next((number for number, found in enumerate(of_numbers) if found), 0)
+    first = next((number for number, is_number in enumerate(of_numbers) if is_number), 0)
     below = first - layout.header - layout.skip_below
     if below <= 0:
         return
@@ -127,8 +127,8 @@ def _opened(path: Path) -> Iterator[Any]:
     except BadInput:
         raise
     except Exception as error:  # openpyxl raises whatever a damaged part leads it to
-        said = f"{type(error).__name__}: {str(error)[:80]}"
-        raise BadInput(path, "file", f"is not a readable workbook ({said})", SAVE) from None
+        reason = f"{type(error).__name__}: {str(error)[:80]}"
+        raise BadInput(path, "file", f"is not a readable workbook ({reason})", SAVE) from None
 
 
 def first_rows(path: Path, most: int) -> dict[str, list[tuple[int, list[Any]]]]:

@@ -12,7 +12,11 @@ Result = TypeVar("Result")
 
 
 def each_alone(
-    work: Callable[..., Result], items: Sequence[Item], *told: object, jobs: int = 1, preload: Sequence[str] = (HOUSE,)
+    work: Callable[..., Result],
+    items: Sequence[Item],
+    *arguments: object,
+    jobs: int = 1,
+    preload: Sequence[str] = (HOUSE,),
 ) -> list[Result]:
     """What `work(item, *told)` gives for each item, in their order, each in a fresh process, `jobs` at a time.
 
@@ -20,11 +24,11 @@ def each_alone(
     can do that; the program itself is none, for a process runs it anew. An error of `work` is raised here.
     """
     if len(items) < 2:
-        return [work(item, *told) for item in items]
+        return [work(item, *arguments) for item in items]
     ways = multiprocessing.get_all_start_methods()
     context = multiprocessing.get_context("forkserver" if "forkserver" in ways else "spawn")
     if "forkserver" in ways:
         context.set_forkserver_preload(list(preload))
     with ProcessPoolExecutor(max(jobs, 1), context, max_tasks_per_child=1) as pool:
-        waiting = [pool.submit(work, item, *told) for item in items]
+        waiting = [pool.submit(work, item, *arguments) for item in items]
         return [future.result() for future in waiting]

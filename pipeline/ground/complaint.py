@@ -51,11 +51,11 @@ def bad_section(
     """First complaint about a file that `whole` describes, whose keys hold the sections."""
     complaints = error.errors(include_url=False)
     # A misspelt key is one mistake but two complaints: the unknown key says more than the missing one.
-    complaint = next((one for one in complaints if one["type"] == "extra_forbidden"), complaints[0])
+    complaint = next((candidate for candidate in complaints if candidate["type"] == "extra_forbidden"), complaints[0])
     where, kind, given = complaint["loc"], complaint["type"], complaint["input"]
-    said = complaint["msg"].removeprefix("Value error, ")
+    message = complaint["msg"].removeprefix("Value error, ")
     if not where:  # a check over several keys, whose message names its field
-        field, _, rest = said.partition(": ")
+        field, _, rest = message.partition(": ")
         problem, _, mend = rest.partition("; ")
         return BadInput(path, field, problem, mend)
     if "column" in where[2:]:  # after it pydantic names the types that it tried
@@ -72,14 +72,14 @@ def bad_section(
         )
     if kind == "missing":
         return BadInput(path, field, "is missing", f"add it{hint}")
-    if kind == "value_error" and "; " in said:
-        problem, _, mend = said.rpartition("; ")
+    if kind == "value_error" and "; " in message:
+        problem, _, mend = message.rpartition("; ")
         return BadInput(path, field, problem, mend)
     if given is None:
         return BadInput(path, field, "is empty", f"fill it in{hint}")
     if kind == "string_type" and isinstance(given, int | float):
         return BadInput(path, field, f"is the number {short(given)}, not text", f"put it in quotes{hint}")
-    return BadInput(path, field, f"is {short(given)}: {said}", f"correct it{hint}")
+    return BadInput(path, field, f"is {short(given)}: {message}", f"correct it{hint}")
 
 
 def syntax_mend(text: str) -> str:

@@ -28,8 +28,8 @@ def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
         temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
         temporary.touch()
     except (OSError, ValueError) as error:
-        said = getattr(error, "strerror", None) or error
-        raise BadInput(ascii(str(path))[1:-1], "--out", f"cannot be written ({said})", mend) from None
+        reason = getattr(error, "strerror", None) or error
+        raise BadInput(ascii(str(path))[1:-1], "--out", f"cannot be written ({reason})", mend) from None
     try:
         yield temporary
         with open(temporary, "rb") as file:

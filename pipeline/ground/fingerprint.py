@@ -66,25 +66,25 @@ def reachable(*modules: str) -> list[Path]:
     `package.*` stands for every file of a package, data too: what it finds by name at run time, imports do not show.
     A module that finds others so says of what packages, under FOUND_BY_NAME.
     """
-    found: set[Path] = set()
+    paths: set[Path] = set()
     waiting = list(modules)
     while waiting:
         module = waiting.pop()
         if module.endswith(".*"):
             files = [path for path in HOUSE.joinpath(*module.split(".")[1:-1]).rglob("*") if path.suffix in SOURCES]
-            found.update(path for path in files if path.suffix != ".py")
+            paths.update(path for path in files if path.suffix != ".py")
             names = [(NAME, *path.relative_to(HOUSE).with_suffix("").parts) for path in files if path.suffix == ".py"]
             waiting += [".".join(name).removesuffix(".__init__") for name in names]
             continue
         path = _file(module)
-        if path is None or path in found:
+        if path is None or path in paths:
             continue
-        found.add(path)
+        paths.add(path)
         main = path.parent / "__main__.py"
         if path.name == "__init__.py" and main.is_file() and module in modules:
             waiting.append(f"{module}.__main__")
         waiting.extend(_imports(path))
-    return sorted(found)
+    return sorted(paths)
 
 
 def fingerprint(*modules: str) -> str:

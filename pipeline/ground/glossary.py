@@ -53,12 +53,12 @@ TERMS: dict[str, dict[str, str]] = {
 
 def _mechanisms() -> dict[str, str]:
     """What each mechanism's file says that a person would see, by id, read as text; those of the library first."""
-    said: dict[str, str] = {}
+    meanings: dict[str, str] = {}
     for path in sorted(MECHANISMS.glob("[!_]*.py"), key=lambda path: (path.stem.startswith("x_"), path.stem)):
         tree = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         for value in (node.value for node in tree if isinstance(node, ast.keyword) and node.arg == "meaning"):
-            said[path.stem] = str(ast.literal_eval(value))
-    return said
+            meanings[path.stem] = str(ast.literal_eval(value))
+    return meanings
 
 
 TERMS["What a simulator can leave out"] = _mechanisms()

@@ -138,7 +138,7 @@ def _of_points(points: Any, given: str, equation: Callable[[Geometry, Values, Va
     actuators = np.asarray(points["actuator"]).astype(str)
     column = {name: np.asarray(points[name], float) for name in (given, "load_n", *DIMENSIONS)}
     for actuator in np.unique(actuators):
-        here = actuators == actuator
-        geometry = Geometry(str(actuator), **{name: column[name][here] for name in DIMENSIONS})
-        result[here] = equation(geometry, column[given][here], column["load_n"][here])
+        is_actuator = actuators == actuator
+        geometry = Geometry(str(actuator), **{name: column[name][is_actuator] for name in DIMENSIONS})
+        result[is_actuator] = equation(geometry, column[given][is_actuator], column["load_n"][is_actuator])
     return result

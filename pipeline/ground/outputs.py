@@ -23,7 +23,7 @@ def file_to_write(path: Path, field: str = "--out", reads: Iterable[Path] = ()) 
     if path.exists() and not stat.S_ISREG(path.stat().st_mode):
         raise BadInput(field, str(path), "is a device, a pipe or a socket", "name a file")
     _refuse_place(path.parent, field)
-    if any(_same(path, one) for one in reads):
+    if any(_same(path, read) for read in reads):
         raise BadInput(field, str(path), "is a file that this program reads", "name another file")
     of_a_run = path.name in OF_A_RUN or path.name.startswith("recording")
     if of_a_run and any((path.parent / name).exists() for name in OF_A_RUN):
@@ -40,10 +40,10 @@ def folder_to_write(path: Path, field: str = "--out") -> Path:
     return path
 
 
-def _same(one: Path, other: Path) -> bool:
+def _same(path: Path, other: Path) -> bool:
     """Whether two paths lead to one file; those of which one leads nowhere do not."""
     try:
-        return os.path.samefile(one, other)
+        return os.path.samefile(path, other)
     except (OSError, ValueError):
         return False
 
@@ -66,12 +66,12 @@ def _refuse_names(path: Path, field: str, wanted: str) -> None:
 def _refuse_place(folder: Path, field: str) -> None:
     """Raise BadInput unless a folder is there and may be written to, or can be made."""
     try:
-        there = folder
-        while not there.exists():
-            there = there.parent
-        if not there.is_dir():
-            raise BadInput(field, str(there), "is a file, and nothing can lie under it", "name another place")
-        if not os.access(there, os.W_OK | os.X_OK):
-            raise BadInput(field, str(there), "may not be written to", "name another place, or ask for the right")
+        existing = folder
+        while not existing.exists():
+            existing = existing.parent
+        if not existing.is_dir():
+            raise BadInput(field, str(existing), "is a file, and nothing can lie under it", "name another place")
+        if not os.access(existing, os.W_OK | os.X_OK):
+            raise BadInput(field, str(existing), "may not be written to", "name another place, or ask for the right")
     except OSError as error:  # too long in all, a loop of links, a disk that is gone
         raise BadInput(field, str(folder)[:80], error.strerror or "cannot be used", "name another place") from None

@@ -41,7 +41,7 @@ def steps(items: Iterable[Item], what: str, total: int | None = None) -> Iterato
             _say()
             yield item
     finally:
-        place = next((at for at, one in enumerate(_line.levels) if one is level), len(_line.levels))
+        place = next((at for at, entry in enumerate(_line.levels) if entry is level), len(_line.levels))
         del _line.levels[place:]
         if not _line.levels:
             clear()

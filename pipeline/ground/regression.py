@@ -47,8 +47,8 @@ def gaussian_process(table: Array, values: Array, points: int, tuned_on: int) ->
 
 def _least(objective: Callable[..., tuple[float, Array]], start: Array, bounds: Array) -> tuple[Array, float]:
     """A search for the likeliest lengths that stops after some steps."""
-    found = minimize(objective, start, method="L-BFGS-B", jac=True, bounds=bounds, options={"maxiter": STEPS})
-    return found.x, float(found.fun)
+    solution = minimize(objective, start, method="L-BFGS-B", jac=True, bounds=bounds, options={"maxiter": STEPS})
+    return solution.x, float(solution.fun)
 
 
 def boosted_trees(table: Array, values: Array, seed: int) -> Callable[[Array], Array]:

@@ -87,9 +87,9 @@ def write(table: pd.DataFrame, schema: pa.Schema, path: Path | str) -> None:
 
 def write_refusal(error: BadInput, path: Path | str) -> None:
     """Write, in place of a table, why there is none."""
-    told = json.dumps([error.file, error.field, error.problem, error.mend])
+    refusal = json.dumps([error.file, error.field, error.problem, error.mend])
     with whole(path) as temporary:
-        pq.write_table(pa.schema([], metadata={REFUSED: told.encode()}).empty_table(), temporary)
+        pq.write_table(pa.schema([], metadata={REFUSED: refusal.encode()}).empty_table(), temporary)
         seal.seal_parquet(temporary)
 
 

@@ -86,9 +86,9 @@ class TextFile(BaseModel):
     @classmethod
     def _known(cls, value: str) -> str:
         try:
-            found = codecs.lookup(value) if re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ._-]*", value) else None
+            codec = codecs.lookup(value) if re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ._-]*", value) else None
         except (LookupError, ValueError):
-            found = None
-        if found is None or not getattr(found, "_is_text_encoding", True) or found.name in NO_TEXT:
+            codec = None
+        if codec is None or not getattr(codec, "_is_text_encoding", True) or codec.name in NO_TEXT:
             raise ValueError("must be an encoding of text, such as utf-8, utf-16, latin1 or cp1252")
         return value

@@ -30,10 +30,10 @@ def by_file(words: Iterable[str], folder: Path, start: Path | str = "") -> str:
 
 def spread(words: Iterable[str]) -> list[str]:
     """Words, with those of a file in place of the word that stands for them."""
-    found: list[str] = []
+    all_words: list[str] = []
     for word in words:
         if word.startswith(SIGN) and Path(word[1:]).is_file():
-            found += Path(word[1:]).read_text(encoding="utf-8").splitlines()
+            all_words += Path(word[1:]).read_text(encoding="utf-8").splitlines()
         else:
-            found.append(word)
-    return found
+            all_words.append(word)
+    return all_words

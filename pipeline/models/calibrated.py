@@ -97,10 +97,10 @@ class Calibrated:
         strings = points["string"].astype(str).to_numpy()
         for string in np.unique(strings):
             move = self.moves.get(string, {})
-            here = strings == string
+            of_string = strings == string
             names = [name for name in move if name in points.columns]
-            moved.loc[here, names] = self._moved(points[here], move)[names]
-            zero_mm[here] = move.get("zero_mm", 0.0)
+            moved.loc[of_string, names] = self._moved(points[of_string], move)[names]
+            zero_mm[of_string] = move.get("zero_mm", 0.0)
         return moved, zero_mm
 
 

@@ -90,18 +90,18 @@ class Cinn:
         """Twist in turns, shape (points,), within the twists that were seen."""
         given, wanted = tensor(self._given(points)), tensor(self.outputs.scaled(self._measured_side(points)))
         # b, l, r and n are the same numbers on both sides, and so are their scalings
-        there = self.network.inverse(wanted, given)[:, :1]
-        slope, last, missed = torch.ones_like(there), there, torch.zeros_like(there)
+        reached = self.network.inverse(wanted, given)[:, :1]
+        slope, last, missed = torch.ones_like(reached), reached, torch.zeros_like(reached)
         for step in range(SECANTS):
-            short = wanted[:, :1] - self.network(torch.cat([there, wanted[:, 1:]], dim=1), given)[:, :1]
+            short = wanted[:, :1] - self.network(torch.cat([reached, wanted[:, 1:]], dim=1), given)[:, :1]
             if step:
-                apart = there - last
+                apart = reached - last
                 secant = ((missed - short) / torch.where(apart.abs() < NEAREST, NEAREST, apart)).clamp(
                     FLATTEST, STEEPEST
                 )
                 slope = torch.where(apart.abs() < NEAREST, slope, secant)
-            last, missed, there = there, short, there + short / slope
-        root = self.inputs.restored(torch.cat([there, wanted[:, 1:]], dim=1).double().numpy())[:, 0]
+            last, missed, reached = reached, short, reached + short / slope
+        root = self.inputs.restored(torch.cat([reached, wanted[:, 1:]], dim=1).double().numpy())[:, 0]
         base_mm = np.square(root) - self.shift_mm
         return self.box.clipped("motor_turns", point_motor_turns(points.assign(displacement_mm=base_mm)))
 

@@ -81,16 +81,16 @@ class Diagnosed:
 
     def save(self, path: Path) -> None:
         """Write all simulators as JSON: what each names, its numbers, and the motion that it was seen in."""
-        found = [{"string": string, **simulator.saved()} for (_, string), simulator in self.simulators.items()]
-        write_json(path, {"without": sorted(self.without), "simulators": found})
+        saved = [{"string": string, **simulator.saved()} for (_, string), simulator in self.simulators.items()]
+        write_json(path, {"without": sorted(self.without), "simulators": saved})
 
     def load(self, path: Path) -> None:
         """Take over the simulators of a JSON file."""
         content = read_json(path)
         self.without = frozenset(Settings(without=content["without"]).without)
-        strings = [one.pop("string") for one in content["simulators"]]
-        found = map(Simulator.from_saved, content["simulators"])
-        self.simulators = {(one.run.run, string): one for string, one in zip(strings, found, strict=True)}
+        strings = [entry.pop("string") for entry in content["simulators"]]
+        simulators = map(Simulator.from_saved, content["simulators"])
+        self.simulators = {(loaded.run.run, string): loaded for string, loaded in zip(strings, simulators, strict=True)}
 
     def _each(
         self, points: pd.DataFrame, known: Callable[[Simulator, pd.DataFrame], Array],
@@ -99,8 +99,8 @@ class Diagnosed:
         """What each run's simulator says of its points, or the nominal equations, shape (points,)."""
         answer = np.empty(len(points))
         for key, rows in _by_run(points):
-            asked, simulator = points.iloc[rows], self.simulators.get(key)
-            answer[rows] = known(simulator, asked) if simulator else unknown(asked)
+            group_points, simulator = points.iloc[rows], self.simulators.get(key)
+            answer[rows] = known(simulator, group_points) if simulator else unknown(group_points)
         return answer
 
 
@@ -125,30 +125,31 @@ def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
     known = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
     run, samples = run_of(known), known[SAMPLES]
     try:
-        found = engine.study(holed(run, samples, without))
-        faint.refuse_faint(found, Path(run.run))
+        studied = engine.study(holed(run, samples, without))
+        faint.refuse_faint(studied, Path(run.run))
     except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
         base = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
         alone = (base.values.tolist(), float(base.zeros[0]))
         return Simulator(run, known[KNOWN], str(error), [], *alone, base.acts, 0.0, alone)
-    explained = found.verdict in ("explained", "ambiguous")
-    named = [list(one.ids) for one in found.sets] if explained else []
+    explained = studied.verdict in ("explained", "ambiguous")
+    named = [list(explanation.ids) for explanation in studied.sets] if explained else []
 
     def simulator(state: State) -> Simulator:
-        level_mm = float(np.mean(found.problem.simulate(state)))
+        level_mm = float(np.mean(studied.problem.simulate(state)))
         return Simulator(
-            run, known[KNOWN], found.verdict, named, state.values.tolist(), float(state.zeros[0]), state.acts, level_mm,
-            (found.base.values.tolist(), float(found.base.zeros[0])),
+            run, known[KNOWN], studied.verdict, named, state.values.tolist(), float(state.zeros[0]), state.acts,
+            level_mm,
+            (studied.base.values.tolist(), float(studied.base.zeros[0])),
         )  # fmt: skip
 
     if not explained:
-        return simulator(found.base)
+        return simulator(studied.base)
     tried: list[tuple[float, Simulator]] = []
-    for state in foreseeing(found):
-        one = simulator(state)
-        tried.append((undone(one), one))
+    for state in foreseeing(studied):
+        first = simulator(state)
+        tried.append((undone(first), first))
         if tried[-1][0] < UNDONE_TURNS:
-            return one
+            return first
     return min(tried, key=lambda pair: pair[0])[1]
 
 
@@ -162,21 +163,21 @@ def undone(simulator: Simulator) -> float:
         "size"
     )
     back = (np.abs(place - MIDDLE) < HELD_BACK).to_numpy() | (place > 1.0 - HELD_BACK).to_numpy()
-    asked, rest = known[back], replace(simulator, known=known[~back])
+    back_points, rest = known[back], replace(simulator, known=known[~back])
     if not back.any():
         return 0.0
-    there = asked.assign(displacement_mm=rest.forward(asked), motor_turns=np.nan)
-    return float(np.sqrt(np.mean(np.square(rest.inverse(there) - asked["motor_turns"].to_numpy(float)))))
+    placed = back_points.assign(displacement_mm=rest.forward(back_points), motor_turns=np.nan)
+    return float(np.sqrt(np.mean(np.square(rest.inverse(placed) - back_points["motor_turns"].to_numpy(float)))))
 
 
-def foreseeing(found: outcome.Study) -> Iterator[State]:
+def foreseeing(studied: outcome.Study) -> Iterator[State]:
     """The simulators that best foresee stretches left out of their fit, of what ties and the best of every size.
 
     A name should be as simple as a recording allows; a prediction need not.
     """
-    search = found.search
-    beside = [one for size in range(1, LARGEST + 1) for one in search.all_of(size)[:TRIED]]
-    tried = list({one.keys: one for one in [*found.sets, *beside]}.values())
+    search = studied.search
+    beside = [explanation for size in range(1, LARGEST + 1) for explanation in search.all_of(size)[:TRIED]]
+    tried = list({explanation.keys: explanation for explanation in [*studied.sets, *beside]}.values())
     errors = cross_validation.left_out_errors(search.linear, tried)
     good = tried[int(np.argmin(errors))].ids
     if len(good) < LARGEST:  # what foresees best may have been too far behind to be searched on
@@ -184,10 +185,10 @@ def foreseeing(found: outcome.Study) -> Iterator[State]:
         more = [search.explain(ids) for ids in sets if apart(ids)]
         tried, errors = [*tried, *more], [*errors, *cross_validation.left_out_errors(search.linear, more)]
     for place in np.argsort(errors, kind="stable")[:FORESEEING]:
-        state = found.best if tried[place] is found.sets[0] else engine.at_work(search, tried[place])
-        if not outcome.cancels(found.problem, state):
+        state = studied.best if tried[place] is studied.sets[0] else engine.at_work(search, tried[place])
+        if not outcome.cancels(studied.problem, state):
             yield state
-    yield found.best
+    yield studied.best
 
 
 MODEL = Diagnosed

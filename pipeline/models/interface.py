@@ -42,14 +42,14 @@ def names() -> tuple[str, ...]:
 
 def settings_of(name: str) -> type | None:
     """The dataclass of a model's settings, None for a model without any."""
-    found: type | None = getattr(importlib.import_module(f"{__package__}.{name}"), "Settings", None)
-    return found
+    settings: type | None = getattr(importlib.import_module(f"{__package__}.{name}"), "Settings", None)
+    return settings
 
 
 def about(name: str) -> About:
     """What a model's file says of it under `ABOUT`; the usual where it says nothing."""
-    said: About = getattr(importlib.import_module(f"{__package__}.{name}"), "ABOUT", About())
-    return said
+    about_model: About = getattr(importlib.import_module(f"{__package__}.{name}"), "ABOUT", About())
+    return about_model
 
 
 def make_model(name: str, **settings: object) -> Model:

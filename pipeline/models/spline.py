@@ -60,9 +60,9 @@ class Spline:
         thin = points.iloc[:: max(1, len(points) // CHOICE_POINTS)]
         weights = np.zeros((2 * self.settings.bins + 2, self._features(thin, Law()).shape[1]))
 
-        def error_of(law: Law, known: pd.DataFrame, asked: pd.DataFrame) -> float:
+        def error_of(law: Law, known: pd.DataFrame, later: pd.DataFrame) -> float:
             fitted = self._fitted(known, law, weights, CHOICE_STEPS)
-            error = self._contraction_mm(asked, law, fitted) - asked["displacement_mm"].to_numpy()
+            error = self._contraction_mm(later, law, fitted) - later["displacement_mm"].to_numpy()
             return float(np.sqrt(np.mean(error**2)))
 
         self.law = Law().standardised(thin["stroke"].to_numpy())
@@ -102,15 +102,15 @@ class Spline:
 
     def _features(self, points: pd.DataFrame, law: Law) -> Array:
         """What the knots depend on, shape (points, features); the first is 1."""
-        one, grown = np.ones(len(points)), law.of(points["stroke"].to_numpy())
+        ones, grown = np.ones(len(points)), law.of(points["stroke"].to_numpy())
         first = points["stroke"].to_numpy() == 1  # a new string beds in while it is wound for the first time
-        base = np.column_stack([one, grown, first])
+        base = np.column_stack([ones, grown, first])
         others = self.conditions.table(points)
-        told = np.column_stack([base, others, others * grown[:, None]])
+        columns = np.column_stack([base, others, others * grown[:, None]])
         if not self.settings.direction:
-            return told
+            return columns
         way = points["direction"].to_numpy(float)[:, None]
-        return np.column_stack([told, way * base, way * others])
+        return np.column_stack([columns, way * base, way * others])
 
     def _knots(self, points: pd.DataFrame, law: Law, weights: Array) -> rational.Knots:
         """Every point's own knots."""

@@ -80,11 +80,11 @@ class Diagnosis:
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
-        runs, tables = [one.run for one in recordings], [one.samples for one in recordings]
-        content, found = diagnosed(runs, tables, [one.folder for one in recordings], without)
+        runs, tables = [recording.run for recording in recordings], [recording.samples for recording in recordings]
+        content, study = diagnosed(runs, tables, [recording.folder for recording in recordings], without)
         if len(runs) > 1:
             content["run"] = [run.run for run in runs]
-        return cls(content, runs[0].actuator, found)
+        return cls(content, runs[0].actuator, study)
 
     @classmethod
     def read(cls, path: Path | str, actuator: str = "separator") -> Diagnosis:
@@ -164,7 +164,7 @@ class Diagnosis:
             figures.page(self._found, self.content, folder / "diagnosis")
 
     def __repr__(self) -> str:
-        named = " + ".join(one.id for one in self.mechanisms) or "nothing named"
+        named = " + ".join(mechanism.id for mechanism in self.mechanisms) or "nothing named"
         ties = f", or {len(self.alternatives)} more" if self.alternatives else ""
         return f"<Diagnosis of {self.content['run']}: {self.verdict}; {named}{ties}>"
 
@@ -177,5 +177,5 @@ class Diagnosis:
         page = self.figure()
         page.set_dpi(SHOWN_DOTS)
         FigureCanvasAgg(page).print_png(drawn)
-        told = base64.b64encode(drawn.getvalue()).decode()
-        return f"{shown}<img alt='the page of figures' src='data:image/png;base64,{told}'>"
+        picture = base64.b64encode(drawn.getvalue()).decode()
+        return f"{shown}<img alt='the page of figures' src='data:image/png;base64,{picture}'>"

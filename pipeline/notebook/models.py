@@ -32,13 +32,13 @@ def points(recordings: Sequence[Recording]) -> pd.DataFrame:
     ("test") or neither (""), inside strokes and in the last quarter of the strokes. Raises BadInput for a rig that is
     no string.
     """
-    for one in recordings:
-        if one.run.actuator not in STRING_ACTUATORS:
-            problem = f"is {one.run.actuator}: kinematic models are of strings"
-            raise BadInput(one.folder / "run.yaml", "actuator", problem, f"use {' or '.join(STRING_ACTUATORS)}")
+    for recording in recordings:
+        if recording.run.actuator not in STRING_ACTUATORS:
+            problem = f"is {recording.run.actuator}: kinematic models are of strings"
+            raise BadInput(recording.folder / "run.yaml", "actuator", problem, f"use {' or '.join(STRING_ACTUATORS)}")
     if not recordings:
         raise BadInput("points", "recordings", "are none", "give at least one recording")
-    return make_dataset([one.recorded() for one in recordings])
+    return make_dataset([recording.recorded() for recording in recordings])
 
 
 def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> Model:

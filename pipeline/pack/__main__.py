@@ -30,16 +30,16 @@ def write(archive: Path, manifest: Manifest, files: dict[str, str]) -> None:
     """Write an archive, whole or not at all; raises BadInput where a file changes meanwhile."""
     with whole(archive) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as zipped:
         zipped.writestr(zipfile.ZipInfo(NAME, SINCE), manifest.to_json(), zipfile.ZIP_DEFLATED)
-        for name, one in manifest.files.items():
-            if not one.brought:
+        for name, file in manifest.files.items():
+            if not file.brought:
                 continue
             about, digest = zipfile.ZipInfo(name, SINCE), hashlib.sha256()
-            about.compress_type, about.file_size = zipfile.ZIP_DEFLATED, one.bytes
+            about.compress_type, about.file_size = zipfile.ZIP_DEFLATED, file.bytes
             with open(files[name], "rb") as source, zipped.open(about, "w") as target:
                 while part := source.read(CHUNK_BYTES):
                     digest.update(part)
                     target.write(part)
-            if digest.hexdigest() != one.sha256:
+            if digest.hexdigest() != file.sha256:
                 raise BadInput(files[name], "content", "changed while it was packed", "pack again when nothing writes")
 
 
@@ -59,11 +59,11 @@ def main() -> None:
         raise BadInput("arguments", "MATERIAL", "names nothing, or something beside --all", "give materials, or --all")
     materials, files = contents(arguments.material, arguments.all, arguments.configfile)
     held = {name: not (arguments.without_recordings and name.startswith("raw/")) for name in files}
-    said = {name: described(path, held[name]) for name, path in files.items()}
-    manifest = Manifest(__version__, fingerprint("pipeline.*"), materials, arguments.configfile, said)
+    described_files = {name: described(path, held[name]) for name, path in files.items()}
+    manifest = Manifest(__version__, fingerprint("pipeline.*"), materials, arguments.configfile, described_files)
     write(arguments.out, manifest, files)
     runs = sum(map(len, materials.values()))
-    size = f"{len(said)} files, {arguments.out.stat().st_size / 1e6:.1f} MB"
+    size = f"{len(described_files)} files, {arguments.out.stat().st_size / 1e6:.1f} MB"
     print(f"{arguments.out}: {', '.join(materials)}, {runs} run{'s' * (runs != 1)}, {size}")
 
 

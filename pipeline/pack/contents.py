@@ -19,14 +19,14 @@ SNAKEMAKE = (sys.executable, "-m", "snakemake", "--summary", "--cores", "1")
 
 def synthetic_runs(configuration: Sequence[str]) -> list[str]:
     """Runs that the pipeline records itself, by the default configuration and those laid over it."""
-    found: dict[str, None] = {}
+    runs: dict[str, None] = {}
     for path in ("pipeline/config/default.yaml", *configuration):
         try:
             content = yaml.safe_load(Path(path).read_text(encoding="utf-8")) or {}
-            found |= dict.fromkeys(content.get("synthetic", {}))
+            runs |= dict.fromkeys(content.get("synthetic", {}))
         except (OSError, ValueError, AttributeError, yaml.YAMLError):
             raise BadInput(path, "configuration", "cannot be read", "start in the project's folder") from None
-    return list(found)
+    return list(runs)
 
 
 def summary(configuration: Sequence[str]) -> list[list[str]]:
@@ -63,11 +63,15 @@ def contents(
     With `every` all materials, and what is made of all of them together.
     """
     synthetic = synthetic_runs(configuration)
-    there = make_plan(Path("raw"), synthetic).materials
-    materials = {name: there[name] for name in (there if every else dict.fromkeys(wanted)) if name in there}
+    plan_materials = make_plan(Path("raw"), synthetic).materials
+    materials = {
+        name: plan_materials[name]
+        for name in (plan_materials if every else dict.fromkeys(wanted))
+        if name in plan_materials
+    }
     for name in wanted:
-        if name not in there:
-            mend = f"give some of {', '.join(there) or 'none: raw/ holds no run'}"
+        if name not in plan_materials:
+            mend = f"give some of {', '.join(plan_materials) or 'none: raw/ holds no run'}"
             raise BadInput("arguments", ascii(name)[:200], "no run in raw/ is of this material", mend)
     runs = {run for own in materials.values() for run in own}
     files: dict[str, str] = {}

@@ -45,7 +45,7 @@ class Manifest:
 
     def to_json(self) -> str:
         """All of it, in an order that does not change."""
-        content = {**vars(self), "format": FORMAT, "files": {name: vars(one) for name, one in self.files.items()}}
+        content = {**vars(self), "format": FORMAT, "files": {name: vars(file) for name, file in self.files.items()}}
         return json.dumps(content, indent=1, sort_keys=True)
 
 
@@ -64,21 +64,21 @@ def allowed(name: Any) -> bool:
         return False
 
 
-def _file(one: Any) -> File | None:
+def _file(entry: Any) -> File | None:
     """What is said of a file, or None where that cannot be."""
-    if not isinstance(one, dict) or set(one) != {"bytes", "sha256", "time_ns", "brought"}:
+    if not isinstance(entry, dict) or set(entry) != {"bytes", "sha256", "time_ns", "brought"}:
         return None
-    numbers = [one["bytes"], one["time_ns"]]
+    numbers = [entry["bytes"], entry["time_ns"]]
     if not all(type(number) is int and 0 <= number < LATEST_NS for number in numbers):
         return None
-    digest = one["sha256"]
-    if not isinstance(digest, str) or not re.fullmatch("[0-9a-f]{64}", digest) or type(one["brought"]) is not bool:
+    digest = entry["sha256"]
+    if not isinstance(digest, str) or not re.fullmatch("[0-9a-f]{64}", digest) or type(entry["brought"]) is not bool:
         return None
-    return File(**one)
+    return File(**entry)
 
 
 def _texts(value: Any) -> bool:
-    return isinstance(value, list) and all(isinstance(one, str) and one.isprintable() for one in value)
+    return isinstance(value, list) and all(isinstance(text, str) and text.isprintable() for text in value)
 
 
 def read(text: bytes, archive: Path) -> Manifest:
@@ -90,18 +90,18 @@ def read(text: bytes, archive: Path) -> Manifest:
         assert _texts(list(content["materials"])) and all(map(_texts, content["materials"].values()))
         assert _texts(content["configuration"])
         named = content.pop("files")
-        found = Manifest(**content)
+        manifest = Manifest(**content)
     except (ValueError, KeyError, TypeError, AttributeError, AssertionError, RecursionError):
         raise BadInput(archive, NAME, f"is none of format {FORMAT}", MEND) from None
     files = {}
-    for name, said in named.items():
-        one = _file(said)
+    for name, entry in named.items():
+        file = _file(entry)
         if not allowed(name):
             raise BadInput(archive, ascii(name)[:200], "is no name of a file that an archive may hold", MEND)
-        if one is None:
+        if file is None:
             raise BadInput(archive, name, "is described in a way that cannot be", MEND)
-        files[name] = one
+        files[name] = file
     for name in files:
         if any(str(above) in files for above in Path(name).parents):
             raise BadInput(archive, name, "lies below a file", MEND)
-    return Manifest(found.version, found.code, found.materials, found.configuration, files)
+    return Manifest(manifest.version, manifest.code, manifest.materials, manifest.configuration, files)

@@ -36,11 +36,11 @@ def manifest_of(zipped: zipfile.ZipFile, archive: Path) -> Manifest:
         if kind not in (0, stat.S_IFREG) or about.flag_bits & 1:
             raise BadInput(archive, about.filename, "is a link, a folder, a device or encrypted, no plain file", MEND)
     manifest = read(zipped.read(NAME), archive)
-    brought = {name for name, one in manifest.files.items() if one.brought}
+    brought = {name for name, file in manifest.files.items() if file.brought}
     if len(set(names)) != len(names) or set(names[1:]) != brought:
         odd = next(iter(sorted(set(names[1:]) ^ brought)), "a file that comes twice")
         raise BadInput(archive, ascii(odd)[:200], "is in the archive or in its manifest, not in both", MEND)
-    need = sum(one.bytes for one in manifest.files.values() if one.brought)
+    need = sum(file.bytes for file in manifest.files.values() if file.brought)
     free = shutil.disk_usage(Path()).free
     if need > free:
         raise BadInput(archive, "files", f"need {need / 1e9:.1f} GB, and {free / 1e9:.1f} are free", "make room")
@@ -60,7 +60,7 @@ def target_of(name: str) -> Path:
 def missing(manifest: Manifest, archive: Path) -> list[str]:
     """Names of the files that this folder lacks; raises BadInput where another stands in the place of one."""
     lacking, notes = [], []
-    for name, one in manifest.files.items():
+    for name, file in manifest.files.items():
         target = target_of(name)
         above = next((path for path in target.parents if os.path.lexists(path) and not path.is_dir()), None)
         if above or (os.path.lexists(target) and not target.is_file()):
@@ -68,20 +68,20 @@ def missing(manifest: Manifest, archive: Path) -> list[str]:
         if name.startswith(f"{PROVENANCE}/"):
             notes.append(name)
         elif not target.exists():
-            if name.startswith("raw/") and (target.parent.exists() or not one.brought):
+            if name.startswith("raw/") and (target.parent.exists() or not file.brought):
                 mend = "put the recording there, or ask for an archive with recordings"
                 raise BadInput(target, "recording", "is not there, and raw/ is never added to", mend)
             lacking.append(name)
-        elif target.stat().st_size != one.bytes or sha256(target) != one.sha256:
+        elif target.stat().st_size != file.bytes or sha256(target) != file.sha256:
             mend = "unpack in a fresh checkout" + ("" if name.startswith("raw/") else ", or remove the file")
             raise BadInput(target, "content", f"is another than {archive.name} holds; nothing is replaced", mend)
     coming = {str(path) for name in lacking for path in (Path(name), *Path(name).parents)}
     return lacking + [name for name in notes if made_of(name) in coming or not target_of(name).exists()]
 
 
-def bring(zipped: zipfile.ZipFile, name: str, one: File, place: Path, archive: Path) -> None:
+def bring(zipped: zipfile.ZipFile, name: str, file: File, place: Path, archive: Path) -> None:
     """Write one file of an archive below a folder of its own; raises BadInput where it is not what was packed."""
-    path, digest, left = place / name, hashlib.sha256(), one.bytes
+    path, digest, left = place / name, hashlib.sha256(), file.bytes
     path.parent.mkdir(parents=True, exist_ok=True)
     try:
         with zipped.open(name) as source, path.open("wb") as target:
@@ -93,10 +93,10 @@ def bring(zipped: zipfile.ZipFile, name: str, one: File, place: Path, archive: P
                 target.write(part)
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError) as error:
         raise BadInput(archive, name, f"is damaged ({error})", WHOLE) from None
-    if left or digest.hexdigest() != one.sha256:
+    if left or digest.hexdigest() != file.sha256:
         raise BadInput(archive, name, "is not what was packed: its digest is another", WHOLE)
     os.chmod(path, 0o444 if name.startswith("raw/") else 0o644)
-    os.utime(path, ns=(one.time_ns, one.time_ns))
+    os.utime(path, ns=(file.time_ns, file.time_ns))
 
 
 def settle(place: Path, names: list[str]) -> None:
@@ -140,8 +140,10 @@ def main() -> None:
     if not Path("Snakefile").is_file():
         raise BadInput("Snakefile", "folder", "is no project", "start in the folder of a checkout of twistbench")
     manifest, came = unpack(archive)
-    there = len(manifest.files) - came
-    print(f"{', '.join(manifest.materials)}: {came} files unpacked" + (f", {there} were there" if there else ""))
+    kept_count = len(manifest.files) - came
+    print(
+        f"{', '.join(manifest.materials)}: {came} files unpacked" + (f", {kept_count} were there" if kept_count else "")
+    )
     if fingerprint("pipeline.*") != manifest.code:
         print(f"packed by other code (twistbench {manifest.version}): what that code makes otherwise is made again")
     configured = shlex.join(["--configfile", *manifest.configuration]) if manifest.configuration else ""

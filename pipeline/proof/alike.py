@@ -27,7 +27,7 @@ def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Co
     bench, protocol, floor_mm = case.bench, case.protocol, case.nuisance.floor_mm
     # what calibration leaves of nothing is no copy: the limits of the dimensions show in it
     bare_mm = _left_mm(bench, protocol, {}, floor_mm)
-    found = {}
+    copied = {}
     for name in names:
         left = [np.zeros(len(bare_mm))]
         for _ in range(shapes):
@@ -37,9 +37,9 @@ def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Co
                 continue
             strength = max(1.0 / kappa, 1e-3)
             left.append(_left_mm(bench, protocol, {name: of(strength)}, floor_mm) - bare_mm)
-        both = [-one for one in left] if name in EITHER_SIGN else []
-        found[name] = np.array(left + both).T
-    return found
+        both = [-coefficient for coefficient in left] if name in EITHER_SIGN else []
+        copied[name] = np.array(left + both).T
+    return copied
 
 
 def left_over(case: Case, of: Copies) -> dict[str, float]:

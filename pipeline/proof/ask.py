@@ -51,10 +51,10 @@ def main() -> None:
     arguments = parser.parse_args()
     runs = list(find_runs(arguments.runs))
     judge = JUDGES / f"without_{arguments.untaught_by}.json" if arguments.untaught_by else None
-    asked: Asked = (
+    question: Asked = (
         ask(runs, arguments.out, arguments.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
     )
-    write_text(arguments.out / "asked.json", json.dumps(asked) + "\n")
+    write_text(arguments.out / "asked.json", json.dumps(question) + "\n")
 
 
 if __name__ == "__main__":

@@ -56,6 +56,6 @@ def calibrate(
     def asked(sigmas: Array) -> Array:
         return np.concatenate([weight * _left(sigmas, measured, *few), sigmas])
 
-    found = least_squares(asked, np.zeros(len(FREE)), bounds=(-MOST_SIGMA, MOST_SIGMA), x_scale="jac")
-    residual_mm = _left(found.x, measured, motor_turns, load_n, displacement_mm)
-    return Calibrated(dict(zip(FREE, found.x.tolist(), strict=True)), residual_mm)
+    solution = least_squares(asked, np.zeros(len(FREE)), bounds=(-MOST_SIGMA, MOST_SIGMA), x_scale="jac")
+    residual_mm = _left(solution.x, measured, motor_turns, load_n, displacement_mm)
+    return Calibrated(dict(zip(FREE, solution.x.tolist(), strict=True)), residual_mm)

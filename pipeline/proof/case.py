@@ -53,7 +53,7 @@ def draw_case(
         np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(5)
     )
     bench = mismeasure(draw_bench(bench_rng), bench_rng, BEYOND if stratum == "parameters" else WITHIN)
-    told = draw_protocol(protocol, bench, protocol_rng)
+    protocol_drawn = draw_protocol(protocol, bench, protocol_rng)
     nuisance = draw_nuisance(nuisance_rng, trap=stratum == "noise")
     load_cell, thermocouple = protocol == "rich" or nuisance_rng.random() < 0.5, nuisance_rng.random() < 0.2
     count, pool = HIDES.get(stratum, 0), OPEN_SET if stratum == "open" else NAMED
@@ -63,10 +63,12 @@ def draw_case(
     hidden, sizes = {}, {}
     rulings: dict[str, Ruling] = {}
     for name, kappa in zip(names, wanted, strict=True):
-        hidden[name], sizes[name], rulings[name] = _pure(name, bench, told, nuisance.floor_mm, kappa, effect_rng)
-    always = _always(bench, told, nuisance.floor_mm, names, always_rng)
+        hidden[name], sizes[name], rulings[name] = _pure(
+            name, bench, protocol_drawn, nuisance.floor_mm, kappa, effect_rng
+        )
+    always = _always(bench, protocol_drawn, nuisance.floor_mm, names, always_rng)
     thermocouple |= any(concealed(name).warms_the_room(parameters) for name, parameters in hidden.items())
-    return Case(seed, stratum, bench, told, nuisance, hidden, sizes, rulings, always, load_cell, thermocouple)
+    return Case(seed, stratum, bench, protocol_drawn, nuisance, hidden, sizes, rulings, always, load_cell, thermocouple)
 
 
 def _pure(
@@ -109,8 +111,8 @@ def performed(case: Case) -> Recorded:
     late_rng, record_rng = (np.random.default_rng(child) for child in np.random.SeedSequence([case.seed, 1]).spawn(2))
     count = len(case.protocol.phases[0])
     late = late_s(case.nuisance, case.protocol.rate_hz, count, late_rng)
-    said = perform(case.bench, case.protocol, case.effects | case.always, late)
-    return record(said, case.nuisance, case.protocol.rate_hz, case.load_cell, case.thermocouple, record_rng)
+    signals = perform(case.bench, case.protocol, case.effects | case.always, late)
+    return record(signals, case.nuisance, case.protocol.rate_hz, case.load_cell, case.thermocouple, record_rng)
 
 
 def heldout_noise_mm(recorded: Recorded) -> float:

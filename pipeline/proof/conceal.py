@@ -59,7 +59,7 @@ def main() -> None:
     )
     sealed = answer(case, arguments.run)
     write_text(arguments.answer, json.dumps(sealed, indent=1, default=plain) + "\n")
-    hidden = ", ".join(f"{one['id']} of {one['kappa']:.2f} noise floors" for one in sealed["effects"])
+    hidden = ", ".join(f"{effect['id']} of {effect['kappa']:.2f} noise floors" for effect in sealed["effects"])
     print(f"{arguments.run}: {hidden or 'nothing'} hidden")
 
 

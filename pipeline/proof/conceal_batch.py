@@ -24,18 +24,18 @@ def drawn(planned: Planned) -> Case:
 
 def concealed(planned: Planned, runs: Path) -> dict[str, Any]:
     """Write one case's run folder and return its answer; what cannot be made is an answer too, with its reason."""
-    asked = {"run": planned.run, "asked": asdict(planned)}
+    question = {"run": planned.run, "asked": asdict(planned)}
     try:
         if planned.author:
             made = authored.made(planned)
             write_run({"run": planned.run, **made.content}, made.table, runs / planned.run)
-            return asked | authored.answer(planned, made)
+            return question | authored.answer(planned, made)
         case = drawn(planned)
     except (OutOfReach, authored.OutOfReach) as error:
-        return asked | {"skipped": str(error)}
+        return question | {"skipped": str(error)}
     recorded = performed(case)
     write_run(case.bench.described(planned.run, not case.load_cell), recorded.table, runs / planned.run)
-    return asked | answer(case, planned.run)
+    return question | answer(case, planned.run)
 
 
 @program
@@ -51,7 +51,7 @@ def main() -> None:
     arguments.runs.mkdir(parents=True, exist_ok=True)
     answers = [concealed(planned, arguments.runs) for planned in arguments.cases]
     write_text(arguments.answers, json.dumps(answers, indent=1, default=plain) + "\n")
-    skipped = [f"{one['run']}: {one['skipped']}" for one in answers if "skipped" in one]
+    skipped = [f"{skip['run']}: {skip['skipped']}" for skip in answers if "skipped" in skip]
     print("\n".join([f"{len(answers) - len(skipped)} recordings concealed", *skipped]))
 
 

@@ -25,9 +25,9 @@ def location(performed: Performed, residual_mm: Array) -> dict[str, Any]:
     best: dict[str, Any] = {}
     least = np.inf
     for phase in PHASES:
-        here = np.full(len(turn), True) if phase == "all" else performed.phase == phase
-        held = _summed(turn[here], performed.stroke[here], energy[here], strokes)
-        size = _summed(turn[here], performed.stroke[here], np.ones(here.sum()), strokes)
+        in_phase = np.full(len(turn), True) if phase == "all" else performed.phase == phase
+        held = _summed(turn[in_phase], performed.stroke[in_phase], energy[in_phase], strokes)
+        size = _summed(turn[in_phase], performed.stroke[in_phase], np.ones(in_phase.sum()), strokes)
         size = np.where(held >= SHARE * whole, size, np.inf)
         if size.min() < least:
             least = float(size.min())

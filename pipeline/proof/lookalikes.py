@@ -15,8 +15,8 @@ from .plan import Planned, read
 
 def named_beside(verdict: dict[str, Any], truth: tuple[str, ...]) -> list[str]:
     """Effects that a verdict names or cannot rule out, the true ones left out."""
-    sets = [[one["id"] for one in verdict.get("mechanisms", [])], *verdict.get("alternatives", [])]
-    return sorted({name for one in sets for name in one if name in NAMED} - {*truth})
+    sets = [[mechanism["id"] for mechanism in verdict.get("mechanisms", [])], *verdict.get("alternatives", [])]
+    return sorted({name for ids in sets for name in ids if name in NAMED} - {*truth})
 
 
 def left(planned: Planned, path: Path) -> dict[str, float]:
@@ -38,8 +38,8 @@ def main() -> None:
     parser.add_argument("--verdicts", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the file of what looks alike, JSON; required")
     arguments = parser.parse_args()
-    found = {one.run: left(one, arguments.verdicts / one.run / "diagnosis.json") for one in arguments.cases}
-    write_text(arguments.out, json.dumps({run: by for run, by in found.items() if by}, indent=1) + "\n")
+    left_by_run = {case.run: left(case, arguments.verdicts / case.run / "diagnosis.json") for case in arguments.cases}
+    write_text(arguments.out, json.dumps({run: by for run, by in left_by_run.items() if by}, indent=1) + "\n")
 
 
 if __name__ == "__main__":

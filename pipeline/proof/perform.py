@@ -30,10 +30,10 @@ class Performed:
     phase: NDArray[np.str_]
 
 
-def live(geometry: Geometry, told: Commands, hidden: Hidden, step_s: float) -> tuple[Array, Array]:
+def live(geometry: Geometry, commands: Commands, hidden: Hidden, step_s: float) -> tuple[Array, Array]:
     """Displacement in mm and temperature in °C at the end of every step; both of shape (steps,)."""
     string = String(geometry, [effects.make(*effect) for effect in hidden.items()], step_s)
-    lived = string.live(told.motor_turns, told.load_n)
+    lived = string.live(commands.motor_turns, commands.load_n)
     return lived.reading_mm, lived.temperature_c
 
 
@@ -42,13 +42,14 @@ def perform(bench: Bench, protocol: Protocol, hidden: Hidden, late_s: Array | No
 
     The displacement has the sensor's scale and zero. `late_s` has the shape (samples,).
     """
-    told = protocol.told
-    reading_mm, temperature_c = live(bench.true, told, hidden, protocol.step_s)
-    time_s = told.time_s[::STEPS_PER_SAMPLE]
-    time_s = time_s if late_s is None else np.clip(time_s + late_s, 0.0, told.time_s[-1])
+    commands = protocol.told
+    reading_mm, temperature_c = live(bench.true, commands, hidden, protocol.step_s)
+    time_s = commands.time_s[::STEPS_PER_SAMPLE]
+    time_s = time_s if late_s is None else np.clip(time_s + late_s, 0.0, commands.time_s[-1])
     sampled = [
-        np.interp(time_s, told.time_s, values) for values in (told.motor_turns, told.load_n, reading_mm, temperature_c)
+        np.interp(time_s, commands.time_s, values)
+        for values in (commands.motor_turns, commands.load_n, reading_mm, temperature_c)
     ]
-    stroke, phase = protocol.phases if late_s is None else phases(told, time_s)
+    stroke, phase = protocol.phases if late_s is None else phases(commands, time_s)
     displacement_mm = bench.scale * sampled[2] + bench.zero_mm
     return Performed(time_s, sampled[0], sampled[1], displacement_mm, sampled[3], stroke, phase)

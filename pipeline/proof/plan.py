@@ -82,17 +82,17 @@ def batches(settings: Mapping[str, Any]) -> dict[str, list[Planned]]:
 
     Those of one author, and those with the same mechanism missing, go together.
     """
-    found: dict[str, list[Planned]] = {}
+    planned_by_batch: dict[str, list[Planned]] = {}
     cases, size = plan(settings), settings["batch"]
     for author in sorted({case.author for case in cases}):
         usual = [case for case in cases if case.author == author and not case.without]
         name = f"by_{author}" if author else "batch"
         for first in range(0, len(usual), size):
-            found[f"{name}-{first // size:03d}"] = usual[first : first + size]
+            planned_by_batch[f"{name}-{first // size:03d}"] = usual[first : first + size]
     for case in cases:
         if case.without:
-            found.setdefault(f"without-{case.without}", []).append(case)
-    return found
+            planned_by_batch.setdefault(f"without-{case.without}", []).append(case)
+    return planned_by_batch
 
 
 def written(cases: list[Planned]) -> str:
@@ -102,5 +102,7 @@ def written(cases: list[Planned]) -> str:
 
 def read(text: str) -> list[Planned]:
     """Cases from such JSON."""
-    told = json.loads(text)
-    return [Planned(**{**one, "effects": tuple(one["effects"]), "kappas": tuple(one["kappas"])}) for one in told]
+    entries = json.loads(text)
+    return [
+        Planned(**{**entry, "effects": tuple(entry["effects"]), "kappas": tuple(entry["kappas"])}) for entry in entries
+    ]

@@ -59,9 +59,11 @@ def _lasts_s(stroke: dict[str, Any]) -> float:
     return float(way_turns / stroke["speed_turns_per_s"] + stroke["repeat"] * (stroke["hold_s"] + stroke["rest_s"]))
 
 
-def _stroke(bench: Bench, **told: float) -> dict[str, Any]:
+def _stroke(bench: Bench, **settings: float) -> dict[str, Any]:
     ramp_s = {"speed_up_s": 0.2, "slow_down_s": 0.2}
-    return {"repeat": 1, "top_turns": bench.top_turns, "bottom_turns": 0.0, "load_n": bench.loads_n[0]} | ramp_s | told
+    return (
+        {"repeat": 1, "top_turns": bench.top_turns, "bottom_turns": 0.0, "load_n": bench.loads_n[0]} | ramp_s | settings
+    )
 
 
 def _rich(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
@@ -76,33 +78,33 @@ def _rich(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
     partial = dict(zip(first + rng.permutation(3) * ((count - first) // 3), ("top", "top", "bottom"), strict=True))
     strokes = []
     for number, (load_n, speed) in enumerate(pairs):
-        told = {"load_n": load_n, "speed_turns_per_s": speed}
-        told |= {"hold_s": float(dwells_s[number]), "rest_s": float(pauses_s[number])}
+        settings = {"load_n": load_n, "speed_turns_per_s": speed}
+        settings |= {"hold_s": float(dwells_s[number]), "rest_s": float(pauses_s[number])}
         if partial.get(number) == "top":
-            told["top_turns"] = bench.top_turns * rng.uniform(0.5, 0.75)
+            settings["top_turns"] = bench.top_turns * rng.uniform(0.5, 0.75)
         elif partial.get(number) == "bottom":
-            told["bottom_turns"] = bench.top_turns * rng.uniform(0.25, 0.4)
-        strokes.append(_stroke(bench, **told))
+            settings["bottom_turns"] = bench.top_turns * rng.uniform(0.25, 0.4)
+        strokes.append(_stroke(bench, **settings))
     return strokes
 
 
 def _poor(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
     """Equal strokes at one speed under one load, one after the other."""
-    told = {"speed_turns_per_s": bench.top_turns / rng.uniform(8.0, 14.0), "hold_s": 0.0, "rest_s": 0.0}
-    return [_stroke(bench, repeat=int(rng.integers(10, 16)), **told)]
+    settings = {"speed_turns_per_s": bench.top_turns / rng.uniform(8.0, 14.0), "hold_s": 0.0, "rest_s": 0.0}
+    return [_stroke(bench, repeat=int(rng.integers(10, 16)), **settings)]
 
 
-def phases(told: Commands, time_s: Array) -> tuple[NDArray[np.intp], NDArray[np.str_]]:
+def phases(commands: Commands, time_s: Array) -> tuple[NDArray[np.intp], NDArray[np.str_]]:
     """Stroke (0 before the first) and phase of every sample, as they were commanded; both of shape (samples,).
 
     A stroke is a count.
     """
-    marks_s = told.strokes_s.ravel()
+    marks_s = commands.strokes_s.ravel()
     mark = np.searchsorted(marks_s, time_s, side="right")
     stroke = (mark + 3) // 4
     names = np.array(["stand", "winding", "hold", "unwinding"])
     phase = names[np.where(mark == 0, 0, (mark - 1) % 4 + 1) % 4]
-    turns = np.interp(time_s, told.time_s, told.motor_turns)
-    low = turns <= told.motor_turns.min() + REST_BAND * np.ptp(told.motor_turns)
+    turns = np.interp(time_s, commands.time_s, commands.motor_turns)
+    low = turns <= commands.motor_turns.min() + REST_BAND * np.ptp(commands.motor_turns)
     phase[phase == "stand"] = np.where(low, "rest", "hold")[phase == "stand"]
     return stroke.astype(np.intp), phase

@@ -26,15 +26,15 @@ Change = Callable[[Commands, float], Done]
 
 
 def _turns(made: Callable[[Array], Array]) -> Change:
-    return lambda told, step_s: (replace(told, motor_turns=made(told.motor_turns)), step_s)
+    return lambda commands, step_s: (replace(commands, motor_turns=made(commands.motor_turns)), step_s)
 
 
 def _load(made: Callable[[Array], Array]) -> Change:
-    return lambda told, step_s: (replace(told, load_n=made(told.load_n)), step_s)
+    return lambda commands, step_s: (replace(commands, load_n=made(commands.load_n)), step_s)
 
 
 def _pace(times: float) -> Change:
-    return lambda told, step_s: (told, step_s / times)
+    return lambda commands, step_s: (commands, step_s / times)
 
 
 CHANGES: Mapping[Other, Change] = {
@@ -76,8 +76,10 @@ def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Proto
     claim = effects.concealed(name).claims(parameters)
 
     def does(change: Other | None = None) -> Array:
-        told, step_s = CHANGES[change](protocol.told, protocol.step_s) if change else (protocol.told, protocol.step_s)
-        return _does(name, parameters, bench, told, step_s)
+        commands, step_s = (
+            CHANGES[change](protocol.told, protocol.step_s) if change else (protocol.told, protocol.step_s)
+        )
+        return _does(name, parameters, bench, commands, step_s)
 
     effect = does()
     after = slice(int(protocol.told.strokes_s[0, 1] / protocol.step_s), None)  # what one winding does is no growth
@@ -87,11 +89,11 @@ def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Proto
     return Ruling(claim.driver, 1.0 - float(frozen.std()) / size, changed)
 
 
-def _does(name: str, parameters: Mapping[str, Any], bench: Bench, told: Commands, step_s: float) -> Array:
+def _does(name: str, parameters: Mapping[str, Any], bench: Bench, commands: Commands, step_s: float) -> Array:
     """What the steady effect does to the quantity that it acts on, of shape (steps,): rad, a factor, or mm."""
     effect = effects.make(name, {key: value for key, value in parameters.items() if key != "unsteady"})
-    with_it = String(bench.true, [effect], step_s).live(told.motor_turns, told.load_n)
-    without = String(bench.true, [], step_s).live(told.motor_turns, told.load_n)
+    with_it = String(bench.true, [effect], step_s).live(commands.motor_turns, commands.load_n)
+    without = String(bench.true, [], step_s).live(commands.motor_turns, commands.load_n)
     if effect.acts_on == "twist":
         return without.twist_rad - with_it.twist_rad
     if effect.acts_on == "radius":

@@ -17,12 +17,14 @@ def main() -> None:
     parser.add_argument("--more", type=Path, required=True, help="folder of <run>/<way>/<run>-more/")
     parser.add_argument("--out", type=Path, required=True, help="the folder of what is asked; required")
     parser.add_argument("--without", default="", metavar="ID", help="the mechanism that the library loses")
-    told = parser.parse_args()
-    asked = {}
-    for more in sorted(told.more.glob("*/*/*-more")):
+    arguments = parser.parse_args()
+    questions = {}
+    for more in sorted(arguments.more.glob("*/*/*-more")):
         run, way = more.parts[-3:-1]
-        asked[f"{run}/{way}"] = ask([told.runs / run, more], told.out / run / way, told.without, together=True)
-    write_text(told.out / "settled.json", json.dumps(asked, indent=1) + "\n")
+        questions[f"{run}/{way}"] = ask(
+            [arguments.runs / run, more], arguments.out / run / way, arguments.without, together=True
+        )
+    write_text(arguments.out / "settled.json", json.dumps(questions, indent=1) + "\n")
 
 
 if __name__ == "__main__":

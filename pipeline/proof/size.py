@@ -76,19 +76,19 @@ def strength_for(
     low, high, strength = 0.0, np.inf, 1.0
     nearest: tuple[float, float, Size] | None = None
     for _ in range(PASSES):
-        found = size(strength)
-        miss = abs(found.kappa / kappa - 1.0)
+        reached = size(strength)
+        miss = abs(reached.kappa / kappa - 1.0)
         if nearest is None or miss < nearest[0]:
-            nearest = (miss, strength, found)
+            nearest = (miss, strength, reached)
         if miss < CLOSE:
-            return strength, found
-        if not np.isfinite(found.kappa) or found.kappa > kappa:
+            return strength, reached
+        if not np.isfinite(reached.kappa) or reached.kappa > kappa:
             high = strength
-        elif found.varies_mm > MOST_OF_STROKE * bench.stroke_mm or strength > 1e4:
+        elif reached.varies_mm > MOST_OF_STROKE * bench.stroke_mm or strength > 1e4:
             break
         else:
             low = strength
-        guess = strength * kappa / found.kappa if found.kappa > 0.0 else np.inf  # most effects grow in proportion
+        guess = strength * kappa / reached.kappa if reached.kappa > 0.0 else np.inf  # most effects grow in proportion
         guess = float(np.clip(guess, strength / 16.0, strength * 16.0))
         inside = low + 0.02 * (min(high, 1e9) - low) < guess < high - 0.02 * (high - low if np.isfinite(high) else 0.0)
         strength = guess if inside or not np.isfinite(high) else (low + high) / 2.0

@@ -39,14 +39,14 @@ def noise_free(case: Case) -> tuple[Problem, Array]:
     Nothing is left to calibrate; a thermocouple is read where the case has one.
     """
     bench = replace(case.bench, measured=case.bench.true, scale=1.0, zero_mm=0.0)
-    bare, said = (perform(bench, case.protocol, hidden) for hidden in ({}, case.effects))
-    channels = {"time_s": said.time_s, "motor_turns": said.motor_turns, "load_n": said.load_n}
-    channels |= {"displacement_mm": said.displacement_mm}
+    bare, shown = (perform(bench, case.protocol, hidden) for hidden in ({}, case.effects))
+    channels = {"time_s": shown.time_s, "motor_turns": shown.motor_turns, "load_n": shown.load_n}
+    channels |= {"displacement_mm": shown.displacement_mm}
     if case.thermocouple:
-        channels["temperature_c"] = said.temperature_c
+        channels["temperature_c"] = shown.temperature_c
     run = parse_run(bench.described("twin", load=False), Path("twin/run.yaml").resolve())
-    problem = engine.make_problem([run], [pd.DataFrame(channels)], most=len(said.time_s))
-    return frozen(problem, problem.nominal()), said.displacement_mm - bare.displacement_mm
+    problem = engine.make_problem([run], [pd.DataFrame(channels)], most=len(shown.time_s))
+    return frozen(problem, problem.nominal()), shown.displacement_mm - bare.displacement_mm
 
 
 def unexplained_mm(problem: Problem, name: str) -> float:
@@ -85,14 +85,14 @@ def twins(names: Iterable[str], protocol: Kind, kappa: float) -> pd.DataFrame:
     """The table: for each effect the rows of the first seeds that can show it."""
     rows: list[dict[str, str | int | float]] = []
     for name in names:
-        found = 0
+        count = 0
         for seed in range(1, TRIED + 1):
             try:
                 rows.append(twin(name, seed, protocol, kappa))
             except OutOfReach:
                 continue
-            found += 1
-            if found == SEEDS:
+            count += 1
+            if count == SEEDS:
                 break
     return pd.DataFrame(rows, columns=COLUMNS)
 

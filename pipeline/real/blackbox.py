@@ -63,9 +63,9 @@ class Learnt:
     constant: float
     slope: Array
 
-    def predict(self, asked: Asked) -> Array:
+    def predict(self, question: Asked) -> Array:
         """Prediction of each seed for every row, shape (seeds, rows). In the reading's unit."""
-        table = (asked.table[self.columns].to_numpy() - self.mean) / self.spread
+        table = (question.table[self.columns].to_numpy() - self.mean) / self.spread
         straight = self.constant + table @ self.slope
         return np.array([straight + predict(table) for predict in self.predictors])
 

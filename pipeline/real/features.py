@@ -27,11 +27,11 @@ def memory(motion: Array, width: float) -> Array:
 
     Shape (samples,).
     """
-    state, found = 0.0, np.empty(len(motion))
+    state, remembered = 0.0, np.empty(len(motion))
     for row, step in enumerate(np.diff(motion, prepend=motion[0]).tolist()):
         state = min(1.0, max(-1.0, state + step / width))
-        found[row] = state
-    return found
+        remembered[row] = state
+    return remembered
 
 
 def features(samples: pd.DataFrame, span: float, smoothed: bool = True) -> pd.DataFrame:

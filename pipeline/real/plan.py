@@ -38,24 +38,24 @@ class RealPlan:
 
     def __getitem__(self, run: str) -> Recording:
         """The recording of a run; raises KeyError."""
-        return {one.run: one for one in self.recordings}[run]
+        return {recording.run: recording for recording in self.recordings}[run]
 
     @property
     def rigs(self) -> list[str]:
         """Rigs of which there is a file."""
-        return list(dict.fromkeys(one.rig for one in self.recordings))
+        return list(dict.fromkeys(recording.rig for recording in self.recordings))
 
     def runs(self, rig: str) -> list[str]:
         """Names of a rig's runs."""
-        return [one.run for one in self.recordings if one.rig == rig]
+        return [recording.run for recording in self.recordings if recording.rig == rig]
 
     def groups(self, rig: str) -> dict[str, list[str]]:
         """Names of the runs of each group of a rig that has more than one."""
-        found: dict[str, list[str]] = {}
-        for one in self.recordings:
-            if one.rig == rig:
-                found.setdefault(one.group, []).append(one.run)
-        return {group: runs for group, runs in found.items() if len(runs) >= LEAST_TOGETHER}
+        runs_by_group: dict[str, list[str]] = {}
+        for recording in self.recordings:
+            if recording.rig == rig:
+                runs_by_group.setdefault(recording.group, []).append(recording.run)
+        return {group: runs for group, runs in runs_by_group.items() if len(runs) >= LEAST_TOGETHER}
 
     @property
     def said(self) -> str:
@@ -104,7 +104,7 @@ def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
     if not folder.is_dir():
         raise BadInput(folder, "recordings", "is no folder", NONE_GIVEN)
     files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.name.startswith("."))
-    found: list[tuple[str, str, str, Path, Path]] = []
+    listed: list[tuple[str, str, str, Path, Path]] = []
     for rig, described in rigs.items():
         for kind in described.files:
             for file in files:
@@ -112,23 +112,23 @@ def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
                 if match:
                     run = f"{kind.name}-{slug(match[0].rsplit('.', 1)[0])}"
                     mapping = MAPPINGS / f"{kind.mapping}.yaml"
-                    found.append((run, rig, slug(match.expand(kind.group)), file, mapping))
-    taken = {file for *_, file, _ in found}
+                    listed.append((run, rig, slug(match.expand(kind.group)), file, mapping))
+    taken = {file for *_, file, _ in listed}
     passed_over = tuple(str(file.relative_to(folder)) for file in files if file not in taken)
-    if not found:
+    if not listed:
         mend = "docs/real.md says where to get the files; leave their names and folders as they are"
-        there = RealPlan((), passed_over).said
-        problem = "holds no recording of a known rig" + (f"; {there}" if there else "")
+        passed_text = RealPlan((), passed_over).said
+        problem = "holds no recording of a known rig" + (f"; {passed_text}" if passed_text else "")
         raise BadInput(folder, "recordings", problem, mend)
-    times = Counter(run for run, *_ in found)
+    times = Counter(run for run, *_ in listed)
     recordings: dict[str, Recording] = {}
-    for run, rig, group, file, mapping in found:
+    for run, rig, group, file, mapping in listed:
         name = run if times[run] == 1 else f"{run}-{slug(file.parent.name)}"
         if name in recordings:
             raise BadInput(file, "recordings", f"is there already as {recordings[name].file}", "remove one of the two")
         recordings[name] = Recording(name, rig, group, file, mapping)
     order = list(rigs)
-    ordered = sorted(recordings.values(), key=lambda one: (order.index(one.rig), one.run))
+    ordered = sorted(recordings.values(), key=lambda recording: (order.index(recording.rig), recording.run))
     return RealPlan(tuple(ordered), passed_over)
 
 

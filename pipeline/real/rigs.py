@@ -104,4 +104,4 @@ def read_rigs(path: Path = RIGS) -> dict[str, Rig]:
 
 def expected_of(rig: Rig, run: str) -> Expected | None:
     """The first expectation whose pattern matches a run's name, or None."""
-    return next((one for one in rig.expected if re.search(one.runs, run)), None)
+    return next((expectation for expectation in rig.expected if re.search(expectation.runs, run)), None)

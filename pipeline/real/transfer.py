@@ -68,19 +68,21 @@ class Source:
         """Both errors of every method on all of another recording, in the median of its seeds."""
         run, samples = about
         tared = run.system.free_zero
-        found = {}
+        predicted_by_run = {}
         if self.diagnosis.is_file():
             content = read_diagnosis(self.diagnosis)
             bare: Simulated = {"parameters": {}, "simulation": []}
-            for method, said in (("nominal", bare), ("explained", content)):
-                found[method] = errors(*simulated(said, about, self.diagnosis), tared)
-        asked = Asked.of(run, samples, self.span)
-        columns = [name for name in self.seen.table if name in asked.table]
+            for method, verdict in (("nominal", bare), ("explained", content)):
+                predicted_by_run[method] = errors(*simulated(verdict, about, self.diagnosis), tared)
+        question = Asked.of(run, samples, self.span)
+        columns = [name for name in self.seen.table if name in question.table]
         for method in looks():
-            predicted = self.learnt(method, columns).predict(asked)
-            first, best = np.median([errors(one, asked.measured, asked.time_s, tared) for one in predicted], axis=0)
-            found[method] = float(first), float(best)
-        return found
+            predicted = self.learnt(method, columns).predict(question)
+            first, best = np.median(
+                [errors(prediction, question.measured, question.time_s, tared) for prediction in predicted], axis=0
+            )
+            predicted_by_run[method] = float(first), float(best)
+        return predicted_by_run
 
 
 class Row(TypedDict):
@@ -148,7 +150,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the file of the table, csv; required")
     arguments = parser.parse_args()
     read = {folder.name: _read(folder) for folder in arguments.run_dir}
-    runs = {name: one for name, one in read.items() if one is not None}
+    runs = {name: rig_read for name, rig_read in read.items() if rig_read is not None}
     folders = {folder.name: folder for folder in arguments.run_dir}
     rows = of_group(runs, {name: arguments.diagnoses / name / "diagnosis.json" for name in runs})
     rows += left_out(runs, folders, arguments.others)

@@ -20,32 +20,35 @@ def differences(whole: pd.DataFrame) -> dict[tuple[int, str], list[float]]:
     """
     chosen = whole[(whole["model"] == MODEL) & (whole["split"] == "within") & (whole["phase"] == "winding")]
     medians = chosen.groupby(["map", "metric", "stroke"])["value"].median()
-    found: dict[tuple[int, str], list[float]] = {}
+    off_by_cell: dict[tuple[int, str], list[float]] = {}
     for number, direction in paper.MAPS.items():
         for stroke, printed in paper.TABLES[number][MODEL].items():
             for metric, theirs in zip(paper.METRICS, printed, strict=True):
                 place = (direction, metric, str(stroke))
                 if place in medians:
-                    found.setdefault((number, metric), []).append(float(medians[place]) / theirs - 1.0)
-    return found
+                    off_by_cell.setdefault((number, metric), []).append(float(medians[place]) / theirs - 1.0)
+    return off_by_cell
 
 
 def agreement(whole: pd.DataFrame) -> list[str]:
     """Lines of Markdown that say of each error whether it agrees and within what; none where nothing compares."""
-    found = {quantity: max(map(abs, off)) for quantity, off in differences(whole).items()}
-    if not found:
+    worst_off = {quantity: max(map(abs, off)) for quantity, off in differences(whole).items()}
+    if not worst_off:
         return []
-    good = sum(worst <= WORST for worst in found.values())
+    good = sum(worst <= WORST for worst in worst_off.values())
     strokes = ", ".join(str(stroke) for stroke in paper.STROKES)
     lines = [
         "## Does the traditional model agree with the paper?",
         "",
-        f"{'Yes' if good == len(found) else 'No'}: {good} of {len(found)} errors agree. An error agrees where it is at "
-        f"most {100 * WORST:.0f} % off the paper's at each of the strokes n={strokes} that are there.",
+        f"{'Yes' if good == len(worst_off) else 'No'}: {good} of {len(worst_off)} errors agree. "
+        f"An error agrees where it is at most {100 * WORST:.0f} % off the paper's "
+        f"at each of the strokes n={strokes} that are there.",
         "",
     ]
-    for (number, metric), worst in found.items():
+    for (number, metric), worst in worst_off.items():
         name = f"Table {'I' * number}, {paper.MAPS[number]}, {NAMES[metric]} ({paper.UNITS[number]})"
-        said = f"agrees, within {100 * worst:.1f} %" if worst <= WORST else f"does not agree: {100 * worst:.1f} % off"
-        lines.append(f"- {name}: {said}")
+        sentence = (
+            f"agrees, within {100 * worst:.1f} %" if worst <= WORST else f"does not agree: {100 * worst:.1f} % off"
+        )
+        lines.append(f"- {name}: {sentence}")
     return [*lines, "", GOLDEN, ""]

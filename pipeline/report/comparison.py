@@ -50,11 +50,11 @@ def why_apart(whole: pd.DataFrame, material: str) -> str:
         return ""
     stroke = 5 if 5 in both else both[0]
     ours, floor = (values[model, str(stroke)] for model in ("inn", "floor_blind"))
-    said = "Our rig is not the paper's, and the INN's errors show it"
+    reason = "Our rig is not the paper's, and the INN's errors show it"
     if material == SYNTHETIC:
-        said = "The synthetic rig was fitted to the errors of the paper's traditional model, not to those of its INN"
+        reason = "The synthetic rig was fitted to the errors of the paper's traditional model, not to those of its INN"
     return (
-        f"{said}: forward, winding, n={stroke}, its RMSE is {ours:.3f} mm here and {printed[stroke]:.3f} mm in the "
+        f"{reason}: forward, winding, n={stroke}, its RMSE is {ours:.3f} mm here and {printed[stroke]:.3f} mm in the "
         f"paper. Noise and the loop that it is not told of are {floor:.3f} mm here (floor without direction, on the "
         "page of the models), and it cannot go far below them; the paper does not state its own. So this difference "
         "tells of the recording, not of a better or worse network."
@@ -82,8 +82,11 @@ def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[s
 def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> str:
     """Text of comparison.md of one material."""
     whole = metrics[metrics["angle_band"] == "all"]
-    there = there_of(whole.loc[whole["split"] == "within", "stroke"])
-    strokes, missing = [str(stroke) for stroke in tabled(there, paper.STROKES)], missing_of(there, paper.STROKES)
+    strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
+    strokes, missing = (
+        [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)],
+        missing_of(strokes_there, paper.STROKES),
+    )
     apart = why_apart(whole, material)
     why = [apart, ""] if apart else []
     text = [f"# {plain(material)}: our errors beside the paper's", "", *why, NOTES, *([missing, ""] if missing else [])]

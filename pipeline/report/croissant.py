@@ -62,10 +62,10 @@ HOLDS = {
 
 def fields(names: list[str]) -> list[dict[str, Any]]:
     """Each column of a dataset as a field: type, unit and what it holds."""
-    found = []
+    entries = []
     for name in names:
         unit = schemas.unit_of(name)
-        found.append(
+        entries.append(
             {
                 "@type": "cr:Field",
                 "@id": f"{POINTS}/{name}",
@@ -75,7 +75,7 @@ def fields(names: list[str]) -> list[dict[str, Any]]:
                 "source": {"fileObject": {"@id": FILE}, "extract": {"column": name}},
             }
         )
-    return found
+    return entries
 
 
 def croissant(dataset: Path, table: pd.DataFrame, beside: Path, mark: MadeBy) -> dict[str, Any]:

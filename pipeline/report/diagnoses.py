@@ -63,10 +63,10 @@ def sizes(content: Content | None) -> list[str]:
         return [""] * len(SIZES)
     unit = next(key for key in content["fit"] if key.startswith("noise_floor_")).removeprefix("noise_floor_")
     held = content["fit"]["heldout"] or {}
-    found = [(content["mismatch"] or {}).get(f"rms_{unit}")]
-    found += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
-    found.append(content["fit"][f"noise_floor_{unit}"])
-    return ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in found]
+    numbers = [(content["mismatch"] or {}).get(f"rms_{unit}")]
+    numbers += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
+    numbers.append(content["fit"][f"noise_floor_{unit}"])
+    return ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in numbers]
 
 
 def words_of(folder: Path) -> str:
@@ -83,12 +83,12 @@ def part(reports: Path, run: str, up: str = "") -> Markup:
     if (folder / "diagnosis.png").is_file():
         parts.append(picture(up + link("diagnosis", run, "diagnosis.png"), f"Diagnosis of {run}"))
     parts.append(Markup("<pre>{}</pre>").format(rest) if rest.strip() else "")
-    there = [
+    rows_there = [
         Markup('<a href="{}">{}</a> ({})').format(up + link("diagnosis", run, name), name, words)
         for name, words in FILES.items()
         if (folder / name).is_file()
     ]
-    parts.append(paragraph(Markup("Files: {}.").format(Markup(", ").join(there))) if there else "")
+    parts.append(paragraph(Markup("Files: {}.").format(Markup(", ").join(rows_there))) if rows_there else "")
     return together(filter(None, parts))
 
 

@@ -32,12 +32,12 @@ def name(axes: Axes, title: str, x: str, y: str) -> None:
 
 def save(figure: Figure, stem: Path, mark: MadeBy | None = None) -> None:
     """Write a figure as png and pdf, without dates; what is no result says so in a line of text on the figure."""
-    told: dict[str, Any] = {}
+    metadata_there: dict[str, Any] = {}
     if mark is not None:
-        told = {".png": {"Description": sentence(mark)}, ".pdf": {"Subject": sentence(mark)}}
+        metadata_there = {".png": {"Description": sentence(mark)}, ".pdf": {"Subject": sentence(mark)}}
         if warning(mark):
             figure.suptitle("\n".join(filter(None, (figure.get_suptitle(), warning(mark)))), color=WARNING)
     for suffix, metadata in {".png": {"Software": None}, ".pdf": {"CreationDate": None}}.items():
         with whole(stem.with_suffix(suffix)) as temporary:
-            figure.savefig(temporary, metadata={**metadata, **told.get(suffix, {})})
+            figure.savefig(temporary, metadata={**metadata, **metadata_there.get(suffix, {})})
     plt.close(figure)

@@ -37,17 +37,17 @@ def remove_stale(noted: Iterable[str], wanted: Iterable[str]) -> list[str]:
 
 def unmade(materials: Iterable[str], runs: Iterable[str], missing: set[str]) -> list[LeftOut]:
     """Materials and runs of whose files this start could not make some that it should have made."""
-    found = []
+    notes = []
     for material in materials:
         if any(path.startswith((f"reports/{material}/", f"processed/{material}/")) for path in missing):
             problem = "could not be made anew: what is shown of it, if anything, is of an earlier state"
             mend = "see the errors that the command printed, and run it again"
-            found.append(LeftOut(f"{ALL}{material}", material, f"reports/{material}", "tables", problem, mend))
+            notes.append(LeftOut(f"{ALL}{material}", material, f"reports/{material}", "tables", problem, mend))
     for run in runs:
         if f"reports/diagnosis/{run}" in missing:
             mend = f"see processed/logs/diagnose-{run}.log, and run it again"
-            found.append(LeftOut(run, "", f"reports/diagnosis/{run}", "diagnosis", "could not be made", mend))
-    return found
+            notes.append(LeftOut(run, "", f"reports/diagnosis/{run}", "diagnosis", "could not be made", mend))
+    return notes
 
 
 def without(command: str, left: list[LeftOut], names: Iterable[str]) -> list[str]:
@@ -57,10 +57,10 @@ def without(command: str, left: list[LeftOut], names: Iterable[str]) -> list[str
     """
     words = spread(shlex.split(command.partition(" > ")[0])[1:])
     start, names = words.index("-m") + 2, list(names)
-    gone = {one.run for one in left if not one.run.startswith(ALL)}
-    for material in (one.material for one in left if one.run.startswith(ALL)):
-        there = all(Path("reports", material, name).is_file() for name in names)
-        if not (there and "--planned" in words):
+    gone = {left_out.run for left_out in left if not left_out.run.startswith(ALL)}
+    for material in (left_out.material for left_out in left if left_out.run.startswith(ALL)):
+        all_there = all(Path("reports", material, name).is_file() for name in names)
+        if not (all_there and "--planned" in words):
             gone.add(material)
 
     def stays(word: str) -> bool:

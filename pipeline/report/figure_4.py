@@ -21,14 +21,14 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     figure, ((forward, forward_error), (inverse, inverse_error)) = plt.subplots(2, 2, figsize=(8.0, 6.2))
     shown = drawn(strokes_of(points), STROKES)
     strokes = {stroke: winding(points, stroke) for stroke in shown}
-    for colour, (stroke, one) in zip(COLOURS, strokes.items(), strict=False):
-        x, turns, label = one["displacement_mm"], one["motor_turns"], f"n={stroke}"
+    for colour, (stroke, stroke_points) in zip(COLOURS, strokes.items(), strict=False):
+        x, turns, label = stroke_points["displacement_mm"], stroke_points["motor_turns"], f"n={stroke}"
         forward.plot(turns, x, color=colour, lw=1.2, label=label)
-        forward_error.plot(turns, one["forward_mm"] - x, color=colour, lw=0.8, label=label)
+        forward_error.plot(turns, stroke_points["forward_mm"] - x, color=colour, lw=0.8, label=label)
         inverse.plot(x, turns, color=colour, lw=1.2, label=label)
-        inverse_error.plot(x, one["inverse_turns"] - turns, color=colour, lw=0.8, label=label)
+        inverse_error.plot(x, stroke_points["inverse_turns"] - turns, color=colour, lw=0.8, label=label)
     if strokes:
-        longest = max(strokes.values(), key=lambda one: one["motor_turns"].max() - one["motor_turns"].min())
+        longest = max(strokes.values(), key=lambda points: points["motor_turns"].max() - points["motor_turns"].min())
         by_turns, by_x = (longest.dropna().sort_values(column) for column in SHOWN[:2])
         style: dict[str, Any] = {"color": "k", "ls": "--", "lw": 1.1, "label": "traditional model"}
         forward.plot(by_turns["motor_turns"], by_turns["forward_mm"], **style)

@@ -37,8 +37,8 @@ def by_range(given: Array, error: Array, low: float, high: float) -> tuple[Array
     place = np.clip(np.digitize(given[known], edges) - 1, 0, BINS - 1)
     count = np.bincount(place, minlength=BINS)
     squares = np.bincount(place, weights=np.square(error[known]), minlength=BINS)
-    there = count >= LEAST
-    return 0.5 * (edges[1:] + edges[:-1]), np.sqrt(np.where(there, squares, np.nan) / np.maximum(count, 1))
+    is_enough = count >= LEAST
+    return 0.5 * (edges[1:] + edges[:-1]), np.sqrt(np.where(is_enough, squares, np.nan) / np.maximum(count, 1))
 
 
 def _logarithmic(axes: Axes) -> None:
@@ -53,10 +53,10 @@ def _drawn(
     curve: Axes, below: Axes, shown: pd.DataFrame, way: tuple[str, str, str], style: dict[str, Any], ends: Ends
 ) -> None:
     """A model's curve, and beneath it the size of the curve minus the measurement along the stroke."""
-    given, asked, said = way
+    given, answer, label = way
     ordered = shown.dropna().sort_values(given) if style.get("ls") == "--" else shown
-    curve.plot(ordered[given], ordered[said], **style)
-    middle, size = by_range(shown[given].to_numpy(float), (shown[said] - shown[asked]).to_numpy(float), *ends)
+    curve.plot(ordered[given], ordered[label], **style)
+    middle, size = by_range(shown[given].to_numpy(float), (shown[label] - shown[answer]).to_numpy(float), *ends)
     below.plot(middle, size, **{**style, "ls": style.get("ls") or "-", "lw": 1.1})
 
 
@@ -75,14 +75,14 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
     styles = dict(zip(learned, LEARNED, strict=False))
     shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
-        given, asked, _ = way
+        given, answer, _ = way
         unit = (MILLIMETRES, "rms error (mm)") if row == 0 else (TURNS, "rms error (turns)")
         for column, stroke in enumerate(strokes):
             curve, below = grid[2 * row, column], grid[2 * row + 1, column]
             below.sharex(curve)
             curve.tick_params(labelbottom=False)
             measured = winding(recorded, stroke)
-            curve.plot(measured[given], measured[asked], label="measured", **MEASURED)
+            curve.plot(measured[given], measured[answer], label="measured", **MEASURED)
             known = measured[given].dropna()
             ends = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
             _drawn(curve, below, measured, way, {**TRADITIONAL, "label": "traditional model"}, ends)

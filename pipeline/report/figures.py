@@ -21,8 +21,8 @@ INN, TRADITIONAL = "inn", "traditional"
 def best_other(metrics: pd.DataFrame, titles: dict[str, str]) -> str | None:
     """The model, neither the INN nor the traditional one, of the least forward RMSE on all points held out within."""
     whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1)
-    asked = (metrics["metric"] == "rmse") & (metrics["map"] == "forward") & (metrics["split"] == "within")
-    middle = metrics[whole & asked].groupby("model")["value"].median()
+    is_forward_rmse = (metrics["metric"] == "rmse") & (metrics["map"] == "forward") & (metrics["split"] == "within")
+    middle = metrics[whole & is_forward_rmse].groupby("model")["value"].median()
     others = [model for model in titles if model not in (INN, TRADITIONAL) and model in middle.index]
     return min(others, key=lambda model: middle[model], default=None)
 
@@ -33,8 +33,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.figures", description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("metrics", type=Path)
-    told = "<model>/within-<seed>.predictions.parquet, of every model"
-    parser.add_argument("--predictions", type=Path, nargs="+", required=True, help=told)
+    meaning = "<model>/within-<seed>.predictions.parquet, of every model"
+    parser.add_argument("--predictions", type=Path, nargs="+", required=True, help=meaning)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--out-dir", type=Path, required=True, help="the folder of the figures; required")
     add_mark(parser)

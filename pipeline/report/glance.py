@@ -57,10 +57,10 @@ def next_run(content: Content | None) -> str:
     return shortened(str((content or {}).get("next_experiment") or ""))
 
 
-def runs_table(found: Mapping[str, Content | None], of: Mapping[str, str], name: Name) -> Markup:
+def runs_table(contents: Mapping[str, Content | None], of: Mapping[str, str], name: Name) -> Markup:
     """Each run's material, verdict, what it names, its sizes and the run to make next."""
     rows: list[list[Text]] = []
-    for run, content in found.items():
+    for run, content in contents.items():
         rows.append([name(run), of.get(run, ""), tag(verdict_of(content)), named_of(content)])
         rows[-1] += [*sizes(content), next_run(content)]
     head = ["Run", "Material", "Verdict", "Left out of the simulator", *SIZES, "Next run"]
@@ -68,9 +68,9 @@ def runs_table(found: Mapping[str, Content | None], of: Mapping[str, str], name:
     return table(head, rows, texts=(0, 1, 2, 3, len(head) - 1), over=over, paged=True)
 
 
-def counted(found: Mapping[str, Content | None]) -> Markup:
+def counted(contents: Mapping[str, Content | None]) -> Markup:
     """How many runs ended with which verdict; a click on one shows its runs alone."""
-    counts = Counter(verdict_of(content) for content in found.values())
+    counts = Counter(verdict_of(content) for content in contents.values())
     shape = Markup('<a href="#runs" data-only="{0}">{1:,} {2}</a>')
     return Markup(" · ").join(
         shape.format(verdict, counts[verdict], tag(verdict)) for verdict in (*VERDICTS, UNDECIDED) if counts[verdict]
@@ -81,17 +81,17 @@ def glance(
     reports: Path, materials: list[str], runs: list[str], of: Mapping[str, str], material_name: Name, run_name: Name
 ) -> Markup:
     """The opening of the index; `of` gives a run's material."""
-    found = {run: content_of(reports / "diagnosis" / run) for run in runs}
+    contents = {run: content_of(reports / "diagnosis" / run) for run in runs}
     parts: list[Text] = [Markup('<h2 id="glance">At a glance</h2>')]
     if runs:
-        parts.append(paragraph(Markup("Verdicts: {}.").format(counted(found))))
+        parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
         aside = f"{len(materials):,}: the best model of each, and how near it comes to what no model can beat"
         below = materials_table(reports, materials, material_name)
         parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
     if runs:
         aside = f"{len(runs):,}: what the simulator leaves out of each; mismatch and noise are rms"
-        parts.append(folded("runs", "Runs", aside, runs_table(found, of, run_name), level=3, is_open=True))
+        parts.append(folded("runs", "Runs", aside, runs_table(contents, of, run_name), level=3, is_open=True))
     if not materials and not runs:
         parts.append(paragraph("No run lies in raw/ yet."))
     return together(parts)

@@ -35,12 +35,12 @@ NUMBERS = 'All numbers: <a href="metrics.csv">metrics.csv</a>, its columns expla
 
 def others(reports: Path) -> Markup:
     """Links to the pages of other targets that are there when the index is written."""
-    there = [
+    pages_there = [
         Markup('<a href="{}">{}</a>').format(page, words)
         for page, words in OTHERS.items()
         if (reports / page).is_file()
     ]
-    return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(there))) if there else Markup("")
+    return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(pages_there))) if pages_there else Markup("")
 
 
 def verdict_tag(reports: Path, run: str) -> Markup:

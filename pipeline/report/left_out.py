@@ -39,17 +39,17 @@ def noted_in(paths: Iterable[Path]) -> list[LeftOut]:
     return runs
 
 
-def told(asked: argparse.Namespace) -> list[LeftOut]:
+def told(arguments: argparse.Namespace) -> list[LeftOut]:
     """Runs that such a command line names, in order of name."""
-    runs = from_json(asked.planned) + noted_in(asked.left_out)
-    return sorted(dict.fromkeys(runs), key=lambda one: one.run)
+    runs = from_json(arguments.planned) + noted_in(arguments.left_out)
+    return sorted(dict.fromkeys(runs), key=lambda left_out: left_out.run)
 
 
 def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
     """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`) where runs were left out; csv stays as it is."""
     if suffix == "md":
-        return [plain(f"Left out: run {quoted(one.run)}: {one.why}") for one in runs]
-    return [f"Left out: {', '.join(quoted(one.run) for one in runs)}."] if runs else []
+        return [plain(f"Left out: run {quoted(left_out.run)}: {left_out.why}") for left_out in runs]
+    return [f"Left out: {', '.join(quoted(left_out.run) for left_out in runs)}."] if runs else []
 
 
 def quoted(run: str) -> str:
@@ -59,7 +59,10 @@ def quoted(run: str) -> str:
 
 def section(runs: list[LeftOut]) -> Markup:
     """A part of the page; it is not folded, so that nobody overlooks it."""
-    rows = [(one.run if one.run.isprintable() else ascii(one.run), one.material, one.why) for one in runs]
+    rows = [
+        (left_out.run if left_out.run.isprintable() else ascii(left_out.run), left_out.material, left_out.why)
+        for left_out in runs
+    ]
     words = paragraph("These tables, figures and verdicts were made without them.")
     return together([Markup('<h2 id="left-out">Left out</h2>'), words, table(HEAD, rows, texts=(0, 1, 2), paged=True)])
 
@@ -70,14 +73,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=main.__doc__, fromfile_prefix_chars=SIGN)
     arguments(parser)
     parser.add_argument("--out", type=Path, required=True, help="the file of the runs left out, JSON; required")
-    asked = parser.parse_args()
-    runs = told(asked)
+    options = parser.parse_args()
+    runs = told(options)
     if runs:
-        for one in runs[:-1]:
-            print(f"left out: {one.why}", flush=True)
+        for left_out in runs[:-1]:
+            print(f"left out: {left_out.why}", flush=True)
         last = runs[-1]
         raise BadInput(last.file, last.field, last.problem, last.mend)
-    write_text(asked.out, to_json(runs) + "\n")
+    write_text(options.out, to_json(runs) + "\n")
 
 
 if __name__ == "__main__":

@@ -58,24 +58,26 @@ def _leaves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str,
 
 def _amounts(config: Mapping[str, Any]) -> dict[tuple[str, ...], float]:
     """What a configuration has much or little of; entries of a list add up."""
-    found: dict[tuple[str, ...], float] = {}
+    amounts: dict[tuple[str, ...], float] = {}
     for path, value in _leaves(config):
         if path[-1:] and path[-1] in AMOUNTS and isinstance(value, int | float):
-            found[path] = found.get(path, 0) + value
-    return found
+            amounts[path] = amounts.get(path, 0) + value
+    return amounts
 
 
 def _differences(config: Mapping[str, Any], default: Mapping[str, Any]) -> list[str]:
     """Where two configurations differ, in words, amounts first."""
     mine, usual = _amounts(config), _amounts(default)
-    said = [f"{'.'.join(path)} ({mine[path]:g} instead of {usual[path]:g})"
+    differences = [f"{'.'.join(path)} ({mine[path]:g} instead of {usual[path]:g})"
             for path in usual if path in mine and mine[path] != usual[path]]  # fmt: skip
-    here, there = (
+    configured, by_default = (
         {path: value for path, value in _leaves(part) if path[-1] not in AMOUNTS} for part in (config, default)
     )
-    said += [".".join(path) for path in {**there, **here} if here.get(path) != there.get(path)]
-    said += [".".join(path) for path in mine if path not in usual]
-    return list(dict.fromkeys(said))
+    differences += [
+        ".".join(path) for path in {**by_default, **configured} if configured.get(path) != by_default.get(path)
+    ]
+    differences += [".".join(path) for path in mine if path not in usual]
+    return list(dict.fromkeys(differences))
 
 
 def _plural(count: int, word: str) -> str:
@@ -84,14 +86,14 @@ def _plural(count: int, word: str) -> str:
 
 def _fits(models: Mapping[str, ModelPlan]) -> str:
     """How many seeds and epochs each model has; models of one fit without epochs are not listed."""
-    said = []
+    fits = []
     for model in models.values():
         seeds, epochs = model["seeds"], model["settings"].get("epochs")
         count = _plural(seeds["within"], "seed") + (f" (later: {seeds['later']})" * (seeds["later"] != seeds["within"]))
         if epochs is not None or seeds["within"] > 1:
             of_epochs = f" of {_plural(epochs, 'epoch')}" if isinstance(epochs, int) else ""
-            said.append(f"{model['title']} {count}{of_epochs}")
-    return ", ".join(said) + ("; the others one fit" if len(said) < len(models) else "")
+            fits.append(f"{model['title']} {count}{of_epochs}")
+    return ", ".join(fits) + ("; the others one fit" if len(fits) < len(models) else "")
 
 
 def made_by(config: Mapping[str, Any], default: Mapping[str, Any], name: str, parts: list[str]) -> MadeBy:

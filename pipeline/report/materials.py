@@ -34,8 +34,8 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
     below = " ".join(line for line in notes if line.startswith(NOT_SHOWN))
-    told = Markup('\n<p class="soft">{} The same as {}.</p>').format(below, files)
-    return table(head, rows, words, (0, 1)) + told
+    files_line = Markup('\n<p class="soft">{} The same as {}.</p>').format(below, files)
+    return table(head, rows, words, (0, 1)) + files_line
 
 
 def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") -> Markup:

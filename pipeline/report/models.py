@@ -51,9 +51,9 @@ def columns(metrics: pd.DataFrame) -> dict[str, tuple[str, str, str]]:
 
     Strokes are those that the paper tables, and the first and last held out where it tables none but one.
     """
-    there = sorted({int(stroke) for stroke in metrics["stroke"] if stroke != "all"})
-    shown = [stroke for stroke in there if stroke in paper.STROKES]
-    shown = shown if len(shown) > 1 else sorted({*there[:1], *shown, *there[-1:]})
+    strokes = sorted({int(stroke) for stroke in metrics["stroke"] if stroke != "all"})
+    shown = [stroke for stroke in strokes if stroke in paper.STROKES]
+    shown = shown if len(shown) > 1 else sorted({*strokes[:1], *shown, *strokes[-1:]})
     bands = sorted(set(metrics["angle_band"]) - {"all"}, key=lambda band: int(band.split("-")[0]))
     return {
         "all": ("all", "all", "all"),
@@ -80,8 +80,8 @@ def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[st
                     continue
                 spread = [seeds.median(), seeds.min(), seeds.max()]
                 least = values[floor, *where].median() if (floor, *where) in values else float("nan")
-                told, unit = model in known, chosen["unit"].iloc[0]
-                rows.append([model, title, told, split, way, unit, head, *spread, least, spread[0] / least])
+                is_directed, unit = model in known, chosen["unit"].iloc[0]
+                rows.append([model, title, is_directed, split, way, unit, head, *spread, least, spread[0] / least])
     return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS])
 
 
@@ -101,9 +101,9 @@ def table(chosen: pd.DataFrame) -> list[str]:
         by_column = mine.set_index("column", drop=False)
         cells = [_cell(by_column.loc[head], best[head]) if head in by_column.index else "" for head in heads]
         title = mine["title"].iloc[0]
-        told = "" if model in FLOORS else "yes" if mine["direction"].iloc[0] else "no"
+        direction = "" if model in FLOORS else "yes" if mine["direction"].iloc[0] else "no"
         ratio = "" if model in FLOORS else f"{by_column.loc['all', 'ratio']:.2f}"
-        lines.append(line([title if model in FLOORS else plain(title), told, ratio, *cells]))
+        lines.append(line([title if model in FLOORS else plain(title), direction, ratio, *cells]))
     return lines
 
 
@@ -161,10 +161,10 @@ def main() -> None:
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
-    found = numbers(metrics, titles_of(arguments.titles), arguments.directed)
+    table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    write_page(arguments.out, page(found, material), mark)
-    write_text(arguments.table, found.to_csv(index=False, float_format="%.9g"))
+    write_page(arguments.out, page(table_numbers, material), mark)
+    write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)
 
 

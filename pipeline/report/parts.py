@@ -35,11 +35,11 @@ class Parts:
     def here(self, aside: Callable[[str], Text], level: int) -> list[Markup]:
         """The parts that the index shows itself, folded."""
         own = Markup('<p class="soft"><a href="{}">On a page of its own</a></p>')
-        found = []
+        sections = []
         for name in self.names if self.few else []:
             below = together([self.body(name, ""), own.format(self.page(name))])
-            found.append(folded(anchor(self.kind, name), name, aside(name), below, level))
-        return found
+            sections.append(folded(anchor(self.kind, name), name, aside(name), below, level))
+        return sections
 
     def write(self, folder: Path, mark: MadeBy, heads: Mapping[str, Text]) -> None:
         """Write every part's page into a folder, with the ways to the index, to the one before and to the next."""
@@ -61,10 +61,10 @@ def of_materials(reports: Path, names: Sequence[str], strings: Mapping[str, Sequ
     """The materials' parts; `strings` gives the runs of each."""
 
     def body(material: str, up: str) -> Markup:
-        own = [runs.link(run, up) for run in strings.get(material, []) if run in there]
+        own = [runs.link(run, up) for run in strings.get(material, []) if run in run_names]
         return materials.part(reports, material, own, up)
 
-    there = set(runs.names)
+    run_names = set(runs.names)
     return Parts("material", names, body)
 
 

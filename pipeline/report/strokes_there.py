@@ -10,35 +10,35 @@ def there_of(strokes: Iterable[str | int]) -> list[int]:
     return sorted({int(stroke) for stroke in strokes if stroke != "all"})
 
 
-def drawn(there: Sequence[int], wanted: Sequence[int]) -> list[int]:
+def drawn(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
     """The wanted strokes where all are there; else as many, from the first to the last that is there."""
-    if len(there) <= len(wanted):
-        return list(there)
-    if set(wanted) <= set(there):
+    if len(strokes) <= len(wanted):
+        return list(strokes)
+    if set(wanted) <= set(strokes):
         return list(wanted)
-    last = len(there) - 1
-    return sorted({there[round(place * last / (len(wanted) - 1))] for place in range(len(wanted))})
+    last = len(strokes) - 1
+    return sorted({strokes[round(place * last / (len(wanted) - 1))] for place in range(len(wanted))})
 
 
-def tabled(there: Sequence[int], wanted: Sequence[int]) -> list[int]:
+def tabled(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
     """The wanted strokes that are there; where none is, strokes from the first to the last."""
-    return [stroke for stroke in wanted if stroke in there] or drawn(there, wanted)
+    return [stroke for stroke in wanted if stroke in strokes] or drawn(strokes, wanted)
 
 
-def ranges(there: Sequence[int]) -> str:
+def ranges(strokes: Sequence[int]) -> str:
     """The strokes in words: "1 to 8", "1 to 4 and 9"."""
     runs: list[list[int]] = []
-    for stroke in there:
+    for stroke in strokes:
         if runs and stroke == runs[-1][-1] + 1:
             runs[-1].append(stroke)
         else:
             runs.append([stroke])
-    said = [f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs]
-    return ", ".join(said[:-1]) + (" and " if len(said) > 1 else "") + said[-1] if said else "none"
+    spans = [f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs]
+    return ", ".join(spans[:-1]) + (" and " if len(spans) > 1 else "") + spans[-1] if spans else "none"
 
 
-def missing_of(there: Sequence[int], wanted: Sequence[int]) -> str:
+def missing_of(strokes: Sequence[int], wanted: Sequence[int]) -> str:
     """A sentence on the wanted strokes that the material does not have; empty where it has all of them."""
-    missing = ", ".join(f"n={stroke}" for stroke in wanted if stroke not in there)
-    known = f"stroke{'s' * (len(there) > 1)} {ranges(there)}"
+    missing = ", ".join(f"n={stroke}" for stroke in wanted if stroke not in strokes)
+    known = f"stroke{'s' * (len(strokes) > 1)} {ranges(strokes)}"
     return f"{NOT_SHOWN}: {missing}. The material has {known}." if missing else ""

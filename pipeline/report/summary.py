@@ -14,17 +14,17 @@ WHOLE = {
 }  # fmt: skip
 
 
-def of_material(folder: Path, there: set[Path]) -> list[str]:
+def of_material(folder: Path, paths: set[Path]) -> list[str]:
     """Both tables of a material and where its other pages are; nothing of what was not asked for."""
     text = [
         spoken((folder / name).read_text(encoding="utf-8"))
         for name in ("table_1.md", "table_2.md")
-        if folder / name in there
+        if folder / name in paths
     ]
-    figures = [str(folder / name) for name in FIGURES if folder / name in there]
+    figures = [str(folder / name) for name in FIGURES if folder / name in paths]
     if figures:
         text.append(f"figures: {', '.join(figures)}")
-    text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in there]
+    text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in paths]
     return text
 
 
@@ -33,14 +33,14 @@ def summary(made: Iterable[str], reports: Path, materials: list[str], runs: list
 
     `made` lists what the run was asked for and is whole: nothing else is named, however old it lies there.
     """
-    there, text = {path for path in map(Path, made) if path.exists()}, []
+    paths, text = {path for path in map(Path, made) if path.exists()}, []
     for material in materials:
-        said = of_material(reports / material, there)
-        if said:
-            text += [f"\n== {material} " + "=" * max(0, 90 - len(material)), *said]
-    words = verdicts([reports / "diagnosis" / run for run in runs if reports / "diagnosis" / run in there])
+        lines = of_material(reports / material, paths)
+        if lines:
+            text += [f"\n== {material} " + "=" * max(0, 90 - len(material)), *lines]
+    words = verdicts([reports / "diagnosis" / run for run in runs if reports / "diagnosis" / run in paths])
     if words:
         text.append("\n== what the simulator leaves out " + "=" * 62)
         text.append(f"{words}\nfigures: {reports / 'diagnosis' / '<run>' / 'diagnosis.png'}")
-    text += [f"\n{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in there]
+    text += [f"\n{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in paths]
     return "\n".join([*text, ""])

@@ -74,8 +74,8 @@ def write(
 ) -> None:
     """Write one table in all three forms; csv keeps the paper's strokes, the others show those that are there."""
     material, stem = str(metrics["material"].iloc[0]), folder / f"table_{number}"
-    there = there_of(shown(metrics, number)["stroke"])
-    missing, printed = missing_of(there, paper.STROKES), rows(metrics, number, titles, tabled(there, paper.STROKES))
+    strokes = there_of(shown(metrics, number)["stroke"])
+    missing, printed = missing_of(strokes, paper.STROKES), rows(metrics, number, titles, tabled(strokes, paper.STROKES))
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
     notes = (missing, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
     write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))

@@ -40,8 +40,10 @@ def paced(pace: float, rate_hz: float) -> str:
 
 def strokes_of(count: int) -> str:
     """How many strokes a recording has, and how it has another number."""
-    said = f"every recording has {count} stroke{'s' if count != 1 else ''}; --strokes N is for another number"
-    return f"{said} ({called.program_name('lifespan')} needs {FORECAST} to foretell)" if count < FORECAST else said
+    sentence = f"every recording has {count} stroke{'s' if count != 1 else ''}; --strokes N is for another number"
+    return (
+        f"{sentence} ({called.program_name('lifespan')} needs {FORECAST} to foretell)" if count < FORECAST else sentence
+    )
 
 
 @program
@@ -85,8 +87,8 @@ def main() -> int:
         try:
             while True:
                 served = serve(end, device, arguments.pace)
-                said = "is recorded" if served else "ended, and the host did not acknowledge it"
-                print(f"rig: recording {number} {said}", flush=True)
+                ending = "is recorded" if served else "ended, and the host did not acknowledge it"
+                print(f"rig: recording {number} {ending}", flush=True)
                 if number == arguments.recordings:
                     return 0 if served else 1
                 number += 1

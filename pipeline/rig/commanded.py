@@ -51,21 +51,21 @@ class Commanded(Device):
         ours, self.legs, self.program = packed(legs)[1] if legs else 0, {}, None
         if (len(legs), ours) != (count, crc):
             return _taken(len(legs), ours, Answer.BROKEN)
-        found = refusal(legs, self.standing.limits)
-        if found is not None:
-            return _taken(count, crc, found[0], found[1])
+        reason = refusal(legs, self.standing.limits)
+        if reason is not None:
+            return _taken(count, crc, reason[0], reason[1])
         self.program = legs
         return _taken(count, crc, Answer.TAKEN)
 
     def speak(self, until_s: float = math.inf) -> bytes:
         """As any device; a motor that stalls ends the recording as a fault."""
-        said = super().speak(until_s)
+        frames = super().speak(until_s)
         if self.program and self.recording and self.stalls_at is not None:
             sent = self.simulated.truth["motor_turns"][: self._sample]
             if sent.max(initial=0.0) > self.stalls_at:
                 at_us = int(self.simulated.samples["t_us"][len(sent) - 1])
-                said += self._tell(at_us, Event.FAULT, STALLED) + self._end_with(Reason.FAULT)
-        return said
+                frames += self._tell(at_us, Event.FAULT, STALLED) + self._end_with(Reason.FAULT)
+        return frames
 
     def _end_with(self, reason: Reason) -> bytes:
         if reason != Reason.COMPLETE:

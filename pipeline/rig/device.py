@@ -65,13 +65,13 @@ class Device:
 
     def speak(self, until_s: float = math.inf) -> bytes:
         """The next bytes to send, up to a moment of the device's clock; nothing when there is nothing to say."""
-        said, self._answer = self._answer, b""
+        answer, self._answer = self._answer, b""
         if self._sample is None:
-            return said
+            return answer
         samples, events = self.simulated.samples, self.simulated.events
         ready = int(np.searchsorted(self.simulated.time_s, until_s, side="right"))
         stop = min(self._sample + AT_ONCE, ready)
-        frames = [said]
+        frames = [answer]
         while self._sample < stop and not self._stop:
             while self._event < len(events) and events[self._event][0] <= self._sample:
                 frames.append(self._tell(*events[self._event][1:]))

@@ -53,13 +53,13 @@ class Effect(ABC):
 
 
 @compiled
-def settle(asked: Array, share: float, state: Array) -> Array:
-    """A state that closes a share of its gap to what is asked in every step; of the shape of `asked`.
+def settle(target: Array, share: float, state: Array) -> Array:
+    """A state that closes a share of its gap to its target in every step; of the shape of `target`.
 
     Shape (steps,).
     """
-    out = np.empty(len(asked))
-    for step in range(len(asked)):
-        state[0] += (asked[step] - state[0]) * share
+    out = np.empty(len(target))
+    for step in range(len(target)):
+        state[0] += (target[step] - state[0]) * share
         out[step] = state[0]
     return out

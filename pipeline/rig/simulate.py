@@ -51,26 +51,26 @@ def string_of(setup: SetUp) -> String:
     return String(geometry, [effects.make(*effect) for effect in setup.effects.items()], step_of(setup))
 
 
-def sampled(setup: SetUp, told: Commands, string: String, seed: int) -> Simulated:
+def sampled(setup: SetUp, commands: Commands, string: String, seed: int) -> Simulated:
     """What a set-up's sensors say while a string, which is not new afterwards, undergoes commanded steps."""
     # the nonce, and each channel's noise, have a stream of their own: one more channel must not move the others'
     boot, *streams = (np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(17))
-    contraction_mm = string.pull(told.motor_turns, told.load_n)
+    contraction_mm = string.pull(commands.motor_turns, commands.load_n)
 
     every = slice(None, None, setup.steps_per_sample)
-    time_s = told.time_s[every]
+    time_s = commands.time_s[every]
     truth = {
-        "motor_turns": told.motor_turns[every],
+        "motor_turns": commands.motor_turns[every],
         "displacement_mm": contraction_mm[every],
-        "load_n": told.load_n[every],
+        "load_n": commands.load_n[every],
     }
-    hello = hello_of(setup, f"{boot.integers(1 << 32):08x}", len(told.strokes_s))
+    hello = hello_of(setup, f"{boot.integers(1 << 32):08x}", len(commands.strokes_s))
     samples = np.zeros(len(time_s), hello.sample_type)
     samples["t_us"] = _t_us(setup, time_s)
     for (name, sensor), rng in zip(setup.sensors.items(), streams, strict=False):
         samples[name] = sensors.read(sensor, truth[name], rng)
     events = []
-    for number, (start_s, _, _, end_s) in enumerate(told.strokes_s.tolist(), 1):
+    for number, (start_s, _, _, end_s) in enumerate(commands.strokes_s.tolist(), 1):
         for at_s, code in ((start_s, Event.STROKE_START), (end_s, Event.STROKE_END)):
             at_us = int(_t_us(setup, np.array([at_s]))[0])
             events.append((int(np.searchsorted(time_s, at_s)), at_us, code, number))

@@ -67,23 +67,23 @@ class Standing:
         """A program that is within the limits."""
         return self._performed(followed(legs, self.at_turns, self.hangs_n, self._limits.turns_per_s2, self.step_s))
 
-    def _performed(self, told: Commands) -> Simulated:
+    def _performed(self, commands: Commands) -> Simulated:
         if self.number:
             steps = round(BETWEEN_S / self.step_s)
             self.string.pull(np.full(steps, self.at_turns), np.full(steps, self.hangs_n))
-        self._before = copy.deepcopy(self.string), told
-        found = sampled(self.setup, told, self.string, self.seed + self.number)
+        self._before = copy.deepcopy(self.string), commands
+        simulated = sampled(self.setup, commands, self.string, self.seed + self.number)
         self.number += 1
-        self.at_turns, self.hangs_n = float(told.motor_turns[-1]), float(told.load_n[-1])
-        return found
+        self.at_turns, self.hangs_n = float(commands.motor_turns[-1]), float(commands.load_n[-1])
+        return simulated
 
     def stopped(self, samples: int) -> None:
         """The recording ended after so many samples: the string has undergone no more, and the motor stands there."""
         if self._before is None:
             return
-        self.string, told = self._before
+        self.string, commands = self._before
         steps = max(1, samples * self.setup.steps_per_sample)
-        turns, load_n = told.motor_turns[:steps], told.load_n[:steps]
+        turns, load_n = commands.motor_turns[:steps], commands.load_n[:steps]
         self.string.pull(turns, load_n)
         self.at_turns, self.hangs_n, self._before = float(turns[-1]), float(load_n[-1]), None
 

@@ -31,8 +31,8 @@ def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
         problem = f"stands or runs backwards at {bad} of {steps} steps from sample to sample"
         raise BadInput(path, "t_us", problem, "correct the clock in the firmware and record again")
     if recorded.mended:
-        said = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in recorded.mended.items())
-        print(f"{path}: mended {said}", file=sys.stderr)
+        rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in recorded.mended.items())
+        print(f"{path}: mended {rules}", file=sys.stderr)
     names = {name: "device_time_s" if name == "time_s" else name for name in recorded.channels}  # t_us is the clock
     units = {names[channel.name]: channel.unit for channel in recorded.hello.channels}
     channels = {names[name]: values for name, values in recorded.channels.items()}

@@ -46,13 +46,13 @@ def recording_path(folder: Path | str) -> Path:
     if unfinished(folder):
         mend = f"wait for the capture to end, or run {command('capture')} --recover {folder}"
         raise BadInput(folder, "capture.json", "is missing, so the recording is unfinished", mend)
-    found = [folder / name for name in RECORDINGS if (folder / name).is_file()]
-    if not found:
+    paths = [folder / name for name in RECORDINGS if (folder / name).is_file()]
+    if not paths:
         raise BadInput(folder, "recording", "is missing", f"put one of {', '.join(RECORDINGS)} there")
-    if len(found) > 1:
-        names = " and ".join(path.name for path in found)
+    if len(paths) > 1:
+        names = " and ".join(path.name for path in paths)
         raise BadInput(folder, "recording", f"is there more than once ({names})", "keep one")
-    return found[0]
+    return paths[0]
 
 
 def unfinished(folder: Path) -> bool:

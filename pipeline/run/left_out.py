@@ -34,21 +34,21 @@ class LeftOut:
     @property
     def why(self) -> str:
         """File, field, problem and mend, as every program says them, with nothing in it that cannot be shown."""
-        said = str(BadInput(self.file, self.field, self.problem, self.mend))
-        return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in said)
+        sentence = str(BadInput(self.file, self.field, self.problem, self.mend))
+        return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in sentence)
 
 
 def to_json(runs: list[LeftOut]) -> str:
     """Runs as JSON, for a file or a command line."""
-    return json.dumps([asdict(one) for one in runs])
+    return json.dumps([asdict(left_out) for left_out in runs])
 
 
 def from_json(text: str | bytes, source: Path | str = "the runs left out") -> list[LeftOut]:
     """Runs from such JSON, which is read from `source`; raises BadInput for anything else."""
     try:
         content = json.loads(text if isinstance(text, str) else text.decode("utf-8"))
-        runs = [LeftOut(**one) for one in content]
-        if isinstance(content, list) and all(isinstance(value, str) for one in content for value in one.values()):
+        runs = [LeftOut(**entry) for entry in content]
+        if isinstance(content, list) and all(isinstance(value, str) for entry in content for value in entry.values()):
             return runs
     except (ValueError, TypeError, RecursionError):
         pass

@@ -26,10 +26,10 @@ def as_in(folder: Path) -> dict[str, Any]:
 
 def with_given(content: dict[str, Any], given: dict[str, Any], source: Path) -> dict[str, Any]:
     """The content with what the command line gave in its place; raises BadInput for a string that is another's."""
-    there = content.get("string")
+    string = content.get("string")
     for key, value in (given.get("string") or {}).items():
-        if there is None or (key in ("id", "material") and value != there[key]):
-            known = "has no string" if there is None else f"is of the string {there['id']!r}, {there['material']}"
+        if string is None or (key in ("id", "material") and value != string[key]):
+            known = "has no string" if string is None else f"is of the string {string['id']!r}, {string['material']}"
             mend = f"leave out --like {source} and give all dimensions, or leave out what is given of the string"
             raise BadInput(source, f"string.{key}", known, mend)
     made = {"run": given["run"]} | content | {key: value for key, value in given.items() if key not in SECTIONS}

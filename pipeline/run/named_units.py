@@ -15,17 +15,17 @@ def _unit(name: str, column: str) -> str | None:
     own = unit_of(name)
     stem = name.rpartition("_")[0]
     start, _, suffix = column.rpartition("_")
-    found = next((unit for unit in UNITS if unit.lower() == suffix and unit not in ("V", "count")), None)
-    if start != stem or found in (None, own):
+    ending = next((unit for unit in UNITS if unit.lower() == suffix and unit not in ("V", "count")), None)
+    if start != stem or ending in (None, own):
         return None
     try:
-        conversion(name, found)
+        conversion(name, ending)
     except ValueError:
         return None
-    return found
+    return ending
 
 
 def in_its_unit(name: str, columns: Iterable[object]) -> tuple[str, str] | None:
     """The one column that holds the channel `name` in another unit, and that unit; None where none or several do."""
-    found = [(column, unit) for column in columns if isinstance(column, str) and (unit := _unit(name, column))]
-    return found[0] if len(found) == 1 else None
+    with_units = [(column, unit) for column in columns if isinstance(column, str) and (unit := _unit(name, column))]
+    return with_units[0] if len(with_units) == 1 else None

@@ -71,9 +71,9 @@ class Curve:
 
     def likely(self, guesses: list[Guess], best: float) -> list[Guess]:
         """The guesses that let the recording pass without doubt and fit about as well as the best, or as `best`."""
-        good = [one for one in guesses if 1.0 / DOUBT_RATIO <= self.ratio(one.turns, one.length) <= DOUBT_RATIO]
-        misfits = [self.misfit(one.turns, one.length) for one in good]
-        return [one for one, misfit in zip(good, misfits, strict=True) if misfit <= bound(min([best, *misfits]))]
+        good = [guess for guess in guesses if 1.0 / DOUBT_RATIO <= self.ratio(guess.turns, guess.length) <= DOUBT_RATIO]
+        misfits = [self.misfit(guess.turns, guess.length) for guess in good]
+        return [guess for guess, misfit in zip(good, misfits, strict=True) if misfit <= bound(min([best, *misfits]))]
 
 
 def bound(best: float) -> float:
@@ -109,14 +109,14 @@ def _freely(curve: Curve) -> list[tuple[float, str]]:
     """With which factor of one channel the recording would fit: the misfit, and the factor in words."""
     factors = np.geomspace(1e-3, 1e3, 601)
     off = np.array([abs(np.log(curve.ratio(turns=factor))) for factor in factors])
-    found = []
+    fitting = []
     if np.isfinite(off).any() and np.nanmin(off) < 0.1:
         by = float(factors[np.nanargmin(off)])
-        found.append((curve.misfit(turns=by), f"with motor_turns, or radius_mm, {by:.2g} times as large"))
+        fitting.append((curve.misfit(turns=by), f"with motor_turns, or radius_mm, {by:.2g} times as large"))
     by = float(np.divide(1.0, curve.ratio() or np.inf))
     if np.isfinite(by) and by > 0:
-        found.append((curve.misfit(length=by), f"with displacement_mm {by:.2g} times as large"))
-    return found
+        fitting.append((curve.misfit(length=by), f"with displacement_mm {by:.2g} times as large"))
+    return fitting
 
 
 def _span(run: Run, curve: Curve, path: Path) -> BadInput:
@@ -126,7 +126,7 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
     single, both = _guesses(run)
     likely = curve.likely(single, best) or curve.likely(both, best)
     field = likely[0].field if likely else "motor_turns"
-    mend = ", or ".join(one.mend for one in likely)
+    mend = ", or ".join(guess.mend for guess in likely)
     if len(likely) > 1:
         mend = f"find out which: {mend}"
     shifted = 1.0 / DOUBT_RATIO <= curve.ratio(offset_turns=-curve.low) <= DOUBT_RATIO
@@ -171,26 +171,26 @@ def check_string(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) ->
 def doubts(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> list[BadInput]:
     """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span."""
     curve = Curve(samples, base)
-    found = []
+    questions = []
     if curve.far:
         begins = float(np.median(samples["motor_turns"].iloc[:5]))
         problem = f"begins at {begins:.3g} turns and its lowest is {curve.low:.3g}, but 0 must be the untwisted string"
-        found.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
+        questions.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
-        found.append(_span(run, curve, path))
+        questions.append(_span(run, curve, path))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
-        found.append(mistake)
-    return found
+        questions.append(mistake)
+    return questions
 
 
 def _home(run: Run, curve: Curve) -> str:
     """Where the recorded curve says that the twist's 0 is."""
     channel = run.channels.get("motor_turns", Channel.model_validate({}))
     offset = channel.offset - curve.low / conversion("motor_turns", channel.unit, channel.counts_per_turn)[0]
-    there, shifted = curve.misfit(), curve.misfit(offset_turns=-curve.low)
-    if AS_LIKELY * shifted < there:
+    misfit_as_is, shifted = curve.misfit(), curve.misfit(offset_turns=-curve.low)
+    if AS_LIKELY * shifted < misfit_as_is:
         return f"its curve fits 0 at that lowest twist: set channels.motor_turns.offset to {offset:.6g}"
-    if AS_LIKELY * there < shifted:
+    if AS_LIKELY * misfit_as_is < shifted:
         return "its curve fits 0 where it is; check that it is right"
     return (
         f"set channels.motor_turns.offset ({offset:.6g} if the string was untwisted there), or check that it is right"

@@ -26,7 +26,7 @@ def load_mistake(run: Run, samples: pd.DataFrame, base: Geometry, path: Path, mo
         if stress_mpa > STRONGEST_MPA
         else f"which would stretch the string by {share:.0%} of its length"
     )
-    told = "load_n" in run.rig and (samples["load_n"] == run.rig["load_n"]).all()
-    mend = "give rig.load_n in newtons" if told else "set channels.load_n.unit to gf"
+    by_run_yaml = "load_n" in run.rig and (samples["load_n"] == run.rig["load_n"]).all()
+    mend = "give rig.load_n in newtons" if by_run_yaml else "set channels.load_n.unit to gf"
     mend = f"are they grams? {mend}; else check radius_mm and stiffness_n_per_mm"
     return BadInput(path, "load_n", f"is {load_n:.4g} N, {would}", mend)

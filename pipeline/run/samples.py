@@ -76,8 +76,8 @@ def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
     Raises BadInput unless they can be what their names say and hold a stroke.
     """
     check_finite(samples, path)
-    samples, said = without_wild(run, samples, path)
-    for sentence in said:
+    samples, wild_notes = without_wild(run, samples, path)
+    for sentence in wild_notes:
         print(f"warning: {sentence}", file=sys.stderr)
     check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S)
     if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:

@@ -34,7 +34,7 @@ def without_wild(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFr
     An ordinary outlier stays: a sample goes only where its value is further from its neighbours' median than three
     times the channel's whole range (of a load: or its size). Raises BadInput where that is over 1 % of all samples.
     """
-    gone, said = np.zeros(len(samples), bool), []
+    gone, notes = np.zeros(len(samples), bool), []
     for name in (run.system.driver, run.system.channel, run.system.load):
         if name is None or name not in samples.columns:
             continue
@@ -51,5 +51,5 @@ def without_wild(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFr
             raise BadInput(
                 path, name, problem, "check the sensor and its cable, then remove these rows or record again"
             )
-        said.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
-    return (samples[~gone].reset_index(drop=True) if said else samples), said
+        notes.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
+    return (samples[~gone].reset_index(drop=True) if notes else samples), notes

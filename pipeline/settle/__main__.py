@@ -20,13 +20,13 @@ REPORTS = Path("reports/settle")
 
 def looked_at(folders: list[Path]) -> list[Path]:
     """Run folders whose motor this program can speak of; raises BadInput."""
-    found = [folder if folder.name else folder.resolve() for folder in folders]
-    for folder in found:
+    paths = [folder if folder.name else folder.resolve() for folder in folders]
+    for folder in paths:
         run = read_run(folder)
         if run.system.driver != "motor_turns":
             mend = "make the run that its diagnosis proposes by hand"
             raise BadInput(folder, "actuator", f"is {run.actuator}, whose motion is not in turns of a motor", mend)
-    return found
+    return paths
 
 
 @program

@@ -83,8 +83,10 @@ def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, l
     raising = [run for run in options if run.get("raises", run["decides"])]
     if not raising:
         now, then = gaps(options[0])
-        said = f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"
-        return None, f"{said} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
+        sentence = (
+            f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"
+        )
+        return None, f"{sentence} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
     refused: list[str] = []
     for run in raising:
         legs = reachable(run, limits)

@@ -65,13 +65,13 @@ def simulated_mm(curves: Curves, at_s: Array, turns: Array) -> Array:
     time_s, load = np.array(curves["time_s"]), np.array(curves["load"])
     foretold_turns, foretold_mm = np.array(curves["motor_turns"]), np.array(curves["calibrated"])
     hangs = np.interp(at_s, time_s, load)
-    found = np.interp(at_s, time_s, foretold_mm)
-    for one in np.unique(load):
-        under = load == one
+    reading_mm = np.interp(at_s, time_s, foretold_mm)
+    for load_n in np.unique(load):
+        under = load == load_n
         order = np.argsort(foretold_turns[under], kind="stable")
-        here = np.abs(hangs - one) <= 1e-9 * max(abs(one), 1.0)
-        found[here] = np.interp(turns[here], foretold_turns[under][order], foretold_mm[under][order])
-    return found
+        under_load = np.abs(hangs - load_n) <= 1e-9 * max(abs(load_n), 1.0)
+        reading_mm[under_load] = np.interp(turns[under_load], foretold_turns[under][order], foretold_mm[under][order])
+    return reading_mm
 
 
 def averaged(at_s: Array, values: Array) -> Array:

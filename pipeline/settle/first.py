@@ -87,5 +87,5 @@ def simulated_mm(run: Run, time_s: Array, turns: Array, load_n: float) -> Array:
         acceleration=np.gradient(rate, time_s),
         load=np.full_like(turns, load_n / system.load_unit),
     )
-    values = np.array([one.nominal for one in system.parameters(run)])
+    values = np.array([parameter.nominal for parameter in system.parameters(run)])
     return np.asarray(system.simulate(values, inputs, {}))

@@ -60,8 +60,8 @@ def _number(value: Any) -> bool:
 
 def beyond(legs: list[Leg], limits: Limits | None) -> str | None:
     """What of a run is beyond the limits, in words; None where nothing is, or there are none."""
-    found = refusal(legs, limits) if limits is not None else None
-    if found is None:
+    reason = refusal(legs, limits) if limits is not None else None
+    if reason is None:
         return None
-    _, number, sentence = found
+    _, number, sentence = reason
     return f"leg {number} {sentence}" if number else sentence

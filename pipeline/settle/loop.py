@@ -60,9 +60,9 @@ class Loop:
                     steps.pop()
                     steps = steps or [self._begun()]
                     continue
-                found = self._approved(step)
-                if found is not None:
-                    steps[-1] = found
+                approved_step = self._approved(step)
+                if approved_step is not None:
+                    steps[-1] = approved_step
                 elif not self.answers.stopped():
                     print(f"step {step.number}: not approved: nothing was moved; started again it asks again")
                     return DONE
@@ -117,8 +117,11 @@ class Loop:
         """The next run, drawn before it is made; None, and settled.json, where there is none."""
         last = steps[-1]
         options = self.place.next_runs(last.number)
-        said = [self.place.diagnosis(step.number) for step in steps[-2:]]
-        if firm([(one["verdict"], [each["id"] for each in one["mechanisms"]]) for one in said], bool(options)):
+        verdicts = [self.place.diagnosis(step.number) for step in steps[-2:]]
+        if firm(
+            [(verdict["verdict"], [each["id"] for each in verdict["mechanisms"]]) for verdict in verdicts],
+            bool(options),
+        ):
             self._settled(steps, "verdict", f"the verdict is {last.verdict}")
             return None
         left = self.budget.left(steps)
@@ -134,7 +137,7 @@ class Loop:
         if why:
             print(f"step {step.number}: passed over: {why}")
         step = step.at("proposed", run_dir=str(move.free_dir(self.runs[0])))
-        return self._written(step, next(one for one in options if one["title"] == step.proposal["title"]))
+        return self._written(step, next(option for option in options if option["title"] == step.proposal["title"]))
 
     def _settled(self, steps: list[Step], why: str, sentence: str) -> None:
         settled(self.place, steps, self._all_runs(steps), self.budget, why, sentence)
@@ -147,10 +150,10 @@ class Loop:
     def _approved(self, step: Step) -> Step | None:
         print(told(step, self.place), flush=True)
         if self.motor.takes() is not None:
-            found = approved(step, self.way, self.answers)
+            approved_step = approved(step, self.way, self.answers)
         else:
-            found = step.at("approved", approved_by="the person who makes it")
-        return self.place.write(found) if found else None
+            approved_step = step.at("approved", approved_by="the person who makes it")
+        return self.place.write(approved_step) if approved_step else None
 
     def _recorded(self, step: Step) -> tuple[Step, int]:
         """The run is made; the step, and an exit status where the loop is to end here."""
@@ -173,9 +176,10 @@ class Loop:
             print(text, flush=True)
             if not move.wait_for(folder, self.answers.stopped):
                 return step, DONE
-        found, by_person = move.came(step)
-        self.place.write(found)
-        if found.ended is None:
-            return found, DONE
-        print(f"step {step.number}: {folder}: {found.ended}; what came is kept. Started again it goes on from here")
-        return found, STOPPED if by_person else FAULT
+        recorded_step, by_person = move.came(step)
+        self.place.write(recorded_step)
+        if recorded_step.ended is None:
+            return recorded_step, DONE
+        ending = f"{recorded_step.ended}; what came is kept. Started again it goes on from here"
+        print(f"step {step.number}: {folder}: {ending}")
+        return recorded_step, STOPPED if by_person else FAULT

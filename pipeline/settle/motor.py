@@ -32,11 +32,11 @@ class Motor:
         """
         if not self.port:
             return None
-        with Port(self.port, self.baud) as there:
-            found = greet(there, self.port, self.baud)[0].program
-        if found is not None and self.all_limits:
-            self.allowed.check_unattended(found)
-        return found
+        with Port(self.port, self.baud) as port:
+            limits = greet(port, self.port, self.baud)[0].program
+        if limits is not None and self.all_limits:
+            self.allowed.check_unattended(limits)
+        return limits
 
     def limits(self) -> Limits | None:
         """What rig and person both allow."""

@@ -65,5 +65,5 @@ def came(step: Step) -> tuple[Step, bool]:
     if status == "complete":
         return step.at("recorded"), False
     samples = int((info.get("samples") or {}).get("received", 0))
-    said = info.get("fault") or (f"ended by {info['ended_by']}" if info.get("ended_by") else status)
-    return step.at("recorded", ended=str(said), used=samples >= LEAST_SAMPLES), info.get("ended_by") == PERSON
+    ending = info.get("fault") or (f"ended by {info['ended_by']}" if info.get("ended_by") else status)
+    return step.at("recorded", ended=str(ending), used=samples >= LEAST_SAMPLES), info.get("ended_by") == PERSON

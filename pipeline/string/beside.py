@@ -25,28 +25,32 @@ def jumps_into(folders: list[Path], runs: list[Run], tables: list[pd.DataFrame])
         for folder, run, table in zip(folders, runs, tables, strict=True)
     }
     every = list(known.values())
-    asked = {folder.resolve() for folder in folders}
-    for place in sorted({folder.parent for folder in asked}):
-        every += [one for one in _beside(place, {run.string_id for run in runs}, asked) if one.run.run not in known]
-    found = []
+    places = {folder.resolve() for folder in folders}
+    for place in sorted({folder.parent for folder in places}):
+        every += [
+            recorded
+            for recorded in _beside(place, {run.string_id for run in runs}, places)
+            if recorded.run.run not in known
+        ]
+    jumps_found = []
     for string in sorted({run.string_id for run in runs}):
-        found += jumps([one for one in every if one.run.string_id == string])
-    return [jump for jump in found if jump.run in known]
+        jumps_found += jumps([recorded for recorded in every if recorded.run.string_id == string])
+    return [jump for jump in jumps_found if jump.run in known]
 
 
 def _beside(place: Path, strings: set[str], but: set[Path]) -> list[Recorded]:
     """Runs in a folder of runs, `but` some, that name one of these strings."""
-    found = []
+    runs_beside = []
     for folder in find_runs(place):
         if folder.resolve() in but:
             continue
         try:
             text = (folder / "run.yaml").read_text(encoding="utf-8")
             if any(string in text for string in strings) and read_run(folder).string_id in strings:
-                found.append(read(folder))
+                runs_beside.append(read(folder))
         except (BadInput, OSError, ValueError):
             continue
-    return found
+    return runs_beside
 
 
 def _started(folder: Path) -> str:

@@ -45,15 +45,17 @@ def in_order(runs: list[Recorded]) -> list[Recorded]:
     as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
     names, 2 before 10.
     """
-    by_name = sorted(runs, key=lambda one: _natural(one.run.run))
-    if all(one.started_utc for one in runs):
-        return sorted(by_name, key=lambda one: one.started_utc)
-    spans = sorted((one.samples["time_s"].iloc[0], one.samples["time_s"].iloc[-1]) for one in runs)
+    by_name = sorted(runs, key=lambda recorded: _natural(recorded.run.run))
+    if all(recorded.started_utc for recorded in runs):
+        return sorted(by_name, key=lambda recorded: recorded.started_utc)
+    spans = sorted((recorded.samples["time_s"].iloc[0], recorded.samples["time_s"].iloc[-1]) for recorded in runs)
     if all(before[1] <= after[0] for before, after in pairwise(spans)):
-        return sorted(by_name, key=lambda one: float(one.samples["time_s"].iloc[0]))
-    told = [_strokes_before(one) for one in by_name]
-    if None not in told:
-        return [one for _, one in sorted(zip(told, by_name, strict=True), key=lambda pair: pair[0] or 0)]
+        return sorted(by_name, key=lambda recorded: float(recorded.samples["time_s"].iloc[0]))
+    strokes_before = [_strokes_before(recorded) for recorded in by_name]
+    if None not in strokes_before:
+        return [
+            recorded for _, recorded in sorted(zip(strokes_before, by_name, strict=True), key=lambda pair: pair[0] or 0)
+        ]
     return by_name
 
 
@@ -82,8 +84,8 @@ def read_recorded(run_dir: Path, processed: Path) -> Recorded:
 def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:
     """Runs of each string in the order in which they were recorded; the strings in the order of their runs' names."""
     strings: dict[str, list[Recorded]] = {}
-    for one in sorted(recorded, key=lambda one: one.run.run):
-        strings.setdefault(one.run.string_id, []).append(one)
+    for recorded_run in sorted(recorded, key=lambda recorded_run: recorded_run.run.run):
+        strings.setdefault(recorded_run.run.string_id, []).append(recorded_run)
     return [in_order(runs) for runs in strings.values()]
 
 

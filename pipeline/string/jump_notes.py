@@ -13,23 +13,23 @@ NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note
 
 
-def to_json(said: Sequence[str]) -> str:
+def to_json(notes: Sequence[str]) -> str:
     """A note of sentences, one a jump."""
-    return json.dumps(list(said), ensure_ascii=False)
+    return json.dumps(list(notes), ensure_ascii=False)
 
 
 def from_json(content: bytes, source: Path) -> list[str]:
     """The sentences of a note, which is read from `source`; raises BadInput for anything else."""
     try:
-        said = json.loads(content.decode("utf-8"))
+        notes = json.loads(content.decode("utf-8"))
     except (ValueError, RecursionError):
-        said = None
-    if isinstance(said, list) and all(isinstance(one, str) for one in said):
-        return said
+        notes = None
+    if isinstance(notes, list) and all(isinstance(note, str) for note in notes):
+        return notes
     raise BadInput(source, "JSON", "is not what the dataset's stage writes", REMAKE)
 
 
 def read_jumps(notes: Sequence[Path]) -> list[str]:
     """What some notes say, one sentence a jump; one that is not there says nothing. Raises BadInput."""
-    there = (path for path in notes if os.path.lexists(path))
-    return [said for path in there for said in from_json(read_regular(path, LARGEST), path)]
+    present = (path for path in notes if os.path.lexists(path))
+    return [note for path in present for note in from_json(read_regular(path, LARGEST), path)]

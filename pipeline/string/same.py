@@ -14,16 +14,16 @@ SIZE = ("material", "radius_mm", "length_mm")
 
 def alike(string: String, raw: Path, name: str) -> list[Run]:
     """Runs in `raw`, other than `name`, of a string of the same material and size; unreadable ones left out."""
-    found = []
+    same_strings = []
     for folder in find_runs(raw):
         try:
             run = read_run(folder)
         except BadInput:
             continue  # ingest says what is wrong with it
-        there = run.string
-        if run.run != name and there and all(getattr(there, key) == getattr(string, key) for key in SIZE):
-            found.append(run)
-    return found
+        string_there = run.string
+        if run.run != name and string_there and all(getattr(string_there, key) == getattr(string, key) for key in SIZE):
+            same_strings.append(run)
+    return same_strings
 
 
 def asked(ids: list[str], ask: Callable[[str], str]) -> str | None:

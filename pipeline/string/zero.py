@@ -67,15 +67,15 @@ class Jump:
 
 def jumps(runs: list[Recorded]) -> list[Jump]:
     """The jumps of the zero among runs of one string, in their order."""
-    runs, found, done = in_order(runs), [], 0
-    for number, one in enumerate(runs):
-        assert one.run.string is not None
-        unrecorded = max(one.run.string.strokes_before - done, 0) if number else 0
-        done = max(done, one.run.string.strokes_before) + int(one.strokes["stroke"].max())
-        jump = _jump(runs[number - 1], one, unrecorded) if number else None
+    runs, jumps_found, done = in_order(runs), [], 0
+    for number, recorded in enumerate(runs):
+        assert recorded.run.string is not None
+        unrecorded = max(recorded.run.string.strokes_before - done, 0) if number else 0
+        done = max(done, recorded.run.string.strokes_before) + int(recorded.strokes["stroke"].max())
+        jump = _jump(runs[number - 1], recorded, unrecorded) if number else None
         if jump is not None:
-            found.append(jump)
-    return found
+            jumps_found.append(jump)
+    return jumps_found
 
 
 def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> list[float]:
@@ -85,14 +85,14 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
     set by its own rest to what the string read at the end of the run before, and those after it go with it. Where that
     rest does not compare, it is set to the model's value.
     """
-    found = [tare_mm(runs[0])]
-    for before, one in pairwise(runs):
-        offset = found[-1]
-        if one.run.tare == "run" or one.run.run in moved:
-            change = _change_mm(before, one)
-            offset = tare_mm(one) if change is None else offset - change
-        found.append(offset)
-    return found
+    offsets = [tare_mm(runs[0])]
+    for before, after in pairwise(runs):
+        offset = offsets[-1]
+        if after.run.tare == "run" or after.run.run in moved:
+            change = _change_mm(before, after)
+            offset = tare_mm(after) if change is None else offset - change
+        offsets.append(offset)
+    return offsets
 
 
 def _jump(before: Recorded, after: Recorded, unrecorded: int) -> Jump | None:
@@ -111,13 +111,15 @@ def _change_mm(before: Recorded, after: Recorded) -> float | None:
     rests = [_rests(before)[-1:], _rests(after)[:1]]
     if not all(rests):
         return None
-    (one,), (two,) = rests
-    turns, load_n = ([float(run.samples[name].iloc[rows].median()) for run, rows in ((before, one), (after, two))]
-                     for name in ("motor_turns", "load_n"))  # fmt: skip
+    (rest_before,), (rest_after,) = rests
+    both = ((before, rest_before), (after, rest_after))
+    turns, load_n = (
+        [float(run.samples[name].iloc[rows].median()) for run, rows in both] for name in ("motor_turns", "load_n")
+    )
     span = float(np.ptp(before.samples["motor_turns"]))
     if abs(turns[1] - turns[0]) > SAME_TWIST * span or abs(load_n[1] - load_n[0]) > SAME_LOAD * max(map(abs, load_n)):
         return None
-    return _level_mm(after, two) - _level_mm(before, one)
+    return _level_mm(after, rest_after) - _level_mm(before, rest_before)
 
 
 def _rests(recorded: Recorded) -> list[Array]:
@@ -125,8 +127,8 @@ def _rests(recorded: Recorded) -> list[Array]:
     table = recorded.strokes[recorded.strokes["phase"] == "rest"]
     first, later = table[table["stroke"] == 0][-1:], table[table["stroke"] > 0]
     both = pd.concat([first, later])
-    found = [np.arange(a, b + 1) for a, b in zip(both["first_sample"], both["last_sample"], strict=True)]
-    return found if len(first) else [np.zeros(1, int), *found]
+    rests = [np.arange(a, b + 1) for a, b in zip(both["first_sample"], both["last_sample"], strict=True)]
+    return rests if len(first) else [np.zeros(1, int), *rests]
 
 
 def _level_mm(recorded: Recorded, rows: Array) -> float:
@@ -138,7 +140,7 @@ def _level_mm(recorded: Recorded, rows: Array) -> float:
 
 def _usual_mm(*runs: Recorded) -> float:
     """How much the rest changes from one stroke to the next, the median over runs; 0 where none has two strokes."""
-    changes = [np.diff([_level_mm(one, rows) for rows in _rests(one)]) for one in runs]
+    changes = [np.diff([_level_mm(recorded, rows) for rows in _rests(recorded)]) for recorded in runs]
     every = np.abs(np.concatenate(changes))
     return float(np.median(every)) if len(every) else 0.0
 

@@ -54,11 +54,11 @@ class CascadedTanks(System):
 
     def parameters(self, run: Described) -> list[Parameter]:
         """Gain and outlets with relative tolerances, then the levels at the start, which are never below the ground."""
-        found = []
+        listed = []
         for key in self.rig:
             size, start = run.rig[key], key.endswith("_v")
-            found.append(Parameter(key, size, sigma_of(self, run, key) * (1.0 if start else size), lowest=0.0))
-        return found
+            listed.append(Parameter(key, size, sigma_of(self, run, key) * (1.0 if start else size), lowest=0.0))
+        return listed
 
     def simulate(self, values: Array, inputs: Inputs, acts: dict[str, Array]) -> Array:
         """Level of the lower tank in V."""

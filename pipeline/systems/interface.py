@@ -124,8 +124,8 @@ class System:
 
         Each of shape (samples,).
         """
-        one = np.ones_like(inputs.motion)
-        return one, one
+        ones = np.ones_like(inputs.motion)
+        return ones, ones
 
     def travel(self, values: Array, inputs: Inputs) -> Array:
         """Nominal output travel, in the channel's unit; the motion itself where the output is no displacement.

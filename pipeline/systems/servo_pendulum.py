@@ -27,8 +27,8 @@ class ServoPendulum(System):
 
     def parameters(self, run: Described) -> list[Parameter]:
         """Inertia, weight and back EMF with relative tolerances; the gain is known, or all would move together."""
-        found = [Parameter(key, run.rig[key], sigma_of(self, run, key) * run.rig[key]) for key in self.tolerance]
-        return [Parameter("gain_v_per_rad", run.rig["gain_v_per_rad"], 0.0), *found]
+        dimensions = [Parameter(key, run.rig[key], sigma_of(self, run, key) * run.rig[key]) for key in self.tolerance]
+        return [Parameter("gain_v_per_rad", run.rig["gain_v_per_rad"], 0.0), *dimensions]
 
     def travel(self, values: Array, inputs: Inputs) -> Array:
         """The motion itself."""

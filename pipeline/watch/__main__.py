@@ -28,14 +28,14 @@ class Buttons:
     def __call__(self, button: str, given: dict[str, Any]) -> str | None:
         """Press one; why it did nothing, or None."""
         with self._lock:
-            told = self._settling.told(self._settling.step())
-            if told is None or not told["at_work"]:
+            state = self._settling.told(self._settling.step())
+            if state is None or not state["at_work"]:
                 return "no loop is at work"
             if button == "stop":
                 self._settling.answers.stop()
                 return None
             question = given.get("question")
-            if isinstance(question, str) and question == told["question"] and self._settling.answers.approve(question):
+            if isinstance(question, str) and question == state["question"] and self._settling.answers.approve(question):
                 return None
             return "this is not what is asked now: look again"
 

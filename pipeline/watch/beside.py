@@ -26,15 +26,15 @@ def _names(folder: Path) -> list[str]:
 
 def verdicts(reports: Path) -> list[dict[str, str]]:
     """Each diagnosed run with the first line of its verdict, and where its page lies below reports/."""
-    found = []
+    verdict_list = []
     for name in _names(reports / "diagnosis"):
         folder = reports / "diagnosis" / name
         lines = _text(folder / "verdict.txt").splitlines()
         if lines:
             pages = ("diagnosis.html", "diagnosis.pdf", "verdict.txt")
             page = next(page for page in pages if (folder / page).is_file())
-            found.append({"run": name, "verdict": lines[0][:300], "page": f"diagnosis/{name}/{page}"})
-    return found
+            verdict_list.append({"run": name, "verdict": lines[0][:300], "page": f"diagnosis/{name}/{page}"})
+    return verdict_list
 
 
 def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:

@@ -55,19 +55,19 @@ class Jobs:
             self._take(line.decode("utf-8", "replace"))
 
     def _take(self, line: str) -> None:
-        if found := FINISHED.fullmatch(line):
-            self.running.pop(int(found[1]), None)
-            self.failed.pop(int(found[1]), None)  # it was tried again
-        elif found := STEPS.fullmatch(line):
-            self.done, self.total = int(found[1]), int(found[2])
-        elif found := TOTAL.fullmatch(line):
-            self.total = int(found[1])
-        elif found := DESCRIBED.fullmatch(line):
-            self.running[int(found[1])] = found[2][:200]
-        elif found := RULE.fullmatch(line) or ERROR.fullmatch(line):
-            self._rule, self._error = found[1], line.startswith("Error")
-        elif self._rule and (found := JOB.fullmatch(line)):
-            number = int(found[1])
+        if match := FINISHED.fullmatch(line):
+            self.running.pop(int(match[1]), None)
+            self.failed.pop(int(match[1]), None)  # it was tried again
+        elif match := STEPS.fullmatch(line):
+            self.done, self.total = int(match[1]), int(match[2])
+        elif match := TOTAL.fullmatch(line):
+            self.total = int(match[1])
+        elif match := DESCRIBED.fullmatch(line):
+            self.running[int(match[1])] = match[2][:200]
+        elif match := RULE.fullmatch(line) or ERROR.fullmatch(line):
+            self._rule, self._error = match[1], line.startswith("Error")
+        elif self._rule and (match := JOB.fullmatch(line)):
+            number = int(match[1])
             if self._error:
                 self.failed[number] = self.running.pop(number, self._rule)
             else:

@@ -34,9 +34,9 @@ class Nominal:
         inputs = SimpleNamespace(
             time_s=rows[:, 0], motion=motion, rate=nothing, acceleration=nothing, load=load / system.load_unit
         )
-        values = np.array([one.nominal for one in system.parameters(self._run)])
-        found = system.simulate(values, inputs, {})
+        values = np.array([parameter.nominal for parameter in system.parameters(self._run)])
+        simulated = system.simulate(values, inputs, {})
         if np.isnan(self._zero):
             reading = rows[:, 1 + self._columns.index(system.channel)]
-            self._zero = float(np.median(reading[:50] - found[:50])) if system.free_zero else 0.0
-        return np.asarray(found + self._zero)
+            self._zero = float(np.median(reading[:50] - simulated[:50])) if system.free_zero else 0.0
+        return np.asarray(simulated + self._zero)

@@ -92,13 +92,13 @@ class Page:
     def _report(self, name: str) -> bottle.HTTPResponse:
         """A file below reports/; what leads out of it, or begins with a dot, is not there."""
         path = Path(os.path.realpath(self.reports / name)) if "\0" not in name else self.reports
-        inside = path.is_relative_to(self.reports) and not any(one.startswith(".") for one in name.split("/"))
+        inside = path.is_relative_to(self.reports) and not any(part.startswith(".") for part in name.split("/"))
         if not inside or not path.is_file():
             return self._answer(404, b"there is no such report\n")
-        found = bottle.static_file(path.name, str(path.parent))
+        response = bottle.static_file(path.name, str(path.parent))
         for key, value in self._headers(REPORT_POLICY).items():
-            found.set_header(key, value)
-        return found
+            response.set_header(key, value)
+        return response
 
     def _headers(self, policy: str) -> dict[str, str]:
         return {
@@ -111,11 +111,11 @@ class Page:
     def _answer(self, status: int, body: bytes, kind: str | None = None) -> bottle.HTTPResponse:
         kind = kind or "text/plain"
         text = kind.startswith("text/") or kind == "application/json"
-        found = bottle.HTTPResponse(body, status, self._headers(OWN_POLICY))
-        found.content_type = f"{kind}; charset=utf-8" if text else kind
+        response = bottle.HTTPResponse(body, status, self._headers(OWN_POLICY))
+        response.content_type = f"{kind}; charset=utf-8" if text else kind
         if status == 200 and not self.local:
-            found.set_cookie(self.cookie, self.token, httponly=True, samesite="strict", path="/")
-        return found
+            response.set_cookie(self.cookie, self.token, httponly=True, samesite="strict", path="/")
+        return response
 
 
 class Server:

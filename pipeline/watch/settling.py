@@ -31,8 +31,8 @@ class Settling:
     def run_dir(self, step: Step | None) -> Path:
         """The folder that is recorded now: the one of the last step's run, which lies beside the first run."""
         name = Path(step.run_dir).name if step and step.run_dir else ""
-        there = self._first.parent / name
-        return there if RUN_NAME.fullmatch(name) and (there / "run.yaml").is_file() else self._first
+        folder = self._first.parent / name
+        return folder if RUN_NAME.fullmatch(name) and (folder / "run.yaml").is_file() else self._first
 
     def told(self, step: Step | None) -> dict[str, Any] | None:
         """What the page is told, or None where there is no loop."""

@@ -13,7 +13,7 @@ from .recording import Followed
 
 def numbers(values: Array) -> list[float | None]:
     """Values with six digits, None for what is no number. Shape (values,), in any unit."""
-    return [float(f"{one:.6g}") if math.isfinite(one) else None for one in values.tolist()]
+    return [float(f"{value:.6g}") if math.isfinite(value) else None for value in values.tolist()]
 
 
 def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> dict[str, Any]:
@@ -55,7 +55,9 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
         turns, mm = 1 + columns.index("motor_turns"), 1 + columns.index("displacement_mm")
         content["loops"] = [_loop(followed, part, turns, mm) for part in followed.strokes if len(part.first)]
     content["verdicts"] = verdicts(reports)
-    content["verdict"] = next((one["verdict"] for one in content["verdicts"] if one["run"] == content["run"]), None)
+    content["verdict"] = next(
+        (verdict["verdict"] for verdict in content["verdicts"] if verdict["run"] == content["run"]), None
+    )
     content["index"] = (reports / "index.html").is_file()
     content["left"] = strokes_left(reports, run.string_id) if run else None
     return json.dumps(content, separators=(",", ":")).encode()

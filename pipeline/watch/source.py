@@ -62,14 +62,14 @@ class Frames:
 
     def feed(self, chunk: bytes) -> Piece | None:
         """Samples whose frames end in a chunk, scaled as the device's HELLO says."""
-        found, hello = self._ledger.feed(chunk), self._ledger.hello
+        heard, hello = self._ledger.feed(chunk), self._ledger.hello
         if hello is None:
             return None
         self.columns, self.rate_hz = tuple(c.name for c in hello.channels), hello.rate_hz
         self.device = f"{hello.device}, firmware {hello.firmware}"
-        if found is None or not len(found[0]):
+        if heard is None or not len(heard[0]):
             return None
-        numbers, raw = found
+        numbers, raw = heard
         rows = np.empty((len(raw), 1 + len(hello.channels)))
         rows[:, 0] = self._clock(raw["t_us"], 1e6 / hello.rate_hz)
         for at, channel in enumerate(hello.channels, 1):
@@ -112,11 +112,11 @@ class Printed:
 
     def feed(self, chunk: bytes) -> Piece | None:
         """Samples whose lines end in a chunk, as they were printed."""
-        found = [row for line in self._splitter.feed(chunk) if (row := self._lines.take(line)) is not None]
-        if not found:
+        rows = [row for line in self._splitter.feed(chunk) if (row := self._lines.take(line)) is not None]
+        if not rows:
             return None
         at = self._lines.time_at
-        values = np.array(found, dtype=np.float64)
+        values = np.array(rows, dtype=np.float64)
         self.columns = tuple(name for place, name in enumerate(self._lines.columns) if place != at)
         time_s = np.array([self._next(row[at] if at >= 0 else float("nan")) for row in values])
         return Piece(np.column_stack([time_s, np.delete(values, at, axis=1) if at >= 0 else values]), [])

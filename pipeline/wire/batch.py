@@ -60,9 +60,9 @@ def unstuff_rows(rows: Bytes) -> tuple[Bytes, NDArray[np.bool_]]:
     data = np.empty((len(rows), length - 1), np.uint8)
     for column in range(1, length):
         byte = rows[:, column]
-        here = code_at == column
-        data[:, column - 1] = np.where(here, 0, byte)
-        code_at += np.where(here, byte, 0).astype(np.int16)
+        is_code = code_at == column
+        data[:, column - 1] = np.where(is_code, 0, byte)
+        code_at += np.where(is_code, byte, 0).astype(np.int16)
     return data, code_at == length
 
 
@@ -97,12 +97,12 @@ def read_batch(data: bytes, protocol: int = PROTOCOL) -> Batch:
     starts = np.concatenate([[0], zeros[:-1] + 1]).astype(np.int64) if len(zeros) else zeros
     lengths = zeros - starts
     bad = [starts[(lengths > MAX_STUFFED) | ((lengths > 0) & (lengths <= least))]]
-    found: list[tuple[Whole, Bytes]] = []  # positions, and whole frames as rows
+    blocks: list[tuple[Whole, Bytes]] = []  # positions, and whole frames as rows
     lone: list[tuple[int, int, int, bytes]] = []
     for length in np.unique(lengths[(lengths > least) & (lengths <= LONGEST_SHORT)]).tolist():
         for block, rows, good in _short(log, starts[lengths == length], length, protocol):
             bad.append(block[~good])
-            found.append((block[good], rows[good]))
+            blocks.append((block[good], rows[good]))
     for number in np.flatnonzero((lengths > LONGEST_SHORT) & (lengths <= MAX_STUFFED)).tolist():
         at = int(starts[number])
         frame = decode(data[at : int(zeros[number])], protocol)
@@ -114,15 +114,15 @@ def read_batch(data: bytes, protocol: int = PROTOCOL) -> Batch:
     def joined(parts: list[Whole], last: list[int]) -> Whole:
         return np.concatenate([*parts, np.array(last, np.int64)])
 
-    heads = [rows[:, : HEAD.size].astype(np.int64) for _, rows in found]
-    start = joined([block for block, _ in found], [one[0] for one in lone])
-    kind = joined([head[:, 0] for head in heads], [one[1] for one in lone])
-    seq = joined([head[:, 1:] @ (1 << np.arange(0, 32, 8)) for head in heads], [one[2] for one in lone])
+    heads = [rows[:, : HEAD.size].astype(np.int64) for _, rows in blocks]
+    start = joined([block for block, _ in blocks], [frame[0] for frame in lone])
+    kind = joined([head[:, 0] for head in heads], [frame[1] for frame in lone])
+    seq = joined([head[:, 1:] @ (1 << np.arange(0, 32, 8)) for head in heads], [frame[2] for frame in lone])
     order = np.argsort(start, kind="stable")
     start = start[order]
     ends = zeros[np.searchsorted(zeros, start)] + 1 if len(zeros) else zeros
-    matrices = [(np.searchsorted(start, block), rows[:, HEAD.size :]) for block, rows in found if len(block)]
-    long = {int(np.searchsorted(start, one[0])): one[3] for one in lone}
+    matrices = [(np.searchsorted(start, block), rows[:, HEAD.size :]) for block, rows in blocks if len(block)]
+    long = {int(np.searchsorted(start, frame[0])): frame[3] for frame in lone}
     tail = len(data) - (int(zeros[-1]) + 1 if len(zeros) else 0)
     return Batch(kind[order], seq[order], start, ends, np.sort(np.concatenate(bad)), matrices, long, tail)
 
@@ -135,14 +135,14 @@ def samples_of(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArra
     layout = np.dtype(hello.sample_type)
     as_they_came = np.argsort(frames, kind="stable")
     came = frames[as_they_came]
-    places, found = [np.zeros(0, np.int64)], [np.zeros(0, layout)]
+    places, rows = [np.zeros(0, np.int64)], [np.zeros(0, layout)]
     for members, payloads in batch.matrices:  # several, if there are many frames
         if payloads.shape[1] != layout.itemsize:
             continue
         at = np.minimum(np.searchsorted(came, members), len(came) - 1)
-        there = (came[at] == members) & (batch.kind[members] == Kind.SAMPLE)
-        places.append(as_they_came[at[there]])
-        found.append(np.ascontiguousarray(payloads[there]).view(layout)[:, 0])
-    place, samples = np.concatenate(places), np.concatenate(found)
+        is_sample = (came[at] == members) & (batch.kind[members] == Kind.SAMPLE)
+        places.append(as_they_came[at[is_sample]])
+        rows.append(np.ascontiguousarray(payloads[is_sample]).view(layout)[:, 0])
+    place, samples = np.concatenate(places), np.concatenate(rows)
     order = np.argsort(place, kind="stable")
     return place[order], samples[order]

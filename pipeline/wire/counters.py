@@ -15,9 +15,9 @@ def steps_of(stamps: NDArray[np.uint32], first: int) -> Whole:
     return steps.view(np.int32).astype(np.int64)
 
 
-def from_one(stamps: NDArray[np.uint32], one: int) -> Whole:
+def from_one(stamps: NDArray[np.uint32], stamp: int) -> Whole:
     """Steps from one stamp of a wrapping 32-bit counter to each of others; (stamps,).
 
     Shape (stamps,), in the counter's units.
     """
-    return (stamps - np.uint32(one % 2**32)).view(np.int32).astype(np.int64)
+    return (stamps - np.uint32(stamp % 2**32)).view(np.int32).astype(np.int64)

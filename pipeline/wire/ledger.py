@@ -94,10 +94,10 @@ class Ledger:
         stop = 0 if self._resets else len(batch.kind)
         for frame in np.flatnonzero(batch.kind == Kind.HELLO).tolist():
             try:
-                found = Hello.unpack(batch.payload(frame))
+                later_hello = Hello.unpack(batch.payload(frame))
             except ValueError:
                 continue
-            if found.nonce != hello.nonce:
+            if later_hello.nonce != hello.nonce:
                 stop = min(stop, frame)
                 self._resets += 1
         return stop
@@ -165,7 +165,7 @@ class Ledger:
         """Counts so far, cheap however long the recording is."""
         received = int((self._high - self._low + 1).sum())
         lost = int(self._high[-1]) + 1 - received if received else 0
-        return Tally(received, lost, self._bad, tuple(sorted((one[0], *one[2:]) for one in self._events)))
+        return Tally(received, lost, self._bad, tuple(sorted((event[0], *event[2:]) for event in self._events)))
 
     def account(self) -> Account:
         """All that was entered so far."""
@@ -192,8 +192,8 @@ class Ledger:
             resets=self._resets,
             backward_stamps=self._backward,
             repeated_stamps=self._repeated,
-            gaps=tuple(line.gap(*one) for one in zip(before.tolist(), missing.tolist(), strict=True) if one[1] > 0),
-            events=tuple(line.event(*one) for one in sorted(self._events) if one[0] <= last),
+            gaps=tuple(line.gap(*gap) for gap in zip(before.tolist(), missing.tolist(), strict=True) if gap[1] > 0),
+            events=tuple(line.event(*event) for event in sorted(self._events) if event[0] <= last),
             last_s=line.time_s(len(runs) - 1, line.end_us) or 0.0,
             tail_bytes=tail_bytes,
             end=self._end,

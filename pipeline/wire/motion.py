@@ -85,7 +85,7 @@ class Limits:
         if not isinstance(content, dict):
             raise ValueError("program: is not an object")
         load = content.get("load_n")
-        found = Limits(
+        limits = Limits(
             legs=int(_number(content, "legs", 1, MOST_LEGS)),
             turns=_pair(content.get("turns"), "turns"),
             turns_per_s=_number(content, "turns_per_s", 0, FURTHEST),
@@ -95,9 +95,9 @@ class Limits:
             at_turns=_number(content, "at_turns", -FURTHEST, FURTHEST),
             load_n=None if load is None else _pair(load, "load_n"),
         )
-        if not (found.turns_per_s > 0 and found.turns_per_s2 > 0 and found.seconds > 0 and found.silence_s > 0):
+        if not (limits.turns_per_s > 0 and limits.turns_per_s2 > 0 and limits.seconds > 0 and limits.silence_s > 0):
             raise ValueError("program: turns_per_s, turns_per_s2, seconds and silence_s must be above 0")
-        return found
+        return limits
 
     @property
     def content(self) -> LimitsJson:
@@ -122,7 +122,7 @@ def _number(content: dict[str, Any], key: str, least: float, most: float) -> flo
 def _pair(value: Any, key: str) -> tuple[float, float]:
     if not isinstance(value, list | tuple) or len(value) != 2:
         raise ValueError(f"program.{key}: is not a list of the least and the most")
-    low, high = (_number({key: one}, key, -FURTHEST, FURTHEST) for one in value)
+    low, high = (_number({key: end}, key, -FURTHEST, FURTHEST) for end in value)
     if low > high:
         raise ValueError(f"program.{key}: its least is above its most")
     return low, high

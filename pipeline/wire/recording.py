@@ -56,8 +56,8 @@ def read_recording(data: bytes) -> Recording:
     if (np.diff(numbers) < 0).any():
         order = np.argsort(numbers, kind="stable")
         numbers, raw = numbers[order], raw[order]
-    there = int(np.searchsorted(numbers, account.sent))
-    numbers, raw = numbers[:there], raw[:there]
+    received = int(np.searchsorted(numbers, account.sent))
+    numbers, raw = numbers[:received], raw[:received]
     time_us, mended = mend(unwrap_us(raw["t_us"], int(raw["t_us"][0]) if len(raw) else 0), numbers)
     channels = {c.name: raw[c.name] * c.scale + c.offset for c in hello.channels}
     return Recording(hello, time_us * 1e-6, channels, numbers, account, mended)

@@ -64,15 +64,15 @@ def mend(time_us: Whole, numbers: Whole) -> tuple[Array, dict[str, int]]:
 
 def _mend_one(steps: Array, expected: Array, at: int) -> None:
     """Spread the steps about one that stands or falls back, over the fewest samples that rise in all."""
-    found = []
+    positions = []
     ahead = np.cumsum(steps[at : at + BURST])
     behind = np.cumsum(steps[max(0, at + 1 - BURST) : at + 1][::-1])
     if (ahead > 0).any():  # the samples after it are wrong, until the clock is where it was
-        found.append((at, at + int(np.argmax(ahead > 0)) + 1))
+        positions.append((at, at + int(np.argmax(ahead > 0)) + 1))
     if (behind > 0).any():  # those before it were
-        found.append((at - int(np.argmax(behind > 0)), at + 1))
-    ratios = [steps[slice(*where)].sum() / expected[slice(*where)].sum() for where in found]
-    good = [(abs(np.log(ratio)), *where) for ratio, where in zip(ratios, found, strict=True) if ratio > 0.4]
+        positions.append((at - int(np.argmax(behind > 0)), at + 1))
+    ratios = [steps[slice(*where)].sum() / expected[slice(*where)].sum() for where in positions]
+    good = [(abs(np.log(ratio)), *where) for ratio, where in zip(ratios, positions, strict=True) if ratio > 0.4]
     if not good:
         steps[at] = expected[at]
         return

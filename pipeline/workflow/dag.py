@@ -62,10 +62,10 @@ def _perhaps(folder: Path) -> str:
         named = read_yaml(path)["string"]["material"]
     except (BadInput, KeyError, TypeError, IndexError):
         try:
-            found = NAMED.search(read_regular(path, LARGEST, path.name).decode("utf-8"))
+            match = NAMED.search(read_regular(path, LARGEST, path.name).decode("utf-8"))
         except (BadInput, UnicodeDecodeError):
             return ""
-        named = found[2] if found else ""
+        named = match[2] if match else ""
     shown = isinstance(named, str) and len(named) <= LONGEST and MATERIAL_NAME.fullmatch(named)
     return named if shown else ""
 
@@ -150,7 +150,7 @@ def table_order(models: Iterable[str], default: Iterable[str]) -> list[str]:
 
     Snakemake puts what a configuration on top of the default one names before all else.
     """
-    asked, first, last = list(models), "inn", "traditional"
-    known = [model for model in default if model in asked]
-    middle = [model for model in dict.fromkeys([*known, *asked]) if model not in (first, last)]
+    names, first, last = list(models), "inn", "traditional"
+    known = [model for model in default if model in names]
+    middle = [model for model in dict.fromkeys([*known, *names]) if model not in (first, last)]
     return [first, *middle, last]

@@ -32,5 +32,7 @@ def unpacked(text: str) -> tuple[Plan, dict[str, list[str]]]:
     fields, kinds, which = json.loads(lzma.decompress(base64.b64decode(text)))
     plan = Plan(**fields)
     for kind in ("unfinished", "misnamed", "refused"):
-        setattr(plan, kind, [LeftOut(**one) for one in getattr(plan, kind)])
-    return plan, {run: [f"raw/{run}/{name}" for name in kinds[one]] for run, one in zip(plan.runs, which, strict=True)}
+        setattr(plan, kind, [LeftOut(**entry) for entry in getattr(plan, kind)])
+    return plan, {
+        run: [f"raw/{run}/{name}" for name in kinds[kind]] for run, kind in zip(plan.runs, which, strict=True)
+    }

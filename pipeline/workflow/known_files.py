@@ -42,10 +42,10 @@ class KnownFiles:
         known = self.facts.get(str(path))
         if isinstance(known, list) and len(known) == 2 and known[0] == key:
             return known[1]
-        found = find(path)
+        fact = find(path)
         if time.time() - max(stat.st_mtime, stat.st_ctime) > SETTLED_S:
-            self.facts[str(path)] = [key, found]
-        return found
+            self.facts[str(path)] = [key, fact]
+        return fact
 
     def digest(self, paths: Iterable[str]) -> str:
         """Digest of the names and contents of files; a file that cannot be read counts as absent."""
@@ -59,15 +59,15 @@ class KnownFiles:
 
     def damaged(self, paths: Iterable[str]) -> dict[str, str]:
         """What is wrong with each stored file that is there and is not what was written."""
-        found = {}
+        damages = {}
         for path in map(Path, paths):
             try:
                 wrong = self._fact(path, _wrong)
             except OSError:
                 continue
             if wrong:
-                found[str(path)] = str(wrong)
-        return found
+                damages[str(path)] = str(wrong)
+        return damages
 
     def forget_intact(self) -> None:
         """Look at every stored file again at the next start: a job failed, perhaps because of one."""

@@ -24,7 +24,7 @@ def answers(folders: list[Path]) -> dict[str, list[LeftOut]]:
 
     The program is one of its own: what a recording does to it, such as filling the memory, it does not do to the plan.
     """
-    found: dict[str, list[LeftOut]] = {}
+    refused: dict[str, list[LeftOut]] = {}
     waiting = list(folders)
     project = str(Path(__file__).resolve().parents[2])
     environment = {**os.environ, "PYTHONPATH": project, "TWISTBENCH_PARENT": str(os.getpid())}
@@ -33,9 +33,9 @@ def answers(folders: list[Path]) -> dict[str, list[LeftOut]]:
         lines = subprocess.run(command, capture_output=True, text=True, env=environment).stdout.splitlines()
         for folder, line in zip(waiting, lines, strict=False):
             with contextlib.suppress(BadInput):
-                found[folder.name] = from_json(line)
+                refused[folder.name] = from_json(line)
         waiting = waiting[len(lines) + 1 :]  # without the one that it died at
-    return found
+    return refused
 
 
 def refusals(
@@ -45,19 +45,19 @@ def refusals(
 
     `contents` has a digest of each run's files; a run is read again when that, or the `code` that reads, is new.
     """
-    told: dict[str, list[LeftOut]] = {}
+    reasons_by_run: dict[str, list[LeftOut]] = {}
     for run, content in contents.items():
         entry = kept.get(run) if isinstance(kept, dict) else None
         if isinstance(entry, list) and len(entry) == 3 and entry[:2] == [content, code]:
             with contextlib.suppress(BadInput, AttributeError):
-                told[run] = from_json(entry[2])
-    new = [raw / run for run in contents if run not in told]
+                reasons_by_run[run] = from_json(entry[2])
+    new = [raw / run for run in contents if run not in reasons_by_run]
     if new:
         names = ", ".join(folder.name for folder in new[:SHOWN]) + (", …" if len(new) > SHOWN else "")
         print(f"read once before the plan, new or changed: {len(new)} ({names})", file=sys.stderr, flush=True)
-    told |= answers(new)
-    refused = {run: why[0] for run, why in told.items() if why}
-    return refused, {run: [contents[run], code, to_json(why)] for run, why in told.items()}
+    reasons_by_run |= answers(new)
+    refused = {run: why[0] for run, why in reasons_by_run.items() if why}
+    return refused, {run: [contents[run], code, to_json(why)] for run, why in reasons_by_run.items()}
 
 
 @program
@@ -68,13 +68,13 @@ def main() -> None:
     from ..run.samples import read_samples
 
     for folder in parser.parse_args().run_dir:
-        told: list[LeftOut] = []
+        refused: list[LeftOut] = []
         with contextlib.redirect_stderr(io.StringIO()):  # its warnings stand in the log of ingest
             try:
                 read_samples(folder)
             except BadInput as error:
-                told = [LeftOut.of(folder.name, error)]
-        print(to_json(told), flush=True)
+                refused = [LeftOut.of(folder.name, error)]
+        print(to_json(refused), flush=True)
 
 
 if __name__ == "__main__":

@@ -50,23 +50,23 @@ class Simulator:
         inputs = drivers.Moved(nothing, turns, nothing, nothing, load_n / self.run.system.load_unit)
         return self.run.system.simulate(np.array(values), inputs, {}) + zero_mm
 
-    def forward(self, asked: pd.DataFrame) -> Array:
+    def forward(self, points: pd.DataFrame) -> Array:
         """Contraction in mm at asked points of the run, shape (points,)."""
-        turns, load_n = (asked[name].to_numpy(float) for name in ("motor_turns", "load_n"))
-        return self.base_mm(turns, load_n) + self._added_mm(asked, turns)[0]
+        turns, load_n = (points[name].to_numpy(float) for name in ("motor_turns", "load_n"))
+        return self.base_mm(turns, load_n) + self._added_mm(points, turns)[0]
 
-    def inverse(self, asked: pd.DataFrame) -> Array:
+    def inverse(self, points: pd.DataFrame) -> Array:
         """Twist in turns at asked points of the run, shape (points,), within the twists that were seen.
 
         What acts depends on the way there, which is sought as well: from the calibrated simulator's twist, each round
         takes the way that is nearest to the last twists and can be gone, and solves for the twist at every point alone.
         """
-        measured_mm, load_n = (asked[name].to_numpy(float) for name in ("displacement_mm", "load_n"))
+        measured_mm, load_n = (points[name].to_numpy(float) for name in ("displacement_mm", "load_n"))
         seen = self.known["motor_turns"]
         low, high = seen.min() - MARGIN * np.ptp(seen), seen.max() + MARGIN * np.ptp(seen)
 
         def solved(values: list[float], zero_mm: float, added_mm: Array, steep: Array, way: Array) -> Array:
-            below, above = np.full(len(asked), low), np.full(len(asked), high)
+            below, above = np.full(len(points), low), np.full(len(points), high)
             for _ in range(HALVINGS):
                 middle = 0.5 * (below + above)
                 predicted_mm = self._base_mm(middle, load_n, values, zero_mm) + added_mm + steep * (middle - way)
@@ -75,29 +75,29 @@ class Simulator:
                 )
             return 0.5 * (below + above)
 
-        nothing = np.zeros(len(asked))
-        turns = found = solved(*self.alone, nothing, nothing, nothing)
+        nothing = np.zeros(len(points))
+        turns = best_turns = solved(*self.alone, nothing, nothing, nothing)
         least = np.inf
         for _ in range(ROUNDS if self.acts else 0):
-            way = path(self.known, asked, turns, np.square(self._slope(turns, load_n)))
-            (added_mm, steep), slope = self._added_mm(asked, way), self._slope(way, load_n)
+            way = path(self.known, points, turns, np.square(self._slope(turns, load_n)))
+            (added_mm, steep), slope = self._added_mm(points, way), self._slope(way, load_n)
             steep = np.clip(steep, -STEEPEST * slope, slope / STEEPEST)  # at a reversal a play has no slope at all
             turns = solved(self.values, self.zero_mm, added_mm, steep, way)
             left = float(np.mean(np.square(self.base_mm(way, load_n) + added_mm - measured_mm)))
             if left < least:
-                least, found = left, turns
-        return found
+                least, best_turns = left, turns
+        return best_turns
 
     def _slope(self, turns: Array, load_n: Array) -> Array:
         """Slope of the simulator in which nothing acts, in mm/turn, shape (points,)."""
         further_mm = self.base_mm(turns + NUDGE_TURNS, load_n) - self.base_mm(turns - NUDGE_TURNS, load_n)
         return further_mm / (2.0 * NUDGE_TURNS)
 
-    def _added_mm(self, asked: pd.DataFrame, turns: Array) -> tuple[Array, Array]:
+    def _added_mm(self, points: pd.DataFrame, turns: Array) -> tuple[Array, Array]:
         """What acts adds at asked points that the motor moved through `turns`, in mm, and its slope in mm a turn."""
         if not self.acts:
-            return np.zeros(len(asked)), np.zeros(len(asked))
-        moved = asked[["time_s", "load_n"]].assign(motor_turns=turns)
+            return np.zeros(len(points)), np.zeros(len(points))
+        moved = points[["time_s", "load_n"]].assign(motor_turns=turns)
         even = Motion.of(pd.concat([moved, self.known])).evenly(self.motion.step_s)
         added_mm = self._along_mm(even, np.zeros_like(even.time_s))
         phase = 2.0 * np.pi * even.time_s / max(WAVE_S, LEAST_STEPS * self.motion.step_s)
@@ -106,7 +106,7 @@ class Simulator:
             steep += (self._along_mm(even, NUDGE_TURNS * wave) - added_mm) / NUDGE_TURNS * wave
         base_mm = self.base_mm(self.motion.motor_turns, self.motion.load_n)
         level_mm = np.mean(base_mm + np.interp(self.motion.time_s, even.time_s, added_mm))
-        at = asked["time_s"].to_numpy(float)
+        at = points["time_s"].to_numpy(float)
         return np.interp(at, even.time_s, added_mm + self.level_mm - level_mm), np.interp(at, even.time_s, steep)
 
     def _along_mm(self, motion: Motion, nudge_turns: Array) -> Array:

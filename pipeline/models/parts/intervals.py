@@ -48,9 +48,9 @@ class Scatter:
         place = np.searchsorted(edges, turns)
         for number in range(TWISTS):
             for way, sign in enumerate((1, -1)):
-                here = error[(place == number) & (direction == sign)]
-                if len(here):
-                    size[number, way] = np.sqrt(np.mean(here**2))
+                in_group = error[(place == number) & (direction == sign)]
+                if len(in_group):
+                    size[number, way] = np.sqrt(np.mean(in_group**2))
         return cls(edges, np.maximum(size, 1e-12))
 
     def at(self, turns: Array, direction: Array) -> Array:
@@ -77,13 +77,13 @@ class Intervals:
         if not parts:
             raise TooFew("are all of one block, so nothing can be foreseen from the rest")
         self.model, self.box = self.make(), Box.of(points)
-        self.strokes, found = _last_strokes(points), []
+        self.strokes, error_tables = _last_strokes(points), []
         for part in steps([None, *parts], "fit"):
             if part is None:
                 self.model.fit(points, seed)
             else:
-                found.append(self._foreseen(*part, seed))
-        errors = pd.concat(found, ignore_index=True)
+                error_tables.append(self._foreseen(*part, seed))
+        errors = pd.concat(error_tables, ignore_index=True)
         count = int(points.groupby("string")["stroke"].nunique().max())
         self.scatter: dict[str, Scatter] = {}
         self.scores: dict[str, dict[int, Array]] = {}
@@ -165,7 +165,9 @@ def _seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
 def _parts(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
     """What is known and what is foreseen: blocks held out in turn, then each string's last strokes from ever fewer."""
     fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
-    parts = [(points[fold != one], points[fold == one]) for one in sorted(set(fold))] if len(set(fold)) > 1 else []
+    parts = (
+        [(points[fold != number], points[fold == number]) for number in sorted(set(fold))] if len(set(fold)) > 1 else []
+    )
     strokes = points.groupby("string")["stroke"]
     count = strokes.transform("nunique")
     before_last = count - strokes.rank("dense")

@@ -20,28 +20,28 @@ IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the m
 def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
     """Table of a csv with a header whose columns are among the known; raises BadInput naming the column."""
     try:
-        told = read_text(path, TextFile.model_validate({}))
+        cells = read_text(path, TextFile.model_validate({}))
     except BadInput as error:
         if "holds no samples" in error.problem:
             raise BadInput(path, "rows", "there are none", "write a header, and one question a line") from None
         field, mend = IN_WORDS.get(error.field, (error.field, "give a csv with a header, one question a line"))
         raise BadInput(path, field, error.problem, mend) from None
-    for name in told.columns:
+    for name in cells.columns:
         if name not in known:
             raise BadInput(path, key_name(name), "is not a column that is read", meant(name, known))
-    twice = told.columns[told.columns.duplicated()]
+    twice = cells.columns[cells.columns.duplicated()]
     if len(twice):
         raise BadInput(path, twice[0], "is a column twice", "keep one")
-    return told
+    return cells
 
 
-def refuse_cells(path: Path, told: pd.Series, recorded: pd.Series, numeric: bool) -> None:
+def refuse_cells(path: Path, cells: pd.Series, recorded: pd.Series, numeric: bool) -> None:
     """Raise BadInput for a column with words, an infinite number, or a gap where the recorded ones have none."""
-    name = str(told.name)
-    empty = told.isna()
+    name = str(cells.name)
+    empty = cells.isna()
     if empty.any() and recorded.notna().all():
         raise BadInput(path, name, f"is empty in row {int(np.argmax(empty)) + 1}", "fill it in")
-    if numeric and told.dtype.kind not in "iuf":
+    if numeric and cells.dtype.kind not in "iuf":
         raise BadInput(path, name, "is not a number everywhere", "correct it")
-    if numeric and np.isinf(told.to_numpy(np.float64)).any():
+    if numeric and np.isinf(cells.to_numpy(np.float64)).any():
         raise BadInput(path, name, "is not a number everywhere: one is without end", "correct it")

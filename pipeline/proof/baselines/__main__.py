@@ -35,7 +35,7 @@ def baselines(folder: Path) -> dict[str, Said]:
     run, samples = read_samples(folder)
     problem, fine = engine.make_problem([run], [samples], [folder]), own_rate.at_own_rate([run], [samples])
     whole = calibrated(problem)
-    found: dict[str, Said] = {}
+    answers: dict[str, Said] = {}
     for name in names():
         started = time.monotonic()
         with threadpool_limits(1):  # so that seconds compare, and runs may go side by side
@@ -43,8 +43,8 @@ def baselines(folder: Path) -> dict[str, Said]:
             error_mm = held_out_mm(method(name), problem, fine)
         error_mm = None if error_mm is None else float(f"{error_mm:.6g}")
         seconds = round(time.monotonic() - started, 2)
-        found[name] = {"named": named, "heldout_mm": error_mm, "seconds": seconds}
-    return found
+        answers[name] = {"named": named, "heldout_mm": error_mm, "seconds": seconds}
+    return answers
 
 
 @program
@@ -55,11 +55,11 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
     arguments = parser.parse_args()
     for folder in arguments.run_dir:
-        found = baselines(folder)
+        answers = baselines(folder)
         run = read_run(folder).run
-        text = json.dumps({"run": run, **found}, indent=1) + "\n"
+        text = json.dumps({"run": run, **answers}, indent=1) + "\n"
         write_text(arguments.out / folder.resolve().name / "baselines.json", text)
-        errors = (f"{name} {found[name]['named']} {found[name]['heldout_mm']} mm" for name in names())
+        errors = (f"{name} {answers[name]['named']} {answers[name]['heldout_mm']} mm" for name in names())
         print(f"{run}: {'; '.join(errors)}", flush=True)
 
 

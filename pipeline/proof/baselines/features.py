@@ -14,7 +14,7 @@ HIGH, LOW, END = 0.7, 0.25, 0.9  # of the highest twist, and of the contraction'
 def plain(drivers: Drivers) -> dict[str, Array]:
     """One column for each driver, by name, each of shape (samples,). Each in its driver's unit."""
     turn = 2.0 * np.pi * drivers.motion
-    found = {
+    columns = {
         "twist": drivers.motion,
         "direction": drivers.directed(DIRECTION * drivers.span),
         "rate": drivers.rate,
@@ -26,8 +26,8 @@ def plain(drivers: Drivers) -> dict[str, Array]:
         "cosine of the turn": np.cos(turn),
     }
     if drivers.temperature_c is not None:
-        found["temperature"] = drivers.smooth(drivers.temperature_c)
-    return found
+        columns["temperature"] = drivers.smooth(drivers.temperature_c)
+    return columns
 
 
 def products(drivers: Drivers) -> dict[str, Array]:
@@ -35,12 +35,12 @@ def products(drivers: Drivers) -> dict[str, Array]:
 
     Each in the units of its name.
     """
-    found = plain(drivers)
-    twist, load, rate, side = drivers.motion, drivers.load, drivers.rate, found["direction"]
+    columns = plain(drivers)
+    twist, load, rate, side = drivers.motion, drivers.load, drivers.rate, columns["direction"]
     top = float(np.percentile(twist, 99.9))
     end_mm = drivers.contraction.min() + END * np.ptp(drivers.contraction)
     slow = float(np.median(np.abs(rate)[np.abs(rate) > 0.1 * np.abs(rate).max()]))
-    found |= {
+    columns |= {
         "twist squared": twist**2,
         "high twist": np.maximum(twist - HIGH * top, 0.0),
         "low twist": np.maximum(LOW * top - twist, 0.0),
@@ -52,12 +52,12 @@ def products(drivers: Drivers) -> dict[str, Array]:
         "acceleration": drivers.slope(rate),
         "load x twist": load * twist,
         "load x time": load * drivers.elapsed_s,
-        "load x work": load * found["work"],
-        "travel x twist": found["travel"] * twist,
+        "load x work": load * columns["work"],
+        "travel x twist": columns["travel"] * twist,
     }
-    if "temperature" not in found:
-        found["heat"] = lowpass(np.abs(rate) * load, drivers.time_s, WARM_S, 0.0)
-    return found
+    if "temperature" not in columns:
+        columns["heat"] = lowpass(np.abs(rate) * load, drivers.time_s, WARM_S, 0.0)
+    return columns
 
 
 def standard(columns: dict[str, Array], rows: int) -> tuple[Array, Array]:

@@ -62,8 +62,8 @@ def learn(seen: Calibrated) -> Learnt:
         return Learnt([], adds_mm)
     largest = int(np.argmax(np.abs(weights)))
     name = names[largest]
-    found = SIGNED[name][int(weights[largest] > 0.0)] if name in SIGNED else STANDS_FOR[name]
-    return Learnt([found], adds_mm)
+    id_ = SIGNED[name][int(weights[largest] > 0.0)] if name in SIGNED else STANDS_FOR[name]
+    return Learnt([id_], adds_mm)
 
 
 def _sparse(table: Array, target: Array) -> Array:

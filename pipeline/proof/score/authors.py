@@ -46,8 +46,8 @@ def by_author(cases: pd.DataFrame) -> pd.DataFrame:
     """One row a score and author, `all` first; columns AUTHOR_COLUMNS, with exact 95 % intervals."""
     made = cases[(cases["skipped"] == "") & (cases["stratum"] != "without")]
     rows = list(_of_author(ALL, made))
-    for author, some in made.groupby("author"):
-        rows += _of_author(str(author), some)
+    for author, of_author in made.groupby("author"):
+        rows += _of_author(str(author), of_author)
     return pd.DataFrame(rows, columns=list(AUTHOR_COLUMNS))
 
 
@@ -56,9 +56,9 @@ def by_law(cases: pd.DataFrame) -> pd.DataFrame:
     made = cases[(cases["skipped"] == "") & (cases["stratum"] == "single") & (cases["protocol"] != "poor")]
     made = made[made["kappa"] >= LARGE]
     rows = []
-    for (effect, author, law), some in made.groupby(["effects", "author", "laws"]):
-        exact = some["outcome"] == "exact"
-        other = some[~exact].fillna({"named": "", "alternatives": ""})
-        said = [f"{case['verdict']} {case['named']}".strip() for _, case in other.iterrows()]
-        rows.append((effect, author, law, int(exact.sum()), len(some), "; ".join(sorted(said))))
+    for (effect, author, law), of_law in made.groupby(["effects", "author", "laws"]):
+        exact = of_law["outcome"] == "exact"
+        other = of_law[~exact].fillna({"named": "", "alternatives": ""})
+        verdicts = [f"{case['verdict']} {case['named']}".strip() for _, case in other.iterrows()]
+        rows.append((effect, author, law, int(exact.sum()), len(of_law), "; ".join(sorted(verdicts))))
     return pd.DataFrame(rows, columns=list(LAW_COLUMNS))

@@ -23,20 +23,24 @@ def _json(path: Path) -> Any:
 def _truth(answer: Mapping[str, Any]) -> tuple[frozenset[str], bool]:
     """Names that are right, and whether none of the library's is."""
     nameless = answer["asked"]["stratum"] == "open" or bool(answer["asked"]["without"])
-    return frozenset(one["id"] for one in answer["effects"]), nameless
+    return frozenset(effect["id"] for effect in answer["effects"]), nameless
 
 
 def _told(answer: Mapping[str, Any]) -> Row:
     """What was hidden."""
-    asked = answer["asked"]
-    row = {"run": answer["run"], "seed": asked["seed"], "stratum": "without" if asked["without"] else asked["stratum"]}
-    row |= {"author": asked.get("author") or OWN}
-    row |= {"protocol": asked["protocol"], "kappa": asked["kappas"][0] if asked["kappas"] else None}
-    row |= {"effects": "+".join(asked["effects"]), "skipped": answer.get("skipped", "")}
+    question = answer["asked"]
+    row = {
+        "run": answer["run"],
+        "seed": question["seed"],
+        "stratum": "without" if question["without"] else question["stratum"],
+    }
+    row |= {"author": question.get("author") or OWN}
+    row |= {"protocol": question["protocol"], "kappa": question["kappas"][0] if question["kappas"] else None}
+    row |= {"effects": "+".join(question["effects"]), "skipped": answer.get("skipped", "")}
     if "skipped" in answer:
         return row
-    row["effects"] = "+".join(one["id"] for one in answer["effects"])
-    row["laws"] = "+".join(one.get("law", OWN) for one in answer["effects"])
+    row["effects"] = "+".join(effect["id"] for effect in answer["effects"])
+    row["laws"] = "+".join(effect.get("law", OWN) for effect in answer["effects"])
     row |= {"raw_mm": answer["together"]["raw_mm"], "hidden_share": answer["together"]["hidden_share"]}
     return row | {"noise_floor_mm": answer["noise_floor_mm"], "heldout_noise_mm": answer["heldout_noise_mm"]}
 
@@ -51,9 +55,9 @@ def _judged(answer: Mapping[str, Any], verdict: Mapping[str, Any] | None, left: 
     row["code"] = verdict.get("code", "")  # the fingerprint of the code that gave it
     sets = sets_of(verdict)
     row |= {"named": "+".join(sorted(sets[0])) if sets else "", "sets": len(sets)}
-    row["alternatives"] = " | ".join("+".join(sorted(one)) for one in sets[1:])
+    row["alternatives"] = " | ".join("+".join(sorted(ids)) for ids in sets[1:])
     # of a tie: whether the data part the truth from everything else that stands in it
-    beside = [left[name] for one in sets if one != truth for name in one if name in left]
+    beside = [left[name] for ids in sets if ids != truth for name in ids if name in left]
     row["least_left_over"] = min(beside) if beside else None
     row["separable"] = bool(min(beside) >= TIE) if beside else None
     return row
@@ -63,9 +67,9 @@ def _measured(answer: Mapping[str, Any], verdict: Mapping[str, Any], run: Path) 
     """The figures that a verdict gives, beside the true ones."""
     row: Row = {}
     for key, short in DIMENSIONS.items():
-        found = verdict.get("parameters", {}).get(key)
-        if found and key in answer["dimensions"]:
-            row[f"{short}_inside"] = found["low"] <= answer["dimensions"][key]["true"] <= found["high"]
+        interval = verdict.get("parameters", {}).get(key)
+        if interval and key in answer["dimensions"]:
+            row[f"{short}_inside"] = interval["low"] <= answer["dimensions"][key]["true"] <= interval["high"]
     held = verdict["fit"].get("heldout") or {}
     for key in ("nominal_mm", "calibrated_mm", "explained_mm"):
         row[f"heldout_{key}"] = held.get(key)
@@ -91,13 +95,13 @@ def _settled(answer: Mapping[str, Any], folder: Path) -> Row:
 
 def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
     left = _json(place / "lookalikes" / f"{batch}.json") or {}
-    asked = _json(place / "verdicts" / batch / "asked.json")
+    question = _json(place / "verdicts" / batch / "asked.json")
     for answer in _json(place / "sealed" / f"{batch}.json"):
         row, sizes = _told(answer), []
         run = answer["run"]
         if not row["skipped"]:
             verdict = _json(place / "verdicts" / batch / run / "diagnosis.json")
-            row |= {"seconds": asked["seconds"] / len(asked["runs"])}
+            row |= {"seconds": question["seconds"] / len(question["runs"])}
             row |= _judged(answer, verdict, left.get(run, {}))
             if verdict is not None:
                 row |= _measured(answer, verdict, place / "recordings" / batch / run)
@@ -109,13 +113,13 @@ def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
 
 def _sizes(answer: Mapping[str, Any], verdict: Mapping[str, Any]) -> Iterator[Row]:
     """True and named size of every effect of a verdict that names exactly the truth."""
-    named = {one["id"]: one["rms_mm"] for one in verdict["mechanisms"]}
-    for one in answer["effects"]:
-        found = named[one["id"]]
-        row = {"run": answer["run"], "effect": one["id"], "stratum": answer["asked"]["stratum"]}
-        row |= {"protocol": answer["protocol"], "kappa": one["kappa"], "true_mm": one["raw_mm"]}
-        row |= {"value_mm": found["value"], "low_mm": found["low"], "high_mm": found["high"]}
-        yield row | {"inside": found["low"] <= one["raw_mm"] <= found["high"]}
+    named = {mechanism["id"]: mechanism["rms_mm"] for mechanism in verdict["mechanisms"]}
+    for effect in answer["effects"]:
+        interval = named[effect["id"]]
+        row = {"run": answer["run"], "effect": effect["id"], "stratum": answer["asked"]["stratum"]}
+        row |= {"protocol": answer["protocol"], "kappa": effect["kappa"], "true_mm": effect["raw_mm"]}
+        row |= {"value_mm": interval["value"], "low_mm": interval["low"], "high_mm": interval["high"]}
+        yield row | {"inside": interval["low"] <= effect["raw_mm"] <= interval["high"]}
 
 
 def gather(place: Path, batches: Iterable[str]) -> tuple[pd.DataFrame, pd.DataFrame]:
@@ -123,4 +127,4 @@ def gather(place: Path, batches: Iterable[str]) -> tuple[pd.DataFrame, pd.DataFr
     rows = [pair for batch in batches for pair in _batch(place, batch)]
     cases = pd.DataFrame([row for row, _ in rows]).sort_values("run", ignore_index=True)
     columns = ("run", "effect", "stratum", "protocol", "kappa", "true_mm", "value_mm", "low_mm", "high_mm", "inside")
-    return cases, pd.DataFrame([one for _, sizes in rows for one in sizes], columns=list(columns))
+    return cases, pd.DataFrame([size for _, sizes in rows for size in sizes], columns=list(columns))

@@ -85,12 +85,12 @@ def dose_response(cases: pd.DataFrame) -> Figure:
         layout="constrained",
     )  # fmt: skip
     for panel, protocol in zip(panels[0], protocols, strict=False):
-        some = single[single["protocol"] == protocol]
-        sizes = sorted(some["kappa"].unique())
+        of_protocol = single[single["protocol"] == protocol]
+        sizes = sorted(of_protocol["kappa"].unique())
         for shift, (kind, words) in enumerate(KINDS.items()):
-            hits = [some[some["kappa"] == kappa]["outcome"].isin(words) for kappa in sizes]
-            value = np.array([one.mean() for one in hits])
-            bounds = np.array([intervals.share(int(one.sum()), len(one)) for one in hits]).T
+            hits = [of_protocol[of_protocol["kappa"] == kappa]["outcome"].isin(words) for kappa in sizes]
+            value = np.array([hit.mean() for hit in hits])
+            bounds = np.array([intervals.share(int(hit.sum()), len(hit)) for hit in hits]).T
             panel.errorbar(
                 np.array(sizes) * 1.04 ** (shift - 1.5), 100 * value, yerr=100 * np.abs(bounds - value),
                 color=COLOURS[shift], marker="osv^"[shift], markersize=4, linewidth=1.2, elinewidth=0.8, capsize=2,
@@ -101,7 +101,7 @@ def dose_response(cases: pd.DataFrame) -> Figure:
         panel.set_xticks(sizes, [f"{kappa:g}" for kappa in sizes])
         panel.minorticks_off()
         panel.set_xlabel("effect that calibration leaves (noise floors)", fontsize=8)
-        panel.set_title(f"{protocol} protocol, {len(some)} single effects", fontsize=8, loc="left")
+        panel.set_title(f"{protocol} protocol, {len(of_protocol)} single effects", fontsize=8, loc="left")
         panel.grid(alpha=0.25)
         panel.spines[["top", "right"]].set_visible(False)
         panel.tick_params(labelsize=8)
@@ -117,14 +117,14 @@ def named_sizes(sizes: pd.DataFrame) -> Figure:
     """Named over true size of every effect that was named exactly, with its 90 % interval."""
     figure, axes = plt.subplots(figsize=(4.6, 4.0), layout="constrained")
     for inside, colour, marker in ((True, COLOURS[0], "o"), (False, COLOURS[2], "s")):
-        some = sizes[sizes["inside"].astype(bool) == inside]
-        below = np.maximum(some["value_mm"] - some["low_mm"], 0.0)
-        above = np.maximum(some["high_mm"] - some["value_mm"], 0.0)
-        ratio = some["true_mm"]
+        shown = sizes[sizes["inside"].astype(bool) == inside]
+        below = np.maximum(shown["value_mm"] - shown["low_mm"], 0.0)
+        above = np.maximum(shown["high_mm"] - shown["value_mm"], 0.0)
+        ratio = shown["true_mm"]
         axes.errorbar(
-            ratio, some["value_mm"] / ratio, yerr=[below / ratio, above / ratio], fmt=marker, color=colour,
+            ratio, shown["value_mm"] / ratio, yerr=[below / ratio, above / ratio], fmt=marker, color=colour,
             markersize=3.5, linewidth=0, elinewidth=0.8,
-            label=f"interval {'holds' if inside else 'misses'} the truth: {len(some)}",
+            label=f"interval {'holds' if inside else 'misses'} the truth: {len(shown)}",
         )  # fmt: skip
     axes.axhline(1.0, color="0.4", linewidth=0.8)
     if len(sizes):

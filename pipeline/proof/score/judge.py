@@ -11,14 +11,14 @@ Verdict = Mapping[str, Any]  # a diagnosis.json
 
 def sets_of(verdict: Verdict) -> list[frozenset[str]]:
     """Every set of mechanisms that a verdict names or cannot rule out, the best one first."""
-    best = frozenset(one["id"] for one in verdict.get("mechanisms", []))
-    return [best, *(frozenset(one) for one in verdict.get("alternatives", []))] if best else []
+    best = frozenset(mechanism["id"] for mechanism in verdict.get("mechanisms", []))
+    return [best, *(frozenset(ids) for ids in verdict.get("alternatives", []))] if best else []
 
 
 def said(verdict: Verdict) -> str:
     """The verdict's word; one that names only what the library does not hold counts as `unknown`."""
     sets = sets_of(verdict)
-    only_own = bool(sets) and all(name.startswith("x_") for one in sets for name in one)
+    only_own = bool(sets) and all(name.startswith("x_") for ids in sets for name in ids)
     return "unknown" if only_own else str(verdict["verdict"])
 
 

@@ -58,29 +58,29 @@ def _named(cases: pd.DataFrame, stratum: str) -> Iterator[Score]:
 
 def _controls(cases: pd.DataFrame) -> Iterator[Score]:
     controls = cases[cases["stratum"].isin(["none", "parameters", "noise"])]
-    for stratum, some in [*controls.groupby("stratum"), ("controls", controls)]:
-        yield from share("false alarm", str(stratum), some["outcome"] == "false alarm")
-        yield from share("refused", str(stratum), some["outcome"] == "refused")
+    for stratum, group in [*controls.groupby("stratum"), ("controls", controls)]:
+        yield from share("false alarm", str(stratum), group["outcome"] == "false alarm")
+        yield from share("refused", str(stratum), group["outcome"] == "refused")
 
 
 def _figures(cases: pd.DataFrame, sizes: pd.DataFrame) -> Iterator[Score]:
     """Intervals, places and held-out errors."""
     for short in ("radius", "separator", "zone"):
         if f"{short}_inside" in cases:
-            for stratum, some in [*cases.groupby("stratum"), ("all", cases)]:
-                yield from share(f"90 % interval holds the {short}", str(stratum), some[f"{short}_inside"])
-    for stratum, some in [*sizes.groupby("stratum"), ("all", sizes)]:
-        yield from share("90 % interval holds the effect's size", str(stratum), some["inside"])
+            for stratum, group in [*cases.groupby("stratum"), ("all", cases)]:
+                yield from share(f"90 % interval holds the {short}", str(stratum), group[f"{short}_inside"])
+    for stratum, group in [*sizes.groupby("stratum"), ("all", sizes)]:
+        yield from share("90 % interval holds the effect's size", str(stratum), group["inside"])
     effects = cases[cases["stratum"].isin(["single", "pair", "open"])]
     if "location_iou" in cases:
-        for protocol, some in effects.groupby("protocol"):
-            yield from middle("location overlap", f"{protocol}", some["location_iou"], best="most")
-            yield from share("location overlap at least 0.8", f"{protocol}", some["location_iou"].dropna() >= 0.8)
+        for protocol, group in effects.groupby("protocol"):
+            yield from middle("location overlap", f"{protocol}", group["location_iou"], best="most")
+            yield from share("location overlap at least 0.8", f"{protocol}", group["location_iou"].dropna() >= 0.8)
     if "heldout_ratio" in cases:
         chance = cases["effects"].str.split("+").map(lambda names: bool({*names} & {*CHANCE}))
-        for stratum, some in cases[~chance].groupby("stratum"):
-            yield from middle("held-out error over the oracle's", str(stratum), some["heldout_ratio"])
-            yield from middle("calibrated held-out error over the oracle's", str(stratum), some["calibrated_ratio"])
+        for stratum, group in cases[~chance].groupby("stratum"):
+            yield from middle("held-out error over the oracle's", str(stratum), group["heldout_ratio"])
+            yield from middle("calibrated held-out error over the oracle's", str(stratum), group["calibrated_ratio"])
     yield from middle("CPU seconds a case", "all", cases["seconds"])
 
 
@@ -103,22 +103,22 @@ def scores(cases: pd.DataFrame, sizes: pd.DataFrame) -> pd.DataFrame:
     rows += _controls(made)
     for protocol, single in made[made["stratum"] == "single"].groupby("protocol"):
         large = single[single["kappa"] >= LARGE]
-        for kappa, some in single.groupby("kappa"):
-            rows += _named(some, f"single, {protocol}, kappa {kappa:g}")
+        for kappa, group in single.groupby("kappa"):
+            rows += _named(group, f"single, {protocol}, kappa {kappa:g}")
         rows += _named(large, f"single, {protocol}, kappa at least {LARGE:g}")
         ties = single[single["right"] & (single["sets"] > 0)]
         rows += mean("mean size of the set", f"single, {protocol}", ties["sets"])
     pairs = made[made["stratum"] == "pair"]
     rows += _named(pairs, "pair") if len(pairs) else []
     for stratum in ("open", "without"):
-        some = made[made["stratum"] == stratum]
-        rows += share("called unknown", stratum, some["outcome"] == "unknown as it should")
-        named = some["outcome"].isin(["wrong", "tie without the truth"])
+        group = made[made["stratum"] == stratum]
+        rows += share("called unknown", stratum, group["outcome"] == "unknown as it should")
+        named = group["outcome"].isin(["wrong", "tie without the truth"])
         rows += share("named all the same", stratum, named)
         if stratum == "without":
-            parted = named & (some["separable"] == True)  # noqa: E712
+            parted = named & (group["separable"] == True)  # noqa: E712
             rows += share("named all the same though the data part it", stratum, parted)
-        rows += share("found nothing", stratum, some["outcome"] == "missed")
+        rows += share("found nothing", stratum, group["outcome"] == "missed")
     rows += _ties(made)
     rows += _figures(made, sizes)
     return pd.DataFrame(rows, columns=list(COLUMNS))

@@ -27,11 +27,11 @@ def inside(box: Mapping[str, Any], turns: Array, stroke: NDArray[Any], phase: ND
     return np.asarray(held if box["phase"] == "all" else held & (phase == box["phase"]))
 
 
-def overlap(run: Path, one: Mapping[str, Any], other: Mapping[str, Any]) -> float:
+def overlap(run: Path, first: Mapping[str, Any], other: Mapping[str, Any]) -> float:
     """Intersection over union of two boxes on the samples of a recording."""
     table = pd.read_parquet(run / "recording.parquet", columns=["time_s", "motor_turns"])
     time_s, turns = table["time_s"].to_numpy(), table["motor_turns"].to_numpy()
     stroke, phase = label(time_s, turns)
-    held = [inside(box, turns, stroke, phase) for box in (one, other)]
+    held = [inside(box, turns, stroke, phase) for box in (first, other)]
     either = int((held[0] | held[1]).sum())
     return float((held[0] & held[1]).sum() / either) if either else 0.0

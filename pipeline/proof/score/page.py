@@ -53,10 +53,10 @@ def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
 
 
 def _goals(scores: pd.DataFrame) -> str:
-    found = scores.set_index(["metric", "stratum"])
+    by_metric = scores.set_index(["metric", "stratum"])
     rows = []
     for words, goal, metric, stratum in GOALS:
-        if (metric, stratum) in found.index:
+        if (metric, stratum) in by_metric.index:
             score = scores[(scores["metric"] == metric) & (scores["stratum"] == stratum)].iloc[0]
             rows.append((words, goal, *_said(score)))
     return _table(("quantity", "goal", "reached", "95 % interval", "cases"), rows)
@@ -67,10 +67,10 @@ def _mechanisms(cases: pd.DataFrame) -> str:
     single = cases[(cases["stratum"] == "single") & (cases["protocol"] == "rich")]
     sizes = sorted(single["kappa"].unique())
     rows = []
-    for effect, some in single.groupby("effects"):
+    for effect, of_effect in single.groupby("effects"):
         cells = []
         for kappa in sizes:
-            at = some[some["kappa"] == kappa]["outcome"]
+            at = of_effect[of_effect["kappa"] == kappa]["outcome"]
             cells.append(f"{(at == 'exact').sum()}/{len(at)}" if len(at) else "")
         rows.append((str(effect), *cells))
     return _table(("effect", *(f"kappa {kappa:g}" for kappa in sizes)), rows)
@@ -79,12 +79,15 @@ def _mechanisms(cases: pd.DataFrame) -> str:
 def _beside(scores: pd.DataFrame) -> str:
     """Every method on the same recordings: its scores side by side."""
     parts = scores["stratum"].str.split(": ", n=1, expand=True)
-    some = scores.assign(method=parts[0], of_what=parts.get(1)).dropna(subset="of_what")
-    methods = list(dict.fromkeys(some["method"]))
+    by_part = scores.assign(method=parts[0], of_what=parts.get(1)).dropna(subset="of_what")
+    methods = list(dict.fromkeys(by_part["method"]))
     rows = []
-    for (metric, what), same in some.groupby(["metric", "of_what"], sort=False):
+    for (metric, what), same in by_part.groupby(["metric", "of_what"], sort=False):
         by_method = {score["method"]: _said(score) for _, score in same.iterrows()}
-        cells = [" ".join(part for part in by_method[one][::2] if part) if one in by_method else "" for one in methods]
+        cells = [
+            " ".join(part for part in by_method[method][::2] if part) if method in by_method else ""
+            for method in methods
+        ]
         rows.append((f"{metric}, {what}", *cells))
     return _table(("score", *methods), rows) if rows else "None was asked."
 
@@ -104,9 +107,9 @@ def _wrong(cases: pd.DataFrame) -> str:
     wrong = cases[~cases["outcome"].isin(RIGHT)].fillna({"named": "", "alternatives": ""})
     for _, case in wrong.iterrows():
         kappa = "" if pd.isna(case["kappa"]) else f"{case['kappa']:g}"
-        said = f"{case['named']} ({case['alternatives']})" if case["alternatives"] else case["named"]
-        told = (case["run"], case["stratum"], case["protocol"], case["effects"], kappa, case["verdict"], said)
-        rows.append(tuple(str(one) for one in (*told, case["outcome"])))
+        answer = f"{case['named']} ({case['alternatives']})" if case["alternatives"] else case["named"]
+        cells = (case["run"], case["stratum"], case["protocol"], case["effects"], kappa, case["verdict"], answer)
+        rows.append(tuple(str(cell) for cell in (*cells, case["outcome"])))
     return _table(("case", "stratum", "protocol", "hidden", "kappa", "verdict", "named (or)", "that is"), rows)
 
 

@@ -18,15 +18,15 @@ AT_ONCE = 8  # lessons between two savings
 def taken(path: Path, wanted: list[Lesson], jobs: int) -> list[Lesson]:
     """All lessons that are wanted: those that a file has are kept, the others are made and added to it."""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    found = [read(line) for line in lines]
-    known = {(one.author, one.seed, one.effects) for one in found}
-    missing = [one for one in wanted if (one.author, one.seed, one.effects) not in known]
+    lessons = [read(line) for line in lines]
+    known = {(lesson.author, lesson.seed, lesson.effects) for lesson in lessons}
+    missing = [lesson for lesson in wanted if (lesson.author, lesson.seed, lesson.effects) not in known]
     groups = [missing[at : at + AT_ONCE] for at in range(0, len(missing), AT_ONCE)]
     with ProcessPoolExecutor(jobs) as pool:
         for group in steps(groups, f"{AT_ONCE} lessons"):
-            found += pool.map(learnt, group)
-            write_text(path, "".join(f"{written(one)}\n" for one in found))
-    return found
+            lessons += pool.map(learnt, group)
+            write_text(path, "".join(f"{written(lesson)}\n" for lesson in lessons))
+    return lessons
 
 
 def save(path: Path, lessons: list[Lesson]) -> None:
@@ -48,13 +48,13 @@ def main() -> None:
     parser.add_argument("--apart", type=Path, metavar="DIR", help="where the judges without one author go")
     arguments = parser.parse_args()
     wanted = curriculum(list(names()), arguments.rounds, arguments.seed)
-    lessons = [one for one in taken(arguments.lessons, wanted, arguments.jobs) if one.ids]
-    if len({one.author for one in lessons}) < 2:
+    lessons = [lesson for lesson in taken(arguments.lessons, wanted, arguments.jobs) if lesson.ids]
+    if len({lesson.author for lesson in lessons}) < 2:
         problem = f"{len(lessons)} lessons with explanations are not by two authors"
         raise BadInput(arguments.lessons, "--rounds", problem, "ask for at least one round")
     save(arguments.out, lessons)
     for author in names() if arguments.apart else []:
-        save(arguments.apart / f"without_{author}.json", [one for one in lessons if one.author != author])
+        save(arguments.apart / f"without_{author}.json", [lesson for lesson in lessons if lesson.author != author])
     print(across.table(across.left_out(lessons)))
 
 

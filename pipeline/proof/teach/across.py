@@ -39,30 +39,34 @@ class Judged:
 
 def judged(judge: Judge, lesson: Lesson) -> Judged:
     """What a judge says of a lesson."""
-    some = explanations(lesson)
-    *shares, none = judge.probabilities(some).tolist()
+    weighed = explanations(lesson)
+    *shares, none = judge.probabilities(weighed).tolist()
     named = np.array(shares)
-    places = held(named) if none + helpers_share(some, named) < UNKNOWN else []
-    return Judged(lesson, tuple(some[place].ids for place in places), tuple(places))
+    places = held(named) if none + helpers_share(weighed, named) < UNKNOWN else []
+    return Judged(lesson, tuple(weighed[place].ids for place in places), tuple(places))
 
 
 def left_out(lessons: list[Lesson]) -> list[Judged]:
     """Every lesson, judged by one who was taught by the other authors alone."""
-    found = []
+    judgements = []
     for author in sorted({lesson.author for lesson in lessons}):
         judge = fitted([lesson for lesson in lessons if lesson.author != author])
-        found += [judged(judge, lesson) for lesson in lessons if lesson.author == author]
-    return found
+        judgements += [judged(judge, lesson) for lesson in lessons if lesson.author == author]
+    return judgements
 
 
-def table(found: list[Judged]) -> str:
+def table(judgements: list[Judged]) -> str:
     """Outcomes by stratum and author, one line each, with the mean size of the sets."""
     lines = []
     for stratum in (*STRATA.values(), "open"):
-        for author in [*sorted({one.lesson.author for one in found}), "all"]:
-            some = [one for one in found if one.stratum == stratum and author in (one.lesson.author, "all")]
-            count = Counter(one.outcome for one in some)
-            sizes = [len(one.sets) for one in some if one.sets]
+        for author in [*sorted({judgement.lesson.author for judgement in judgements}), "all"]:
+            selected = [
+                judgement
+                for judgement in judgements
+                if judgement.stratum == stratum and author in (judgement.lesson.author, "all")
+            ]
+            count = Counter(judgement.outcome for judgement in selected)
+            sizes = [len(judgement.sets) for judgement in selected if judgement.sets]
             outcomes = ", ".join(f"{name} {number}" for name, number in sorted(count.items()))
-            lines.append(f"{stratum:7}{author:10}{len(some):5}: {outcomes}; mean set {np.mean(sizes or [0]):.2f}")
+            lines.append(f"{stratum:7}{author:10}{len(selected):5}: {outcomes}; mean set {np.mean(sizes or [0]):.2f}")
     return "\n".join(lines)

@@ -21,11 +21,11 @@ def blank(lessons: list[Lesson]) -> Judge:
     every = [signs for lesson in lessons for signs in lesson.signs]
     knots = {}
     for name in every[0]:
-        found = np.unique(np.round(np.quantile([signs[name] for signs in every], QUANTILES), 5))
-        if len(found) > 1:
-            knots[name] = found.tolist()
+        knots_there = np.unique(np.round(np.quantile([signs[name] for signs in every], QUANTILES), 5))
+        if len(knots_there) > 1:
+            knots[name] = knots_there.tolist()
     names = sorted({id_ for lesson in lessons for ids in lesson.ids for id_ in ids})
-    ramps = sum(len(found) - 1 for found in knots.values())
+    ramps = sum(len(positions) - 1 for positions in knots.values())
     return Judge(knots, names, np.zeros((1 + len(SIZES)) * (1 + ramps + len(names))), np.zeros(5))
 
 
@@ -36,10 +36,10 @@ def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
     """
     judge = blank(lessons)
     seen = [explanations(lesson) for lesson in lessons]
-    table = np.vstack([judge.basis(some) for some in seen])
-    none = np.array([none_of(some) for some in seen])
+    table = np.vstack([judge.basis(case_explanations) for case_explanations in seen])
+    none = np.array([none_of(case_explanations) for case_explanations in seen])
     starts = np.cumsum([0, *map(len, seen)])[:-1]
-    case = np.repeat(np.arange(len(seen)), [len(some) for some in seen])
+    case = np.repeat(np.arange(len(seen)), [len(case_explanations) for case_explanations in seen])
     right = np.concatenate([np.array(lesson.answers, float) for lesson in lessons])
     named = np.array([any(lesson.right) for lesson in lessons])
     count = table.shape[1]
@@ -55,8 +55,10 @@ def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
         gradient = np.concatenate([table.T @ slope, none.T @ none_slope])
         return float(-np.sum(np.log(good / whole)) + 0.5 * prior * weights @ weights), gradient + prior * weights
 
-    found = minimize(surprise, np.zeros(count + none.shape[1]), jac=True, method="L-BFGS-B", options={"maxiter": 500}).x
-    return Judge(judge.knots, judge.names, found[:count], found[count:])
+    solution = minimize(
+        surprise, np.zeros(count + none.shape[1]), jac=True, method="L-BFGS-B", options={"maxiter": 500}
+    ).x
+    return Judge(judge.knots, judge.names, solution[:count], solution[count:])
 
 
 def content(judge: Judge) -> dict[str, object]:

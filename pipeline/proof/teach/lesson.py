@@ -44,7 +44,7 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
 
     Their order is drawn, so that any first part of them is a fair sample.
     """
-    found = []
+    lessons = []
     for author in who:
         draw = random.Random(f"{author} {seed}")
         known = sorted(authors()[author].laws)
@@ -57,35 +57,37 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
             wanted += [((draw.choice(outside),), OPEN) for _ in range(OPEN_EACH)]
         for number, (effects, (low, high)) in enumerate(wanted):
             kappas = tuple(round(low * (high / low) ** draw.random(), 3) for _ in effects)
-            found.append(Lesson(author, seed + number, effects, kappas, draw.choice(PROTOCOLS)))
-    random.Random(seed).shuffle(found)
-    return found
+            lessons.append(Lesson(author, seed + number, effects, kappas, draw.choice(PROTOCOLS)))
+    random.Random(seed).shuffle(lessons)
+    return lessons
 
 
 def learnt(lesson: Lesson) -> Lesson:
     """A lesson with what the search makes of its recording: nothing where nothing was seen, or nothing can be made."""
     for number in range(TRIES):
-        asked = Asked(lesson.seed + APART * number, lesson.effects, lesson.kappas, lesson.protocol)
+        request = Asked(lesson.seed + APART * number, lesson.effects, lesson.kappas, lesson.protocol)
         try:
-            made = authors()[lesson.author].make(asked)
+            made = authors()[lesson.author].make(request)
             break
         except OutOfReach:
             continue
     else:
         return lesson
     run = parse_run({"run": "lesson", **made.content}, Path("lesson/run.yaml"))
-    found = study(make_problem([run], [made.table]))
-    if not found.judged.likely:
+    studied = study(make_problem([run], [made.table]))
+    if not studied.judged.likely:
         return lesson
-    return of(lesson, weighed(found.search, found.base, found.noise.floor), tuple(found.random))
+    return of(lesson, weighed(studied.search, studied.base, studied.noise.floor), tuple(studied.random))
 
 
-def of(lesson: Lesson, some: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
+def of(lesson: Lesson, weighed_sets: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
     """A lesson with explanations; what jerks at random is named beside each of them."""
     truth = {name for name in lesson.effects if not name.startswith("x_")}
-    right = tuple({*one.ids, *jerks} == truth for one in some)
-    signs = tuple({name: round(sign, DIGITS) for name, sign in one.signs.items()} for one in some)
-    content = {"ids": tuple(one.ids for one in some), "signs": signs, "right": right}
+    right = tuple({*explanation.ids, *jerks} == truth for explanation in weighed_sets)
+    signs = tuple(
+        {name: round(sign, DIGITS) for name, sign in explanation.signs.items()} for explanation in weighed_sets
+    )
+    content = {"ids": tuple(explanation.ids for explanation in weighed_sets), "signs": signs, "right": right}
     return Lesson(**{**asdict(lesson), **content})
 
 
@@ -96,6 +98,6 @@ def written(lesson: Lesson) -> str:
 
 def read(line: str) -> Lesson:
     """A lesson from a line."""
-    told = json.loads(line)
-    lists = {name: tuple(told[name]) for name in ("effects", "kappas", "signs", "right")}
-    return Lesson(**{**told, **lists, "ids": tuple(tuple(ids) for ids in told["ids"])})
+    content = json.loads(line)
+    lists = {name: tuple(content[name]) for name in ("effects", "kappas", "signs", "right")}
+    return Lesson(**{**content, **lists, "ids": tuple(tuple(ids) for ids in content["ids"])})

@@ -29,8 +29,8 @@ def looks() -> dict[str, Look]:
     """How each method looks, by its name, in the order of their titles; read as text: to learn takes a library."""
     unnamed: Look = {"title": "", "colour": "", "marker": ""}
     trees = {name: ast.parse((HERE / f"{name}.py").read_text("utf-8")) for name in holding(HERE, r"def learn\(")}
-    said = {name: literal(tree, "LOOK", unnamed) for name, tree in trees.items()}
-    return dict(sorted(said.items(), key=lambda one: one[1]["title"].lower()))
+    look_by_name = {name: literal(tree, "LOOK", unnamed) for name, tree in trees.items()}
+    return dict(sorted(look_by_name.items(), key=lambda entry: entry[1]["title"].lower()))
 
 
 def learner(name: str) -> tuple[Learn, tuple[int, ...]]:

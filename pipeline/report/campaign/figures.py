@@ -26,15 +26,15 @@ def few_shot(table: pd.DataFrame, floor: pd.DataFrame, titles: dict[str, str]) -
     figure, panels = plt.subplots(1, 2, figsize=(9.0, 4.4))
     for letter, axes, (map_, (column, unit)) in zip("ab", panels, MAPS.items(), strict=True):
         summed = middles(table, column, titles)
-        for (how, name), some in summed.groupby(["how", "title"], sort=False):
-            place = list(titles).index(some["model"].iloc[0])
+        for (how, name), curve in summed.groupby(["how", "title"], sort=False):
+            place = list(titles).index(curve["model"].iloc[0])
             colour, marker = COLOURS[place % len(COLOURS)], MARKERS[place % len(MARKERS)]
             style = "--" if how == ALONE else "-"
             fill = "white" if how == ALONE else colour
             axes.plot(
-                some["shots"], some["middle"], style, color=colour, marker=marker, ms=4, mfc=fill, lw=1.3, label=name
+                curve["shots"], curve["middle"], style, color=colour, marker=marker, ms=4, mfc=fill, lw=1.3, label=name
             )
-            axes.fill_between(some["shots"], some["low"], some["high"], color=colour, alpha=0.09, lw=0)
+            axes.fill_between(curve["shots"], curve["low"], curve["high"], color=colour, alpha=0.09, lw=0)
         level = float(floor[column].median())
         axes.axhline(level, color="k", lw=1.0, ls=":", label="floor: each string's own smooth curves")
         _logarithmic(axes, summed, level)
@@ -52,7 +52,7 @@ def _logarithmic(axes: Axes, summed: pd.DataFrame, level: float) -> None:
     axes.set_yscale("log")
     top = min(float(summed["high"].max()) * 1.2, level * MOST_OVER_FLOOR)
     axes.set_ylim(level * 0.75, max(top, level * 4.0))
-    marks = [one * 10.0**power for power in range(-4, 5) for one in (1, 2, 5)]
+    marks = [digit * 10.0**power for power in range(-4, 5) for digit in (1, 2, 5)]
     low, high = axes.get_ylim()
     axes.set_yticks([mark for mark in marks if low <= mark <= high])
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
@@ -64,8 +64,8 @@ def coverage(table: pd.DataFrame) -> Figure:
     figure, panels = plt.subplots(1, 3, figsize=(10.5, 3.9))
     _held(panels[0], table)
     for letter, axes, (map_, (_, unit)) in zip("bc", panels[1:], MAPS.items(), strict=True):
-        some = table[(table["map"] == map_) & (table["points"] > 0)]
-        for (ahead, rows), colour in zip(some.groupby("ahead"), COLOURS[3:], strict=False):
+        curve = table[(table["map"] == map_) & (table["points"] > 0)]
+        for (ahead, rows), colour in zip(curve.groupby("ahead"), COLOURS[3:], strict=False):
             widths = rows.groupby("level")["width"].quantile([0.25, 0.5, 0.75]).unstack()
             percent = 100.0 * widths.index.to_numpy()
             axes.plot(percent, widths[0.5], "o-", color=colour, ms=4, label=f"{ahead} ahead")

@@ -64,8 +64,8 @@ def _levels(coverage: pd.DataFrame, known: list[int]) -> list[str]:
     apart = pooled(coverage, ["map", "level", "ahead"]).set_index(["map", "level", "ahead"])
     for _, row in whole.iterrows():
         each = [apart.loc[(row["map"], row["level"], ahead)] for ahead in known]
-        held = [_percent(one["held"], one["error"]) for one in each]
-        widths = [f"{one['width']:.3g} {MAPS[row['map']][1]}" for one in each]
+        held = [_percent(pooled_row["held"], pooled_row["error"]) for pooled_row in each]
+        widths = [f"{pooled_row['width']:.3g} {MAPS[row['map']][1]}" for pooled_row in each]
         shown = _percent(row["held"], row["error"])
         lines.append(line([row["map"], f"{100.0 * row['level']:.0f}", shown, *held, *widths]))
     return [*lines, ""]
@@ -73,12 +73,12 @@ def _levels(coverage: pd.DataFrame, known: list[int]) -> list[str]:
 
 def _materials(coverage: pd.DataFrame) -> list[str]:
     """Shares held at one level by material."""
-    some = coverage[(coverage["level"] - SHOWN_LEVEL).abs() < 1e-9]
-    table = pooled(some, ["material", "map"]).set_index(["material", "map"])
+    at_level = coverage[(coverage["level"] - SHOWN_LEVEL).abs() < 1e-9]
+    table = pooled(at_level, ["material", "map"]).set_index(["material", "map"])
     head = [f"material, level {100.0 * SHOWN_LEVEL:.0f} %", "strings", *(f"{map_}: held (%)" for map_ in MAPS)]
     lines = [line(head), line(["---"] * len(head))]
-    for material in sorted(set(some["material"])):
+    for material in sorted(set(at_level["material"])):
         each = [table.loc[(material, map_)] for map_ in MAPS]
-        shares = [_percent(one["held"], one["error"]) for one in each]
+        shares = [_percent(pooled_row["held"], pooled_row["error"]) for pooled_row in each]
         lines.append(line([material, f"{each[0]['strings']:.0f}", *shares]))
     return [*lines, ""]

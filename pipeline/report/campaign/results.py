@@ -38,11 +38,11 @@ def best(table: pd.DataFrame) -> pd.DataFrame:
 def runs_of_best(table: pd.DataFrame) -> list[tuple[str, list[int], list[float]]]:
     """Title, strokes shown and medians of whoever is best, consecutive numbers of strokes together."""
     rows = [(int(str(shots)), str(row["title"]), float(row["middle"])) for shots, row in best(table).iterrows()]
-    found = []
-    for name, some in groupby(rows, key=lambda row: row[1]):
-        held = list(some)
-        found.append((name, [row[0] for row in held], [row[2] for row in held]))
-    return found
+    best_runs = []
+    for name, group in groupby(rows, key=lambda row: row[1]):
+        held = list(group)
+        best_runs.append((name, [row[0] for row in held], [row[2] for row in held]))
+    return best_runs
 
 
 def first_near(table: pd.DataFrame, limit: float) -> pd.Series | None:
@@ -51,13 +51,13 @@ def first_near(table: pd.DataFrame, limit: float) -> pd.Series | None:
     return None if near.empty else near.iloc[0]
 
 
-def ahead_of(few_shot: pd.DataFrame, column: str, one: pd.Series, other: pd.Series, shots: int) -> tuple[int, int]:
+def ahead_of(few_shot: pd.DataFrame, column: str, leader: pd.Series, other: pd.Series, shots: int) -> tuple[int, int]:
     """On how many strings one row of `middles` has a smaller error than another, and how many strings there are."""
     errors = [
         few_shot[(few_shot["model"] == row["model"]) & (few_shot["how"] == row["how"]) & (few_shot["shots"] == shots)]
         .set_index("string")[column]
         .sort_index()
-        for row in (one, other)
+        for row in (leader, other)
     ]
     return int((errors[0] < errors[1]).sum()), len(errors[0])
 
@@ -68,20 +68,20 @@ def pooled(coverage: pd.DataFrame, by: list[str]) -> pd.DataFrame:
     Strings are what is drawn, so the error counts how they differ: points of one string err alike.
     """
     rows = []
-    for key, some in coverage.groupby(by, sort=True):
-        held = (some["held"].fillna(0.0) * some["points"]).groupby(some["string"]).sum()
-        points, outside = some.groupby("string")["points"].sum(), float(some["outside"].sum())
+    for key, group in coverage.groupby(by, sort=True):
+        held = (group["held"].fillna(0.0) * group["points"]).groupby(group["string"]).sum()
+        points, outside = group.groupby("string")["points"].sum(), float(group["outside"].sum())
         total, count = float(points.sum()), len(points)
         share = float(held.sum()) / total if total else np.nan
         spread = float(np.sum((held - share * points) ** 2)) * count / max(count - 1, 1)
         error = float(np.sqrt(spread)) / total if total and count > 1 else np.nan
-        width = float(some["width"].median())
+        width = float(group["width"].median())
         rows.append((*key, share, error, width, outside / max(total + outside, 1.0), count))
     return pd.DataFrame(rows, columns=[*by, "held", "error", "width", "outside", "strings"])
 
 
 def by_string(coverage: pd.DataFrame, level: float) -> pd.Series:
     """Share held of each string at one level, both maps together."""
-    some = coverage[np.isclose(coverage["level"], level) & (coverage["points"] > 0)]
-    held = (some["held"] * some["points"]).groupby(some["string"]).sum()
-    return held / some.groupby("string")["points"].sum()
+    at_level = coverage[np.isclose(coverage["level"], level) & (coverage["points"] > 0)]
+    held = (at_level["held"] * at_level["points"]).groupby(at_level["string"]).sum()
+    return held / at_level.groupby("string")["points"].sum()

@@ -37,11 +37,11 @@ def _strokes(numbers: list[int]) -> str:
 def leaders(few_shot: pd.DataFrame, column: str, unit: str, titles: dict[str, str]) -> str:
     """Who is best from how many strokes, and on how many strings it beats whoever learns best otherwise."""
     table = middles(few_shot, column, titles)
-    said = []
+    sentences = []
     for name, shots, values in runs_of_best(table):
         sizes = size(values[0]) if len(values) == 1 else f"{size(values[0])} to {size(values[-1])}"
-        said.append(f"from {_strokes(shots)} {name} is best ({sizes} {unit} median)")
-    text, ends = "; ".join(said), sorted({int(table["shots"].min()), int(table["shots"].max())})
+        sentences.append(f"from {_strokes(shots)} {name} is best ({sizes} {unit} median)")
+    text, ends = "; ".join(sentences), sorted({int(table["shots"].min()), int(table["shots"].max())})
     return f"{text[0].upper()}{text[1:]}. {' '.join(_won(few_shot, table, column, shots) for shots in ends)}"
 
 
@@ -50,9 +50,9 @@ def _won(few_shot: pd.DataFrame, table: pd.DataFrame, column: str, shots: int) -
     ranked = table[table["shots"] == shots].sort_values("middle")
     if len(ranked) < 2:
         return ""
-    one, other = ranked.iloc[0], ranked.iloc[1]
-    won, of = ahead_of(few_shot, column, one, other, shots)
-    with_them = f"With {_strokes([shots])} shown {one['title']} errs less"
+    first, other = ranked.iloc[0], ranked.iloc[1]
+    won, of = ahead_of(few_shot, column, first, other, shots)
+    with_them = f"With {_strokes([shots])} shown {first['title']} errs less"
     return f"{with_them} than the second, {other['title']}, on {won} of {of} strings."
 
 
@@ -99,8 +99,8 @@ def shots_table(few_shot: pd.DataFrame, floor: pd.DataFrame, column: str, titles
     table = middles(few_shot, column, titles)
     shots, least = sorted(table["shots"].unique()), best(table)["title"]
     lines = [line(["model", *(f"{number} shown" for number in shots)]), line(["---"] * (1 + len(shots)))]
-    for name, some in table.groupby("title", sort=False):
-        at = some.set_index("shots")
+    for name, rows_of_title in table.groupby("title", sort=False):
+        at = rows_of_title.set_index("shots")
         cells = []
         for number in shots:
             if number not in at.index:
@@ -120,8 +120,8 @@ def untold(few_shot: pd.DataFrame, titles: dict[str, str]) -> list[str]:
         "answers it cannot tell. A string's own correction, on top of it, does know eq. 4, direction and stroke.",
         "",
     ]
-    for model, some in few_shot.groupby("model", sort=False):
-        missing = [words for name, words in CALLED.items() if name not in str(some["reads"].iloc[0]).split()]
+    for model, rows_of_model in few_shot.groupby("model", sort=False):
+        missing = [words for name, words in CALLED.items() if name not in str(rows_of_model["reads"].iloc[0]).split()]
         ranks = []
         for map_, (column, _) in MAPS.items():
             start = middles(few_shot, column, titles)
@@ -129,8 +129,8 @@ def untold(few_shot: pd.DataFrame, titles: dict[str, str]) -> list[str]:
             if model in ranked:
                 ranks.append(f"{map_} {ranked.index(model) + 1} of {len(ranked)}")
         place = f" Rank with no stroke shown, among those that learnt from others: {', '.join(ranks)}." if ranks else ""
-        said = f"cannot tell {', '.join(missing)}" if missing else "reads all of them"
-        lines.append(f"- {title(str(model), '', titles)}: {said}.{place}")
+        sentence = f"cannot tell {', '.join(missing)}" if missing else "reads all of them"
+        lines.append(f"- {title(str(model), '', titles)}: {sentence}.{place}")
     return [*lines, ""]
 
 
@@ -140,11 +140,11 @@ def by_material(few_shot: pd.DataFrame, floor: pd.DataFrame, titles: dict[str, s
     lines = []
     for column, unit in MAPS.values():
         for shots in MATERIAL_SHOTS:
-            some = few_shot[few_shot["shots"] == shots]
+            at_shots = few_shot[few_shot["shots"] == shots]
             heads = [f"{material} ({count})" for material, count in strings.items()]
             lines += [line([f"{unit}, {shots} shown (strings)", *heads]), line(["---"] * (1 + len(strings)))]
-            order = middles(some, column, titles)[["model", "how", "title"]].drop_duplicates()
-            medians = some.groupby(["model", "how", "material"])[column].median()
+            order = middles(at_shots, column, titles)[["model", "how", "title"]].drop_duplicates()
+            medians = at_shots.groupby(["model", "how", "material"])[column].median()
             for model, how, name in order.itertuples(index=False):
                 lines.append(line([name, *(size(medians[model, how, material]) for material in strings.index)]))
             beneath = floor.groupby("material")[column].median()

@@ -37,33 +37,35 @@ def contradictions(verdict: str, named: set[str], content: dict[str, Any], expec
     """What a verdict says against the literature, a sentence each."""
     if expected is None:
         return []
-    said = []
+    sentences = []
     extra = sorted(named & set(expected.never))
     if extra:
-        said.append(f"It names {', '.join(extra)}, against the literature: {expected.said}.")
+        sentences.append(f"It names {', '.join(extra)}, against the literature: {expected.said}.")
     if expected.names is None:
         if verdict == "explained":
-            said.append(f"It names {' + '.join(sorted(named))} firmly, although {expected.said}.")
-        return said
+            sentences.append(f"It names {' + '.join(sorted(named))} firmly, although {expected.said}.")
+        return sentences
     missing = [either for either in expected.names if not named & set(either)]
     if missing and verdict != "unknown":
         lacking = " and ".join(" or ".join(either) for either in missing)
-        said.append(
+        sentences.append(
             f"It does not name {lacking}, which the literature expects: {expected.said}.{_seen(content, missing)}"
         )
     further = sorted(named - {id_ for either in expected.names for id_ in either} - set(expected.never))
     if further and verdict == "explained":
         sizes = ", ".join(f"{id_} ({_size(content, id_)})" for id_ in further)
-        said.append(f"Beside what the literature expects it names {sizes}.")
-    return said
+        sentences.append(f"Beside what the literature expects it names {sizes}.")
+    return sentences
 
 
 def _seen(content: dict[str, Any], missing: list[list[str]]) -> str:
     """How small an effect would have been seen."""
     key = next((key for key in content["fit"] if key.startswith("detectable_")), "")
-    found = content["fit"].get(key) or {}
+    size_by_id = content["fit"].get(key) or {}
     unit = unit_of(key)
-    sizes = [f"{id_} from {found[id_]:.2g} {unit} on" for either in missing for id_ in either if found.get(id_)]
+    sizes = [
+        f"{id_} from {size_by_id[id_]:.2g} {unit} on" for either in missing for id_ in either if size_by_id.get(id_)
+    ]
     return f" This recording would have shown {', '.join(sizes)}." if sizes else ""
 
 
@@ -75,14 +77,14 @@ def _size(content: dict[str, Any], id_: str) -> str:
 
 def _ambiguous(content: dict[str, Any], named: set[str], expected: Expected | None) -> str:
     sets = _sets(content)
-    others = [" + ".join(sorted(one)) for one in sets[1:]]
+    others = [" + ".join(sorted(ids)) for ids in sets[1:]]
     more = f" and {len(others) - SHOWN} more" if len(others) > SHOWN else ""
     text = f"Beside {' + '.join(sorted(named))}, {'; '.join(others[:SHOWN])}{more} fit as well."
     common = sorted(set.intersection(*sets))
     if common:
         text += f" All of them hold {' and '.join(common)}."
     if expected is not None and expected.names is not None:
-        among = any(satisfies(one, expected) for one in sets)
+        among = any(satisfies(ids, expected) for ids in sets)
         text += f" The literature's answer is {'' if among else 'not '}held by one of them."
     if content.get("next_experiment"):
         text += f" What would tell: {content['next_experiment'].partition(':')[0]}."
@@ -115,13 +117,13 @@ def found_answer(content: dict[str, Any], answer: Answer) -> tuple[float, float,
 
 def wrong_answers(content: dict[str, Any], answers: list[Answer]) -> list[str]:
     """Parameters whose interval misses the literature's value, a sentence each."""
-    said = []
+    sentences = []
     for answer in answers:
-        found = found_answer(content, answer)
-        if found and not found[1] <= answer.value <= found[2]:
-            value, low, high = found
-            said.append(
+        interval = found_answer(content, answer)
+        if interval and not interval[1] <= answer.value <= interval[2]:
+            value, low, high = interval
+            sentences.append(
                 f"Its {answer.what} is {value:.4g} ({low:.4g} to {high:.4g}) {answer.unit}, the literature's"
                 f" {answer.value:g} {answer.unit}."
             )
-    return said
+    return sentences

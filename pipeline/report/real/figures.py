@@ -24,13 +24,13 @@ MATRIX_MOST = 9  # recordings of a group: of more a matrix is too fine to read
 
 def errors(axes: Axes, results: list[Result], unit: str) -> None:
     """Held-out error of every method, a line for each recording."""
-    shown = [one for one in results if one.heldout]
-    names = [one.name for one in shown]
-    for at, one in enumerate(shown):
-        values = [value for value in one.heldout.values() if value > 0]
+    shown = [result for result in results if result.heldout]
+    names = [result.name for result in shown]
+    for at, result in enumerate(shown):
+        values = [value for value in result.heldout.values() if value > 0]
         axes.plot([min(values), max(values)], [at, at], color="0.88", lw=1.0, zorder=1)
     for method, title in TITLES.items():
-        points = [(one.heldout[method], at) for at, one in enumerate(shown) if one.heldout.get(method)]
+        points = [(result.heldout[method], at) for at, result in enumerate(shown) if result.heldout.get(method)]
         if points:
             x, y = zip(*points, strict=True)
             # the nominal one as a ring: behind, where calibration moved nothing
@@ -66,7 +66,7 @@ def transfer(axes: Axes, pairs: pd.DataFrame, left_out: pd.DataFrame, unit: str)
 def _logarithmic(axes: Axes, label: str) -> None:
     axes.set_xscale("log")
     low, high = axes.get_xlim()
-    marks = [one * 10.0**power for power in range(-6, 7) for one in (1, 2, 5)]
+    marks = [digit * 10.0**power for power in range(-6, 7) for digit in (1, 2, 5)]
     axes.set_xticks([mark for mark in marks if low <= mark <= high])
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
@@ -78,16 +78,16 @@ def _logarithmic(axes: Axes, label: str) -> None:
 
 def matrix(axes: Axes, pairs: pd.DataFrame, method: str, unit: str, ends: tuple[float, float]) -> None:
     """A method's error for every ordered pair of a group: rows learnt, columns are asked; colours from end to end."""
-    some = pairs[pairs["method"] == method].pivot(index="learnt_from", columns="asked_about", values="rms")
-    names = sorted({*some.index, *some.columns})
-    values = some.reindex(index=names, columns=names).to_numpy(float)
+    table = pairs[pairs["method"] == method].pivot(index="learnt_from", columns="asked_about", values="rms")
+    names = sorted({*table.index, *table.columns})
+    values = table.reindex(index=names, columns=names).to_numpy(float)
     shown = LogNorm(*ends)
     axes.imshow(values, cmap="YlOrRd", norm=shown, aspect="auto")
     for at, of in np.argwhere(np.isfinite(values)):
         colour = "white" if shown(values[at, of]) > 0.65 else "black"
         axes.text(of, at, f"{values[at, of]:.2g}", ha="center", va="center", fontsize=7, color=colour)
     parts = [name.split("-") for name in names]
-    same = next((at for at, some in enumerate(zip(*parts, strict=False)) if len(set(some)) > 1), 0)
+    same = next((at for at, names in enumerate(zip(*parts, strict=False)) if len(set(names)) > 1), 0)
     short = ["-".join(part[same:]) for part in parts]
     axes.set_xticks(range(len(names)), short, rotation=30, ha="right", rotation_mode="anchor", fontsize=7)
     axes.set_yticks(range(len(names)), short, fontsize=7)
@@ -100,16 +100,20 @@ def matrix(axes: Axes, pairs: pd.DataFrame, method: str, unit: str, ends: tuple[
 def matrices(pairs: pd.DataFrame) -> list[tuple[str, str]]:
     """Groups and methods that get a matrix: the explained simulator, and of a lone group its best black box too."""
     explained = pairs[pairs["method"] == "explained"]
-    shown = [str(group) for group, some in explained.groupby("group") if some["asked_about"].nunique() <= MATRIX_MOST]
-    found = [(group, "explained") for group in shown]
+    shown = [
+        str(group)
+        for group, group_pairs in explained.groupby("group")
+        if group_pairs["asked_about"].nunique() <= MATRIX_MOST
+    ]
+    drawn = [(group, "explained") for group in shown]
     others = pairs[pairs["method"].isin(list(BLACK_BOXES))].groupby("method")["rms"].median()
-    return [*found, (shown[0], str(others.idxmin()))] if len(shown) == 1 and len(others) else found
+    return [*drawn, (shown[0], str(others.idxmin()))] if len(shown) == 1 and len(others) else drawn
 
 
 def figure(results: list[Result], carried: pd.DataFrame, unit: str) -> Figure:
     """All panels; those of what was learnt elsewhere only where there is any."""
     pairs, left_out = apart(carried)
-    shown = sum(1 for one in results if one.heldout)
+    shown = sum(1 for result in results if result.heldout)
     drawn_below = matrices(pairs)
     height, below = max(1.9 + 0.2 * shown, 3.0), 3.0 if drawn_below else 0.0
     columns = 1 if pairs.empty else 2
@@ -120,10 +124,16 @@ def figure(results: list[Result], carried: pd.DataFrame, unit: str) -> Figure:
     if not pairs.empty:
         transfer(upper[1], pairs, left_out, unit)
     if drawn_below:
-        some = pairs[pairs["method"].isin([method for _, method in drawn_below])]["rms"]
+        errors_below = pairs[pairs["method"].isin([method for _, method in drawn_below])]["rms"]
         lower = rows[1, 0].subplots(1, len(drawn_below), squeeze=False)[0]
         for axes, (group, method) in zip(lower, drawn_below, strict=True):
-            matrix(axes, pairs[pairs["group"] == group], method, unit, (float(some.min()), float(some.max())))
+            matrix(
+                axes,
+                pairs[pairs["group"] == group],
+                method,
+                unit,
+                (float(errors_below.min()), float(errors_below.max())),
+            )
     lines = upper[0].get_legend_handles_labels()
     rows[0, 0].legend(*lines, fontsize=7, frameon=False, ncols=3 * columns, loc="outside lower left")
     return drawn

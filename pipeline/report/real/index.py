@@ -46,17 +46,17 @@ def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
     over = "".join(f"<th colspan={len(of)}>{title}</th>" for title, (_, of) in zip(titles, BLOCKS, strict=True))
     over = f"<tr><th colspan=4></th>{over}</tr>\n"
     text = []
-    for rig, some in rows.groupby("rig", sort=False):
+    for rig, rig_rows in rows.groupby("rig", sort=False):
         title = html.escape(rigs[str(rig)].title)
         text.append(f'<h3><a href="{link(f"{rig}.html")}">{title}</a></h3>')
         lines = []
-        for _, row in some.iterrows():
+        for _, row in rig_rows.iterrows():
             ties = f" (or {int(row['ties'])} other{'s' * (row['ties'] > 1)})" if row["ties"] else ""
-            told = [row["recording"], row["verdict"], f"{row['named']}{ties}", row["unit"]]
-            cells = [html.escape(str(cell)) for cell in told]
+            first_cells = [row["recording"], row["verdict"], f"{row['named']}{ties}", row["unit"]]
+            cells = [html.escape(str(cell)) for cell in first_cells]
             lines.append([*cells, *blocks(row)])
-        single = some[some["together"] == "no"].median(numeric_only=True)
-        unit = html.escape(str(next(iter(some["unit"][some["unit"] != ""]), "")))
+        single = rig_rows[rig_rows["together"] == "no"].median(numeric_only=True)
+        unit = html.escape(str(next(iter(rig_rows["unit"][rig_rows["unit"] != ""]), "")))
         middle = ["median", "", "", unit]
         lines.append([*middle, *blocks(single)])
         text.append(table(head, lines, texts=4, over=over))
@@ -65,17 +65,20 @@ def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
 
 def doubts(rows: pd.DataFrame) -> str:
     """The verdicts that are no firm, expected ones, and why."""
-    some = rows[rows["doubt"] != ""]
-    count = f"{len(some)} of {len(rows)} verdicts are ambiguous, unknown or missing, or disagree with the literature."
+    doubted = rows[rows["doubt"] != ""]
+    count = (
+        f"{len(doubted)} of {len(rows)} verdicts are ambiguous, unknown or missing, or disagree with the literature."
+    )
     lines = [
-        [html.escape(str(cell)) for cell in (row["recording"], row["doubt"], row["why"])] for _, row in some.iterrows()
+        [html.escape(str(cell)) for cell in (row["recording"], row["doubt"], row["why"])]
+        for _, row in doubted.iterrows()
     ]
     return f"<p>{count}</p>" + (table(["Recording", "Kind", "Why"], lines, texts=3) if lines else "")
 
 
 def beaten(rows: pd.DataFrame) -> str:
     """How often a black box predicts better than the explained simulator, on either kind of unseen data."""
-    said = []
+    sentences = []
     for prefix, words in (
         ("", "unseen strokes of the same recording"),
         (ELSEWHERE, "another recording"),
@@ -88,8 +91,10 @@ def beaten(rows: pd.DataFrame) -> str:
         ]
         if both:
             lost = sum(other < own for own, other in both)
-            said.append(f"On {words} the best of the three black boxes is better on {lost} of {len(both)} recordings.")
-    return f"<p>{' '.join(said)}</p>"
+            sentences.append(
+                f"On {words} the best of the three black boxes is better on {lost} of {len(both)} recordings."
+            )
+    return f"<p>{' '.join(sentences)}</p>"
 
 
 def ignored(files: list[str]) -> str:

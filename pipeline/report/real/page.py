@@ -39,10 +39,10 @@ def table(head: list[str], rows: list[list[str]], texts: int = 1, over: str = ""
 
 def sizes(values: dict[str, float], methods: list[str]) -> list[str]:
     """Cells of the methods' errors, the smallest in bold."""
-    there = [values[method] for method in methods if method in values]
+    shown = [values[method] for method in methods if method in values]
     return [
         "" if method not in values
-        else f"<span class=best>{values[method]:.3g}</span>" if values[method] == min(there)
+        else f"<span class=best>{values[method]:.3g}</span>" if values[method] == min(shown)
         else f"{values[method]:.3g}"
         for method in methods
     ]  # fmt: skip
@@ -52,20 +52,20 @@ def where(results: list[Result]) -> str:
     """Where each recording and its simulator part, and what explains it."""
     head = ["Recording", "Verdict", "Left out", "Ties", "Mismatch", "Noise", "Where", "Strokes", "Phase", "It follows"]
     rows = []
-    for one in results:
-        name = f'<a href="#{html.escape(anchor(one))}">{html.escape(one.name)}</a>'
-        if one.content is None:
+    for result in results:
+        name = f'<a href="#{html.escape(anchor(result))}">{html.escape(result.name)}</a>'
+        if result.content is None:
             rows.append([name, "not decided", *[""] * 8])
             continue
-        mismatch: dict[str, Any] = one.content["mismatch"] or {}
+        mismatch: dict[str, Any] = result.content["mismatch"] or {}
         box = mismatch.get("location") or {}
         ends = next((key for key in box if key not in ("strokes", "phase", "share")), "")
         place = f"{box[ends][0]:.3g} to {box[ends][1]:.3g} {unit_of(ends)}" if ends else ""
-        size = mismatch.get(f"rms_{one.unit}")
+        size = mismatch.get(f"rms_{result.unit}")
         cells = [
-            one.content["verdict"], one.named, str(len(one.content["alternatives"]) or ""),
-            f"{size:.3g} {one.spoken}" if size is not None else "",
-            f"{one.content['fit'][f'noise_floor_{one.unit}']:.3g} {one.spoken}",
+            result.content["verdict"], result.named, str(len(result.content["alternatives"]) or ""),
+            f"{size:.3g} {result.spoken}" if size is not None else "",
+            f"{result.content['fit'][f'noise_floor_{result.unit}']:.3g} {result.spoken}",
             place, "–".join(map(str, box.get("strokes", []))), str(box.get("phase", "")),
             str(mismatch.get("driver") or ""),
         ]  # fmt: skip
@@ -75,11 +75,11 @@ def where(results: list[Result]) -> str:
 
 def better(results: list[Result], unit: str) -> str:
     """How much better each recording is predicted, beside the black boxes, on strokes that no fit has seen."""
-    rows = [[html.escape(one.name), *sizes(one.heldout, list(TITLES))] for one in results if one.heldout]
-    middle = pd.DataFrame([one.heldout for one in results if not one.together]).median().to_dict()
+    rows = [[html.escape(result.name), *sizes(result.heldout, list(TITLES))] for result in results if result.heldout]
+    middle = pd.DataFrame([result.heldout for result in results if not result.together]).median().to_dict()
     rows.append(["median", *sizes(middle, list(TITLES))])
     note = ""
-    if any(one.together for one in results):
+    if any(result.together for result in results):
         note = (
             "<p>Held out of recordings together are the last of them, whole ones too; these get their zero on their"
             " first second. The median is over single recordings.</p>"
@@ -90,27 +90,27 @@ def better(results: list[Result], unit: str) -> str:
 def relative(results: list[Result]) -> str:
     """What is left over the reading itself, where a diagnosis says it."""
     rows, filters = [], set()
-    for one in results:
-        left = ((one.content or {}).get("fit") or {}).get("relative_residual")
+    for result in results:
+        left = ((result.content or {}).get("fit") or {}).get("relative_residual")
         if left:
             filters.add(left["filter"])
-            rows.append([html.escape(one.name), *(f"{100 * left[name]:.1f} %" for name in list(TITLES)[:3])])
+            rows.append([html.escape(result.name), *(f"{100 * left[name]:.1f} %" for name in list(TITLES)[:3])])
     if not rows:
         return ""
-    told = html.escape("; ".join(sorted(filters)))
-    note = f"<p>Relative residual: rms of what is left over rms of the reading. Filter: {told}.</p>"
+    filter_text = html.escape("; ".join(sorted(filters)))
+    note = f"<p>Relative residual: rms of what is left over rms of the reading. Filter: {filter_text}.</p>"
     return note + table(["Recording", *list(TITLES.values())[:3]], rows)
 
 
 def answers(rig: Rig, results: list[Result]) -> str:
     """Parameters that the literature knows, beside ours."""
     rows = []
-    for one in results:
+    for result in results:
         for answer in rig.answers:
-            found = found_answer(one.content, answer) if one.content else None
-            if found:
-                value, low, high = found
-                cells = [one.name, answer.what, f"{answer.value:g} {answer.unit}", f"{value:.4g} {answer.unit}"]
+            interval = found_answer(result.content, answer) if result.content else None
+            if interval:
+                value, low, high = interval
+                cells = [result.name, answer.what, f"{answer.value:g} {answer.unit}", f"{value:.4g} {answer.unit}"]
                 cells += [f"{low:.4g} to {high:.4g}", f"{100 * (value / answer.value - 1):+.1f} %"]
                 rows.append([html.escape(cell) for cell in cells] + ["yes" if low <= answer.value <= high else "no"])
     head = ["Recording", "Parameter", "Published", "Found", "90 % interval", "Apart", "Inside"]
@@ -122,8 +122,8 @@ def transferred(carried: pd.DataFrame, unit: str) -> str:
     if carried.empty:
         return "<p>There is one recording of each thing: nothing to carry over.</p>"
     rows, best = [], []
-    for some, source in zip(apart(carried), ("one other", ALL_OTHERS), strict=True):
-        for group, errors in some.groupby("group"):
+    for carried_part, source in zip(apart(carried), ("one other", ALL_OTHERS), strict=True):
+        for group, errors in carried_part.groupby("group"):
             middle = errors.groupby("method")[["rms", "centred_rms"]].median()
             count = str(len(errors) // errors["method"].nunique())
             rows.append([html.escape(str(group)), source, count, *sizes(middle["rms"].to_dict(), CARRIED)])
@@ -133,16 +133,16 @@ def transferred(carried: pd.DataFrame, unit: str) -> str:
     return text + f"<p>The same with the best zero:</p>{table(head, best, texts=2)}"
 
 
-def anchor(one: Result) -> str:
+def anchor(result: Result) -> str:
     """Where a verdict stands on the page."""
-    return f"together-{one.group}" if one.together else one.name
+    return f"together-{result.group}" if result.together else result.name
 
 
 def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: str) -> str:
     """The page's HTML; links are relative to the folder that it lies in."""
     source = f'<a href="{html.escape(rig.repository)}">{html.escape(rig.repository)}</a>, {html.escape(rig.where)}'
-    published = [[html.escape(cell) for cell in (one.what, one.value, one.source)] for one in rig.published]
-    expected = {f"{one.said}{f' ({expected_words(one)})' if one.names else ''}" for one in rig.expected}
+    published = [[html.escape(cell) for cell in (number.what, number.value, number.source)] for number in rig.published]
+    expected = {f"{known.said}{f' ({expected_words(known)})' if known.names else ''}" for known in rig.expected}
     text = [
         f"<!doctype html>\n<html lang=en><meta charset=utf-8><title>{html.escape(name)}</title>",
         f"<style>{STYLE}{WIDE}</style>",
@@ -157,12 +157,11 @@ def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: 
         "<h2>Learnt on some recordings, asked about another</h2>", transferred(pairs, unit),
         "<h2>Each verdict</h2>",
     ]  # fmt: skip
-    for one in results:
-        text.append(
-            f'<h3 id="{html.escape(anchor(one))}">{html.escape(one.name)}</h3><pre>{html.escape(one.words)}</pre>'
-        )
-        if (one.folder / "diagnosis.png").is_file():
-            parts = (name, "together", one.group) if one.together else (name, one.folder.name)
+    for result in results:
+        heading = f'<h3 id="{html.escape(anchor(result))}">{html.escape(result.name)}</h3>'
+        text.append(f"{heading}<pre>{html.escape(result.words)}</pre>")
+        if (result.folder / "diagnosis.png").is_file():
+            parts = (name, "together", result.group) if result.together else (name, result.folder.name)
             source = link(*parts, "diagnosis.png")
             text.append(f'<a href="{source}"><img src="{source}" alt="Diagnosis"></a>')
     return "\n".join(text) + "\n"
@@ -185,13 +184,13 @@ def main() -> None:
     known = pd.DataFrame(columns=["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"])
     pairs = pd.concat([pd.read_csv(path) for path in arguments.transfer]) if arguments.transfer else known
     results = read_results(arguments.verdicts, arguments.together, arguments.black_boxes, pairs)
-    unit = next((one.spoken for one in results if one.unit), "")
+    unit = next((result.spoken for result in results if result.unit), "")
     write_text(arguments.out, page(arguments.rig, rig, results, pairs, unit))
     with whole(arguments.figure) as temporary:
         drawn = figure(results, pairs, unit)
         drawn.savefig(temporary, dpi=160)
         plt.close(drawn)
-    rows = pd.DataFrame([{"rig": arguments.rig, **one.row(rig)} for one in results])
+    rows = pd.DataFrame([{"rig": arguments.rig, **result.row(rig)} for result in results])
     with whole(arguments.table) as temporary:
         rows.to_csv(temporary, index=False, float_format="%.5g")
 

@@ -110,13 +110,13 @@ def read_results(
     results = []
     pairs, left_out = apart(transfer)
     for folder in verdicts:
-        one = read_result(folder)
-        about = pairs[pairs["asked_about"] == one.name]
+        result = read_result(folder)
+        about = pairs[pairs["asked_about"] == result.name]
         elsewhere = about.groupby("method")["rms"].median().to_dict()
-        from_all = left_out[left_out["asked_about"] == one.name].set_index("method")["rms"].to_dict()
-        unit = one.unit or next(iter(about["unit"]), "")
+        from_all = left_out[left_out["asked_about"] == result.name].set_index("method")["rms"].to_dict()
+        unit = result.unit or next(iter(about["unit"]), "")
         group = next(iter(about["group"]), "")
-        extra = {"black_boxes": others.get(one.name, {}), "elsewhere": elsewhere, "others": from_all}
+        extra = {"black_boxes": others.get(result.name, {}), "elsewhere": elsewhere, "others": from_all}
         extra |= {"unit": unit, "group": group}
-        results.append(Result(**{**one.__dict__, **extra}))
+        results.append(Result(**{**result.__dict__, **extra}))
     return results + [read_result(folder, together=True) for folder in together]

@@ -25,8 +25,8 @@ def table(
         )
         for row in rows
     )
-    told = Markup("<caption>{}</caption>\n").format(caption) if caption else Markup("")
+    caption_line = Markup("<caption>{}</caption>\n").format(caption) if caption else Markup("")
     return Markup(
         '<div class="scroll"><table class="{}">\n{}<thead>\n{}<tr>{}</tr>\n</thead>\n'
         "<tbody>\n{}\n</tbody></table></div>"
-    ).format("sortable paged" if paged else "sortable", told, above, names, lines)
+    ).format("sortable paged" if paged else "sortable", caption_line, above, names, lines)

@@ -19,7 +19,7 @@ class Author:
 
 def names() -> tuple[str, ...]:
     """Names of the authors, which are the packages in this folder, sorted."""
-    return tuple(sorted(found.name for found in pkgutil.iter_modules(__path__) if found.ispkg))
+    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__) if module.ispkg))
 
 
 def authors() -> dict[str, Author]:

@@ -24,14 +24,14 @@ def check_places(run: str, raw: Path, answer: Path) -> None:
         raise BadInput(answer, "--answer", "is there already", "remove it or choose another file")
 
 
-def made_by(author: Author, asked: Asked) -> Made:
+def made_by(author: Author, request: Asked) -> Made:
     """The recording that was asked of an author; raises BadInput for an unknown effect or one out of reach."""
-    for effect in asked.effects:
+    for effect in request.effects:
         if effect not in author.laws:
             known = ", ".join(author.laws)
             raise BadInput(author.name, "--effect", f"{effect!r} is not known", f"use one of {known}")
     try:
-        return author.make(asked)
+        return author.make(request)
     except OutOfReach as error:
         raise BadInput(author.name, "--kappa", f"is out of reach: {error}", "ask for less, or another seed") from None
 
@@ -60,11 +60,11 @@ def main() -> None:
     given = parser.parse_args()
     check_places(given.run, given.raw, given.answer)
     try:
-        asked = Asked(given.seed, tuple(given.effect), tuple(given.kappa), given.protocol)
+        request = Asked(given.seed, tuple(given.effect), tuple(given.kappa), given.protocol)
     except ValueError as error:
         raise BadInput(given.author, "--effect, --kappa", str(error), "correct the command") from None
-    made = made_by(authors()[given.author], asked)
-    answer = {"run": given.run, "author": given.author, "seed": asked.seed, "protocol": asked.protocol}
+    made = made_by(authors()[given.author], request)
+    answer = {"run": given.run, "author": given.author, "seed": request.seed, "protocol": request.protocol}
     sealed = json.dumps({**answer, **made.truth}, indent=1, allow_nan=False) + "\n"
     write(made, given.run, given.raw, given.answer, sealed)
 

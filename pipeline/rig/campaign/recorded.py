@@ -39,10 +39,10 @@ def recorded(
 ) -> Recorded:
     """Move a specimen with these effects in it, and record it at `rate_hz`."""
     step_s = 1.0 / rate_hz / STEPS_PER_SAMPLE
-    told = commands(motion, step_s)
-    contraction_mm = String(specimen.true, effects, step_s).pull(told.motor_turns, told.load_n)
-    samples = sampled(told.time_s, told.motor_turns, contraction_mm, rng)
-    return Recorded(samples, told, contraction_mm - contraction_mm[0])
+    commanded = commands(motion, step_s)
+    contraction_mm = String(specimen.true, effects, step_s).pull(commanded.motor_turns, commanded.load_n)
+    samples = sampled(commanded.time_s, commanded.motor_turns, contraction_mm, rng)
+    return Recorded(samples, commanded, contraction_mm - contraction_mm[0])
 
 
 def sampled(time_s: Array, motor_turns: Array, contraction_mm: Array, rng: np.random.Generator) -> pd.DataFrame:

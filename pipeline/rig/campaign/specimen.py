@@ -46,15 +46,15 @@ class Specimen:
 
     def described(self, run: str) -> dict[str, Any]:
         """Content of the run.yaml: the dimensions as measured, and how well they were."""
-        said = self.measured
-        string = {"radius_mm": said.radius_mm, "length_mm": said.length_mm}
+        measured = self.measured
+        string = {"radius_mm": measured.radius_mm, "length_mm": measured.length_mm}
         return {
             "run": run,
             "actuator": "separator",
-            "string": {"material": self.material, **string, "stiffness_n_per_mm": said.stiffness_n_per_mm},
+            "string": {"material": self.material, **string, "stiffness_n_per_mm": measured.stiffness_n_per_mm},
             "rig": {
-                "torsion_zone_mm": said.torsion_zone_mm,
-                "separator_mm": said.separator_mm,
+                "torsion_zone_mm": measured.torsion_zone_mm,
+                "separator_mm": measured.separator_mm,
                 "load_n": self.load_n,
             },
             "tolerance": dict(SIGMA),
@@ -84,7 +84,7 @@ def draw_specimen(material: str, rng: np.random.Generator, bands: Bands | None =
     load_n = round(rng.uniform(lightest_n, min(heaviest_n, bearable_n)), 1)
     opened_mm = rng.uniform(*bands.helix_tangent) * measured.torsion_zone_mm - measured.separator_mm
     top_turns = round(opened_mm / measured.radius_mm / RAD_PER_TURN, 1)
-    told = materials()[material]
+    properties = materials()[material]
     miss = dict(zip(SIGMA, rng.standard_normal(len(SIGMA)) * list(SIGMA.values()), strict=True))
     true = replace(
         measured,
@@ -93,29 +93,29 @@ def draw_specimen(material: str, rng: np.random.Generator, bands: Bands | None =
         torsion_zone_mm=measured.torsion_zone_mm + miss["torsion_zone_mm"],
         separator_mm=measured.separator_mm + miss["separator_mm"],
     )
-    modulus_mpa = 1e3 * told["modulus_gpa"] * _spread(1.0, rng)
+    modulus_mpa = 1e3 * properties["modulus_gpa"] * _spread(1.0, rng)
     true = replace(true, stiffness_n_per_mm=float(modulus_mpa * np.pi * true.radius_mm**2 / true.length_mm))
     read = true.stiffness_n_per_mm * (1.0 + STIFFNESS_SIGMA * rng.standard_normal())
     measured = replace(measured, stiffness_n_per_mm=round(float(read), 2))
-    return Specimen(material, measured, true, load_n, top_turns, _hidden(told, true, load_n, rng))
+    return Specimen(material, measured, true, load_n, top_turns, _hidden(properties, true, load_n, rng))
 
 
-def _hidden(told: Material, true: Geometry, load_n: float, rng: np.random.Generator) -> dict[str, dict[str, Any]]:
+def _hidden(properties: Material, true: Geometry, load_n: float, rng: np.random.Generator) -> dict[str, dict[str, Any]]:
     """A material's effects on a string of these dimensions, which is a little unlike all others of its kind.
 
     Contact works the zone alone: what lengthens is in proportion to it, and what must be done to the volume in it.
     """
     wide, long = true.radius_mm / REFERENCE_MM, true.torsion_zone_mm / REFERENCE_ZONE_MM
     tension = load_n / REFERENCE_N / wide**2
-    plastic, creep = told["plastic_elongation"], told["creep"]
+    plastic, creep = properties["plastic_elongation"], properties["creep"]
     stretch_mm = 0.01 * true.torsion_zone_mm * tension**STRAIN_BY_TENSION * np.array(plastic["strain_percent"])
     hidden = {
-        "radius_compaction": told["radius_compaction"],
+        "radius_compaction": properties["radius_compaction"],
         "plastic_elongation": {
             "stretch_mm": stretch_mm,
             "work_n_mm": np.array(plastic["work_n_mm"]) * wide**2 * long,
         },
-        "friction_hysteresis": told["friction_hysteresis"],
+        "friction_hysteresis": properties["friction_hysteresis"],
         "creep": {
             "compliance_mm_per_n": np.array(creep["compliance_mm_per_n"]) * long / wide**2,
             "tau_s": creep["tau_s"],

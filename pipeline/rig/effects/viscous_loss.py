@@ -24,8 +24,8 @@ class Model(Effect):
     def run(self, lived: Lived) -> Array:
         """Lengthening in mm."""
         turns_per_s = lived.turned_rad / (2.0 * np.pi) / lived.step_s
-        asked = np.sign(turns_per_s) * np.abs(turns_per_s) ** self.thinning
-        return self.mm_per_rate * settle(asked, -math.expm1(-lived.step_s / self.settle_s), self.stress)
+        loss_target = np.sign(turns_per_s) * np.abs(turns_per_s) ** self.thinning
+        return self.mm_per_rate * settle(loss_target, -math.expm1(-lived.step_s / self.settle_s), self.stress)
 
 
 class Hidden(Concealed):

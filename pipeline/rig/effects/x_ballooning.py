@@ -18,8 +18,8 @@ class Model(Effect):
 
     def run(self, lived: Lived) -> Array:
         """Lengthening in mm, which is negative."""
-        asked = (lived.turned_rad / (2.0 * np.pi) / lived.step_s) ** 2
-        return -self.mm_per_rate2 * settle(asked, -np.expm1(-lived.step_s / self.settle_s), self.bow)
+        target = (lived.turned_rad / (2.0 * np.pi) / lived.step_s) ** 2
+        return -self.mm_per_rate2 * settle(target, -np.expm1(-lived.step_s / self.settle_s), self.bow)
 
 
 class Hidden(Concealed):

@@ -43,18 +43,19 @@ def live(planned: Planned, rate_hz: float) -> Lifetime:
     windings: list[Array] = []
     last, zero_mm = planned.strokes, 0.0
     while len(rows) < last:
-        told, start = (later, 1) if rows else (first, 0)  # a stroke begins at the step where the one before ended
-        contraction_mm = string.pull(told.motor_turns[start:], told.load_n[start:])
+        # a stroke begins at the step where the one before ended
+        stroke_commands, start = (later, 1) if rows else (first, 0)
+        contraction_mm = string.pull(stroke_commands.motor_turns[start:], stroke_commands.load_n[start:])
         if bundle is not None and bundle.broken:
             break  # the load falls, and nothing of this stroke is kept
         if rows:
             contraction_mm = np.append(pulled[-1][-1], contraction_mm)
         else:
             zero_mm = contraction_mm[0]
-        row, winding_mm = _measured(told, contraction_mm - zero_mm)
+        row, winding_mm = _measured(stroke_commands, contraction_mm - zero_mm)
         rows.append(row)
         windings.append(winding_mm)
-        turns.append(told.motor_turns[start:])
+        turns.append(stroke_commands.motor_turns[start:])
         pulled.append(contraction_mm[start:])
         early_mm = np.median([row["stroke_mm"] for row in rows[EARLY]] or [row["stroke_mm"]])
         if row["stroke_mm"] < (1.0 - ENOUGH_LOST) * early_mm:
@@ -68,14 +69,14 @@ def live(planned: Planned, rate_hz: float) -> Lifetime:
     return Lifetime(sampled(time_s, np.concatenate(turns), contraction_mm, planned.noise), truth)
 
 
-def _measured(told: Commands, contraction_mm: Array) -> tuple[dict[str, float], Array]:
-    """One stroke's truth, and its winding over GRID; the contraction in mm at the steps of `told`."""
-    start, wound, held, end = (np.searchsorted(told.time_s, told.strokes_s[0] - 1e-9)).tolist()
-    top_turns = float(told.motor_turns.max())
+def _measured(commands: Commands, contraction_mm: Array) -> tuple[dict[str, float], Array]:
+    """One stroke's truth, and its winding over GRID; the contraction in mm at the steps of `commands`."""
+    start, wound, held, end = (np.searchsorted(commands.time_s, commands.strokes_s[0] - 1e-9)).tolist()
+    top_turns = float(commands.motor_turns.max())
     up, down = slice(start, wound + 1), slice(end, held, -1)
 
     def over(part: slice, turns: Array) -> Array:
-        return np.interp(turns, told.motor_turns[part], contraction_mm[part])
+        return np.interp(turns, commands.motor_turns[part], contraction_mm[part])
 
     half = np.array([top_turns / 2.0])
     rest_mm, top_mm = float(contraction_mm[start]), float(contraction_mm[held])

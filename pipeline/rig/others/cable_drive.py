@@ -49,21 +49,21 @@ def record(
     sizes = dict(effects or {})
     check(sizes, EFFECTS, noise)
     this = (plan, take)
-    asked = told(plan, loads_nm, stream(seed, *this, "plan"))
+    commands = told(plan, loads_nm, stream(seed, *this, "plan"))
     gear = NOMINAL_GEAR * (1.0 + GEAR_TOLERANCE * stream(seed, "gear").uniform(-1.5, 1.5))
     drawn = {name: _drawn(seed, this, name) for name in sizes}
-    jaw_deg = _jaw(seed, this, asked, gear, sizes, drawn)
+    jaw_deg = _jaw(seed, this, commands, gear, sizes, drawn)
     less = {name: {other: size for other, size in sizes.items() if other != name} for name in sizes}
-    alone = {name: jaw_deg - _jaw(seed, this, asked, gear, less[name], drawn) for name in sizes}
+    alone = {name: jaw_deg - _jaw(seed, this, commands, gear, less[name], drawn) for name in sizes}
     said_deg, noise_deg = _noise(noise, stream(seed, *this, "noise"))
     torque_noise = TORQUE_NOISE_NM * stream(seed, *this, "torque").standard_normal(len(TIME_S))
     exact = 0.0 if noise == "none" else 1.0
     samples = pd.DataFrame(
         {
             "time_s": TIME_S,
-            "motor_deg": counted(asked.motor_deg, exact * MOTOR_QUANTUM_DEG),
+            "motor_deg": counted(commands.motor_deg, exact * MOTOR_QUANTUM_DEG),
             "jaw_deg": counted(jaw_deg + said_deg, exact * JAW_QUANTUM_DEG),
-            "torque_nm": counted(asked.torque_nm + exact * torque_noise, exact * TORQUE_QUANTUM_NM),
+            "torque_nm": counted(commands.torque_nm + exact * torque_noise, exact * TORQUE_QUANTUM_NM),
         }
     )
     run = {
@@ -78,7 +78,7 @@ def record(
         "noise": {"kind": noise, "jaw_deg": noise_deg},
         "effects": truth_of(EFFECTS, sizes, alone, drawn),
     }  # fmt: skip
-    true = {"motor_deg": asked.motor_deg, "jaw_deg": jaw_deg, "torque_nm": asked.torque_nm}
+    true = {"motor_deg": commands.motor_deg, "jaw_deg": jaw_deg, "torque_nm": commands.torque_nm}
     return Made(samples, run, truth, pd.DataFrame({**true, **alone}))
 
 
@@ -97,16 +97,16 @@ def _drawn(seed: int, this: tuple[Any, ...], name: str) -> dict[str, Any]:
 
 
 def _jaw(
-    seed: int, this: tuple[Any, ...], asked: Told, gear: float, sizes: dict[str, float], drawn: dict[str, Any]
+    seed: int, this: tuple[Any, ...], commands: Told, gear: float, sizes: dict[str, float], drawn: dict[str, Any]
 ) -> Array:
     """Angle that the jaw's encoder would say without noise, in deg; shape (samples,)."""
 
     def strength(name: str) -> Array:
         return sizes.get(name, 0.0) * wander(stream(seed, *this, name, "wander"), TIME_S)
 
-    cable_deg, torque_nm = asked.motor_deg, asked.torque_nm
+    cable_deg, torque_nm = commands.motor_deg, commands.torque_nm
     if sizes.get("backlash"):
-        lost_deg = parts.play_lost(asked.motor_deg, sizes["backlash"], drawn["backlash"]["soft"])
+        lost_deg = parts.play_lost(commands.motor_deg, sizes["backlash"], drawn["backlash"]["soft"])
         cable_deg = cable_deg - lost_deg * strength("backlash") / sizes["backlash"]
     jaw_deg = gear * cable_deg
     if sizes.get("friction_hysteresis"):

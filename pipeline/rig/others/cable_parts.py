@@ -52,22 +52,22 @@ def crept(torque_nm: Array, step_s: float, power: float) -> Array:
     Shape (samples,).
     """
     taus_s = np.geomspace(0.6, 60.0, 6)
-    asked = np.sign(torque_nm) * np.abs(torque_nm / FULL_NM) ** power
+    target = np.sign(torque_nm) * np.abs(torque_nm / FULL_NM) ** power
     out = np.zeros(len(torque_nm))
     full = 0.0
     for tau_s in taus_s:
-        out += followed(asked, step_s, tau_s)
+        out += followed(target, step_s, tau_s)
         full += -math.expm1(-20.0 / tau_s)
     return out / full
 
 
 @compiled
-def followed(asked: Array, step_s: float, tau_s: float) -> Array:
+def followed(target: Array, step_s: float, tau_s: float) -> Array:
     """A first-order element that starts at 0. Shape (samples,), in the unit of what is asked."""
     share = 1.0 - math.exp(-step_s / tau_s)
-    out = np.zeros(len(asked))
-    for k in range(1, len(asked)):
-        out[k] = out[k - 1] + (asked[k] - out[k - 1]) * share
+    out = np.zeros(len(target))
+    for k in range(1, len(target)):
+        out[k] = out[k - 1] + (target[k] - out[k - 1]) * share
     return out
 
 

@@ -71,8 +71,8 @@ def ride(
             read_m = round(late_m / plant.quantum_m) * plant.quantum_m
         speed_read = keep * speed_read + (1.0 - keep) * (read_m - read_before) / step_s
         read_before = read_m
-        asked = control.place_per_s * (reference[0, k] - read_m) + reference[1, k] - speed_read
-        command_n = control.gain_n_s_per_m * asked
+        speed_wanted = control.place_per_s * (reference[0, k] - read_m) + reference[1, k] - speed_read
+        command_n = control.gain_n_s_per_m * speed_wanted
         if plant.force_quantum_n > 0.0:
             command_n = round(command_n / plant.force_quantum_n) * plant.force_quantum_n
         log[3, k] = command_n

@@ -9,9 +9,9 @@ from pipeline.rig.authors.kinetics.register import BY_EFFECT
 LAWS: Mapping[str, tuple[str, ...]] = {effect: tuple(law.name for law in laws) for effect, laws in BY_EFFECT.items()}
 
 
-def make(asked: Asked) -> Made:
+def make(request: Asked) -> Made:
     """One recording with the effects asked, all of it drawn from the seed; raises OutOfReach."""
-    return recorded(asked, {})
+    return recorded(request, {})
 
 
 __all__ = ["LAWS", "make"]

@@ -57,15 +57,15 @@ def _speed(plan: dict[str, Array], start_s: float, way: float, wanted_s: float) 
     return moving / max(wanted_s - still, 60.0, SHORTEST_S - still)
 
 
-def run(chance: np.random.Generator, one: Specimen, protocol: Protocol) -> Bench:
+def run(chance: np.random.Generator, string: Specimen, protocol: Protocol) -> Bench:
     """Draw the motion of a run, and put it on the bench's clock."""
     plan = _plan(chance, protocol)
     start_s = float(chance.uniform(2.0, 6.0))
-    bottom = float(chance.uniform(0.0, 0.02) * one.top_turns)
+    bottom = float(chance.uniform(0.0, 0.02) * string.top_turns)
     pauses_s = start_s + float(np.sum(plan["dwell_s"] + plan["rest_s"]))
     wanted_s = float(np.clip(pauses_s + chance.uniform(110.0, 260.0), SHORTEST_S, LONGEST_S))
-    speed = _speed(plan, start_s, one.top_turns - bottom, wanted_s)
-    times, places = _legs(plan, start_s, speed, bottom, one.top_turns)
+    speed = _speed(plan, start_s, string.top_turns - bottom, wanted_s)
+    times, places = _legs(plan, start_s, speed, bottom, string.top_turns)
     clock = np.arange(0.0, times[-1] + 0.5, STEP_S)
     window = hann(2 * int(chance.uniform(0.1, 0.25) / STEP_S) + 1)
     turns = np.interp(clock, times, places)
@@ -78,13 +78,13 @@ def run(chance: np.random.Generator, one: Specimen, protocol: Protocol) -> Bench
     corners = np.sort(np.concatenate([starts - change_s, starts]))
     levels = np.repeat(plan["load"], 2)
     levels = np.append(levels[:1], levels)[: len(corners)]
-    load_n = one.load_n * np.interp(clock, corners, levels)
+    load_n = string.load_n * np.interp(clock, corners, levels)
     load_n = load_n * (1.0 + 0.001 * wandering(chance, len(clock), 0.5))
     slow = chance.normal(0.0, 3.0) * clock / clock[-1] + chance.uniform(0.5, 2.0) * wandering(chance, len(clock), 90.0)
     heater = chance.uniform(0.5, 2.5) * np.sin(2.0 * np.pi * (clock / chance.uniform(100.0, 300.0) + chance.uniform()))
     air_c = chance.uniform(18.0, 27.0) + slow + heater
     swings = len(np.unique(plan["load"])) > 1
-    return Bench(one.geometry, turns, load_n, air_c, stroke, swings)
+    return Bench(string.geometry, turns, load_n, air_c, stroke, swings)
 
 
 def run_on(bench: Bench, legs: Sequence[Leg]) -> Bench:

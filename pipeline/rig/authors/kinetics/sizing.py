@@ -46,12 +46,12 @@ class Recalibration:
         wanted = self.plain + effect_mm - effect_mm.mean()
         moved = np.zeros(6)
         for _ in range(6):
-            here = self.model(moved)
+            reading_mm = self.model(moved)
             slopes = (
                 np.array([self.model(moved + away) - self.model(moved - away) for away in 0.05 * np.eye(6)]).T / 0.1
             )
             low, high = -BOUND_SIGMAS - moved - 1e-9, BOUND_SIGMAS - moved + 1e-9
-            step = lsq_linear(slopes, wanted - here, (low, high)).x
+            step = lsq_linear(slopes, wanted - reading_mm, (low, high)).x
             moved = moved + step
             if np.abs(slopes @ step).max() < 1e-4:
                 break

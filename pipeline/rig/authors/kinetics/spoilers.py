@@ -44,8 +44,8 @@ def snagging_fibres(bench: Bench, now: Array, p: Parameters, size: float) -> Arr
     for stroke in range(1, int(bench.stroke.max()) + 1):
         low, high = np.sort(chance.uniform(0.15, 0.95, 2))
         caught = chance.gamma(2.0, 0.5) if chance.uniform() < p["often"] else 0.0
-        here = (bench.stroke == stroke) & (share > low) & (share < high) & (bench.rate > 0.0)
-        held += caught * here * (share - low)
+        is_snagged = (bench.stroke == stroke) & (share > low) & (share < high) & (bench.rate > 0.0)
+        held += caught * is_snagged * (share - low)
     return np.asarray(size * held)
 
 

@@ -26,9 +26,9 @@ class Sampling:
     outlier_mm: Array
 
 
-def sampling(rng: Rng, one: Session) -> Sampling:
+def sampling(rng: Rng, whole_session: Session) -> Sampling:
     """Draw the clock and the noise of a session's recording."""
-    end_s, period_s = one.world.time_s[-1], 1.0 / one.rate_hz
+    end_s, period_s = whole_session.world.time_s[-1], 1.0 / whole_session.rate_hz
     time_s = np.arange(0.0, end_s - period_s, period_s)
     time_s = time_s + period_s * 0.06 * np.clip(rng.normal(size=time_s.size), -3, 3)
     time_s = np.maximum(time_s, 0.0)
@@ -55,10 +55,10 @@ def sampling(rng: Rng, one: Session) -> Sampling:
     )
 
 
-def sampling_on(taken: Sampling, one: Session) -> Sampling:
+def sampling_on(taken: Sampling, whole_session: Session) -> Sampling:
     """The same clock and noise until the end of a longer session."""
-    period_s = 1.0 / one.rate_hz
-    more_s = np.arange(taken.time_s[-1] + period_s, one.world.time_s[-1] - period_s, period_s)
+    period_s = 1.0 / whole_session.rate_hz
+    more_s = np.arange(taken.time_s[-1] + period_s, whole_session.world.time_s[-1] - period_s, period_s)
     count = len(more_s)
     return replace(
         taken,
@@ -77,23 +77,25 @@ class Recorded:
     noise_mm: Array
 
 
-def recorded(rng: Rng, one: Session, taken: Sampling, reading_mm: Array, warmth: bool) -> Recorded:
+def recorded(rng: Rng, whole_session: Session, taken: Sampling, reading_mm: Array, warmth: bool) -> Recorded:
     """The table that the instruments make of an ideal reading on the fine clock, `warmth` says if room is logged."""
-    world, at = one.world, taken.time_s
+    world, at = whole_session.world, taken.time_s
     zero_mm = rng.uniform(-5.0, 5.0)
     true_turns = np.interp(at, world.time_s, world.turns)
-    counted = np.round((true_turns - one.specimen.angle_zero_turns) * taken.counts_per_turn) / taken.counts_per_turn
-    ideal_mm = (1.0 + one.specimen.gain) * np.interp(at, world.time_s, reading_mm) + zero_mm
+    counted = (
+        np.round((true_turns - whole_session.specimen.angle_zero_turns) * taken.counts_per_turn) / taken.counts_per_turn
+    )
+    ideal_mm = (1.0 + whole_session.specimen.gain) * np.interp(at, world.time_s, reading_mm) + zero_mm
     shown_mm = np.round((ideal_mm + taken.noise_mm) / taken.quantum_mm) * taken.quantum_mm
     # a count that is off moves the point along the curve: noise of the reading as a simulator sees it
     slope = np.interp(at, world.time_s, np.gradient(world.base_mm) / np.where(world.rate == 0, np.inf, world.rate))
-    off_mm = slope / world.step_s * (counted + one.specimen.angle_zero_turns - true_turns)
+    off_mm = slope / world.step_s * (counted + whole_session.specimen.angle_zero_turns - true_turns)
     columns = {
         "time_s": taken.stamped_s - taken.stamped_s[0],
         "motor_turns": counted,
         "displacement_mm": np.round((shown_mm + taken.outlier_mm) / taken.quantum_mm) * taken.quantum_mm,
     }
-    if one.two_loads or rng.random() < 0.35:
+    if whole_session.two_loads or rng.random() < 0.35:
         load_n = np.interp(at, world.time_s, world.load_n)
         columns["load_n"] = np.round(load_n * (1.0 + 0.002 * rng.normal(size=at.size)), 2)
     if warmth or rng.random() < 0.35:
@@ -102,8 +104,8 @@ def recorded(rng: Rng, one: Session, taken: Sampling, reading_mm: Array, warmth:
     return Recorded(pd.DataFrame(columns), shown_mm - ideal_mm - off_mm)
 
 
-def held_out(one: Session, taken: Sampling) -> NDArray[np.bool_]:
+def held_out(whole_session: Session, taken: Sampling) -> NDArray[np.bool_]:
     """Which samples belong to the last 30 % of the strokes, at least one."""
-    last = max(1, round(0.3 * one.world.strokes))
-    stroke = one.world.stroke[one.world.at(taken.time_s)]
-    return np.asarray(stroke >= one.world.strokes - last)
+    last = max(1, round(0.3 * whole_session.world.strokes))
+    stroke = whole_session.world.stroke[whole_session.world.at(taken.time_s)]
+    return np.asarray(stroke >= whole_session.world.strokes - last)

@@ -78,20 +78,20 @@ def carried_out(rng: Rng, strokes: list[Plan], step_s: float) -> Motion:
         load.append(from_n + (to_n - from_n) * _handed_over(steps, step_s))
         number.append(np.full(steps, stroke))
 
-    def ramp(start: float, end: float, one: Plan, stroke: int) -> None:
-        steps = max(2, round(abs(end - start) / one.rate / step_s))
+    def ramp(start: float, end: float, plan: Plan, stroke: int) -> None:
+        steps = max(2, round(abs(end - start) / plan.rate / step_s))
         turns.append(start + (end - start) * np.arange(1, steps + 1) / steps)
-        load.append(np.full(steps, one.load_n))
+        load.append(np.full(steps, plan.load_n))
         number.append(np.full(steps, stroke))
 
     first, low = strokes[0].load_n, float(rng.choice([0.0, rng.uniform(0.0, 0.6)]))
     wait(rng.uniform(2.0, 6.0), low, first, first, -1)
-    for i, one in enumerate(strokes):
-        ramp(low, one.height_turns, one, i)
-        wait(one.hold_s, one.height_turns, one.load_n, one.load_n, i)
-        ramp(one.height_turns, low, one, i)
+    for i, plan in enumerate(strokes):
+        ramp(low, plan.height_turns, plan, i)
+        wait(plan.hold_s, plan.height_turns, plan.load_n, plan.load_n, i)
+        ramp(plan.height_turns, low, plan, i)
         after = strokes[min(i + 1, len(strokes) - 1)].load_n
-        wait(max(one.rest_s, 4.0 if after != one.load_n else 0.0), low, one.load_n, after, i)
+        wait(max(plan.rest_s, 4.0 if after != plan.load_n else 0.0), low, plan.load_n, after, i)
     wait(rng.uniform(0.5, 3.0), low, strokes[-1].load_n, strokes[-1].load_n, len(strokes) - 1)
     soft = max(1, round(rng.uniform(0.08, 0.5) / step_s))  # how gently the drive starts and stops
     smooth = uniform_filter1d(uniform_filter1d(np.concatenate(turns), soft, mode="nearest"), soft, mode="nearest")

@@ -28,21 +28,21 @@ def _coils(turns: Array, nucleate: Array, melt: Array, scatter: Array) -> Array:
     """Share of the coils that are there, each a relay with its own nucleation and melting twist."""
     out = np.zeros_like(turns)
     on = np.zeros(nucleate.size)
-    lowest, times, there = nucleate.min() + scatter.min(), 0, 0
+    lowest, times, loops = nucleate.min() + scatter.min(), 0, 0
     for i in range(turns.size):
-        if there == 0 and turns[i] < lowest:
+        if loops == 0 and turns[i] < lowest:
             continue
         for j in range(nucleate.size):
             shift = scatter[(times + 7 * j) % scatter.size]
             if on[j] == 0.0 and turns[i] > nucleate[j] + shift:
                 on[j] = 1.0
                 times += 1
-                there += 1
+                loops += 1
             elif on[j] == 1.0 and turns[i] < melt[j] + shift:
                 on[j] = 0.0
                 times += 1
-                there -= 1
-        out[i] = there / nucleate.size
+                loops -= 1
+        out[i] = loops / nucleate.size
     return out
 
 
@@ -55,8 +55,8 @@ def _act_relays(world: World, contraction_mm: Array, p: Params) -> Array:
     beyond = world.top_turns - p["critical_turns"]
     nucleate = p["critical_turns"] + beyond * (np.arange(COILS) + 0.5) / COILS
     scatter = p["scatter_turns"] * np.random.default_rng(p["seed"]).normal(size=997)
-    there = _coils(world.turns, nucleate, nucleate - p["loop_turns"], scatter)
-    state = relaxed(there, world.step_s, 0.08, 0.0)  # a coil snaps within a tenth of a second
+    loops = _coils(world.turns, nucleate, nucleate - p["loop_turns"], scatter)
+    state = relaxed(loops, world.step_s, 0.08, 0.0)  # a coil snaps within a tenth of a second
     return np.asarray(contraction_mm + p["mm_per_turn"] * beyond * state)
 
 

@@ -26,8 +26,8 @@ class Session:
 
 def session(rng: np.random.Generator, protocol: str) -> Session:
     """Draw a session of a protocol."""
-    one = specimen(rng)
-    strokes = plan(rng, protocol, one.top_turns, one.load_n)
+    drawn = specimen(rng)
+    strokes = plan(rng, protocol, drawn.top_turns, drawn.load_n)
     rate_hz = float(rng.choice([25.0, 40.0, 50.0, 64.0, 80.0, 100.0]))
     about_s = sum(2.0 * stroke.height_turns / stroke.rate + stroke.hold_s + stroke.rest_s for stroke in strokes)
     while rate_hz * (about_s + 75.0) > MOST_ROWS:
@@ -39,7 +39,7 @@ def session(rng: np.random.Generator, protocol: str) -> Session:
     swing = rng.uniform(0.2, 2.5) * (1.0 - np.cos(2.0 * np.pi * time_s / rng.uniform(250.0, 900.0)))
     ambient = swing * rng.choice([-1.0, 1.0]) + 0.15 * wandering(rng, count, moved.step_s, 60.0)
     world = World(
-        one.true,
+        drawn.true,
         moved.step_s,
         time_s,
         moved.turns,
@@ -48,12 +48,12 @@ def session(rng: np.random.Generator, protocol: str) -> Session:
         1.0 + 0.03 * wandering(rng, count, moved.step_s, 40.0),
         moved.stroke,
     )
-    return Session(one, world, rate_hz, bool(np.ptp(moved.load_n) > 0.0))
+    return Session(drawn, world, rate_hz, bool(np.ptp(moved.load_n) > 0.0))
 
 
-def session_on(one: Session, legs: Sequence[Leg]) -> Session:
+def session_on(before: Session, legs: Sequence[Leg]) -> Session:
     """A session that goes on by legs."""
-    world = one.world
+    world = before.world
     turns, load_n, begun = driven_on(legs, world.turns, world.load_n, world.step_s)
     count = len(turns)
     longer = replace(
@@ -65,4 +65,4 @@ def session_on(one: Session, legs: Sequence[Leg]) -> Session:
         wander=carried_on(world.wander, count),
         stroke=np.append(world.stroke, world.stroke[-1] + begun.astype(np.int64)),
     )
-    return replace(one, world=longer, two_loads=bool(np.ptp(longer.load_n) > 0.0))
+    return replace(before, world=longer, two_loads=bool(np.ptp(longer.load_n) > 0.0))

@@ -23,10 +23,10 @@ FAR = 0.08  # how far from it no strength may be the best
 class Ruler:
     """Measures what recalibration leaves of a reading, about the dimensions that the operator wrote down."""
 
-    def __init__(self, one: Session, taken: Sampling) -> None:
-        world, self.measured, self.gain = one.world, one.specimen.measured, one.specimen.gain
+    def __init__(self, session: Session, taken: Sampling) -> None:
+        world, self.measured, self.gain = session.world, session.specimen.measured, session.specimen.gain
         self.fine_s, self.time_s = world.time_s, taken.time_s
-        self.turns = np.interp(taken.time_s, world.time_s, world.turns) - one.specimen.angle_zero_turns
+        self.turns = np.interp(taken.time_s, world.time_s, world.turns) - session.specimen.angle_zero_turns
         self.load_n = np.interp(taken.time_s, world.time_s, world.load_n)
         self.some = np.unique(np.linspace(0, taken.time_s.size - 1, POINTS).astype(int))
 
@@ -46,12 +46,12 @@ class Ruler:
     def left_mm(self, reading_mm: Array) -> Array:
         """What the best calibration within bounds leaves of a reading on the fine clock, a value a sample, in mm."""
         sampled = (1.0 + self.gain) * np.interp(self.time_s, self.fine_s, reading_mm)
-        some, turns, load_n = sampled[self.some], self.turns[self.some], self.load_n[self.some]
-        some = some - some.mean()
+        shown, turns, load_n = sampled[self.some], self.turns[self.some], self.load_n[self.some]
+        shown = shown - shown.mean()
 
         def misfit(sigmas: Array) -> Array:
             model = self.model_mm(sigmas, turns, load_n)
-            return np.asarray(some - (model - model.mean()))
+            return np.asarray(shown - (model - model.mean()))
 
         fit = least_squares(misfit, np.zeros(6), bounds=(-SIGMAS, SIGMAS), x_scale=1.0, max_nfev=30, ftol=1e-6)
         left = sampled - self.model_mm(fit.x, self.turns, self.load_n)

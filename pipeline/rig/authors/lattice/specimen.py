@@ -54,11 +54,11 @@ def specimen(rng: Rng) -> Specimen:
     return Specimen(material, true, measured, top_turns, load_n, _error(rng, 0.003), _error(rng, 0.025))
 
 
-def run_yaml(one: Specimen, load_n: float | None) -> RunContent:
+def run_yaml(drawn: Specimen, load_n: float | None) -> RunContent:
     """Content of run.yaml without `run`; the load stands in it where no channel measures it."""
-    measured = one.measured
+    measured = drawn.measured
     string: StringContent = {
-        "material": one.material,
+        "material": drawn.material,
         "radius_mm": measured.radius_mm,
         "length_mm": measured.length_mm,
         "stiffness_n_per_mm": measured.stiffness_n_per_mm,

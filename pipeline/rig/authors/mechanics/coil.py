@@ -37,5 +37,5 @@ def two_coils(scene: Scene, draw: np.random.Generator) -> Law:
     sticks = draw.uniform(0.03, 0.1, 2) * top
     shape = sum(_opened(scene, *pair) for pair in zip(melts.tolist(), sticks.tolist(), strict=True))
     parameters = {"first_melts_turns": melts[0], "second_melts_turns": melts[1], "sticks_turns": sticks[0]}
-    told = {name: float(value) for name, value in parameters.items()}
-    return proportional("length", "largest_mm", 6.0, np.asarray(shape), told)
+    numbers = {name: float(value) for name, value in parameters.items()}
+    return proportional("length", "largest_mm", 6.0, np.asarray(shape), numbers)

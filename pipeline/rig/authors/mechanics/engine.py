@@ -128,7 +128,7 @@ def simulated(
     kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
     state = np.empty(mujoco.mj_stateSize(model, kind))
     mujoco.mj_getState(model, data, state, kind)
-    found = [state[None, :]]
+    states_so_far = [state[None, :]]
     begins = [row for row, _ in pieces] or [0]
     with unlogged(mujoco):
         for number, (first, last) in enumerate(zip(begins, [*begins[1:], len(controls)], strict=True)):
@@ -136,9 +136,9 @@ def simulated(
                 getattr(model, field)[:] = values
                 mujoco.mj_setConst(model, mujoco.MjData(model))
             if last > first:
-                states, _ = rollout.rollout(model, data, found[-1][-1:], control=controls[None, first:last])
-                found.append(states[0])
-    rows = np.concatenate(found)[: len(controls)]
+                states, _ = rollout.rollout(model, data, states_so_far[-1][-1:], control=controls[None, first:last])
+                states_so_far.append(states[0])
+    rows = np.concatenate(states_so_far)[: len(controls)]
     if not np.isfinite(rows).all() or np.any(np.diff(rows[:, 0]) <= 0.0):  # from where it fails on, its clock stands
         raise OutOfReach("MuJoCo's simulation is not stable at this size")
     q, v = 1 + model.nq, 1 + model.nq + model.nv

@@ -50,11 +50,11 @@ def _law(scene: Scene, seed: int, effect: str) -> tuple[str, Law]:
     return writer.__name__, _wandering(writer(scene, own), _wander(scene, own))
 
 
-def make(asked: Asked) -> Made:
+def make(request: Asked) -> Made:
     """The recording that is asked, its run.yaml and its answer; raises OutOfReach, or NotInstalled without MuJoCo."""
-    draw = np.random.default_rng([asked.seed, 5])
+    draw = np.random.default_rng([request.seed, 5])
     material, geometry, top, usual_load_n = drawn(draw)
-    plan = planned(asked.protocol, draw)
+    plan = planned(request.protocol, draw)
     low = float(draw.uniform(0.0, 1.0))
     turns, load_n = driven(plan, low, top, usual_load_n, draw)
     scene = Scene(geometry, turns, load_n)
@@ -71,11 +71,11 @@ def make(asked: Asked) -> Made:
 
     usual_mm = displacement_mm(scene, [])
     floor_mm = _rms(table(usual_mm)[1])
-    calibration = Calibration(geometry, *(sampled(one, errors) for one in (turns, load_n)))
+    calibration = Calibration(geometry, *(sampled(signal, errors) for signal in (turns, load_n)))
     acting: list[tuple[Law, float]] = []
     effects: list[HiddenEffect] = []
-    for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
-        name, law = _law(scene, asked.seed, effect)
+    for effect, kappa in zip(request.effects, request.kappas, strict=True):
+        name, law = _law(scene, request.seed, effect)
 
         def alone(strength: float, law: Law = law) -> Array:
             change = displacement_mm(scene, [(law, strength)]) - usual_mm
@@ -97,22 +97,22 @@ def make(asked: Asked) -> Made:
             }
         )
     protocol_s, held_s = float(scene.time_s[-1]), _held_out_from(scene, len(plan.heights))
-    if asked.legs:
-        more_turns, more_n, _ = driven_on(asked.legs, turns, load_n, STEP_S)
+    if request.legs:
+        more_turns, more_n, _ = driven_on(request.legs, turns, load_n, STEP_S)
         before, scene = scene, Scene(geometry, np.append(turns, more_turns), np.append(load_n, more_n))
         errors = noise_on(errors, len(scene.turns))
         with_load = with_load or bool(np.ptp(scene.load_n) > 0.0)
         rig = {key: value for key, value in content["rig"].items() if key != "load_n" or not with_load}
         content = {**content, "rig": rig}
         whole_mm = displacement_mm(scene, [])
-        for at, (effect, (law, strength)) in enumerate(zip(asked.effects, acting, strict=True)):
-            longer = _law(scene, asked.seed, effect)[1]
+        for at, (effect, (law, strength)) in enumerate(zip(request.effects, acting, strict=True)):
+            longer = _law(scene, request.seed, effect)[1]
             alone_mm = displacement_mm(before, [(law, strength)]) - usual_mm
             longer_mm = displacement_mm(scene, [(longer, strength)]) - whole_mm
             acting[at] = longer, as_large(strength, alone_mm, longer_mm)
     recording, noise_mm = table(displacement_mm(scene, acting))
     held = recording["time_s"].to_numpy() >= held_s
     truth: Truth = {"effects": effects, "noise_floor_mm": _rms(noise_mm), "heldout_noise_mm": _rms(noise_mm[held])}
-    if asked.legs:
+    if request.legs:
         truth["protocol_s"] = protocol_s
     return Made(content, recording, truth)

@@ -46,9 +46,9 @@ def planned(protocol: Protocol, draw: np.random.Generator) -> Plan:
         waits = draw.uniform(0.5, 4.0, count), draw.uniform(1.0, 6.0, count)
         return Plan(heights, speeds, *waits, loads, (), float(draw.uniform(200.0, 320.0)))
     count = int(draw.integers(6, 11))
-    one = np.ones(count)
-    heights = one - np.abs(draw.normal(0.0, 0.01, count))
-    return Plan(heights, one, 0.1 * one, 0.1 * one, one, (), float(draw.uniform(190.0, 300.0)))
+    ones = np.ones(count)
+    heights = ones - np.abs(draw.normal(0.0, 0.01, count))
+    return Plan(heights, ones, 0.1 * ones, 0.1 * ones, ones, (), float(draw.uniform(190.0, 300.0)))
 
 
 def _move(start: float, end: float, speed: float, acceleration: float) -> Array:

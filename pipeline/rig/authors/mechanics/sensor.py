@@ -55,8 +55,8 @@ def _once_a_turn(scene: Scene, draw: np.random.Generator, path: Array, parameter
     start, largest = float(draw.uniform(0.0, 1.0)), float(np.abs(path).max())
     around = (scene.turns + start) % 1.0
     ripple = np.interp(around, np.arange(AROUND + 1) / AROUND, np.append(path, path[0])) / largest
-    told = {"start_turns": start} | parameters
-    return Law("length", "amplitude_mm", (1e-5, 2.0), lambda size, given: size * ripple, told, wanders=True)
+    numbers = {"start_turns": start} | parameters
+    return Law("length", "amplitude_mm", (1e-5, 2.0), lambda size, given: size * ripple, numbers, wanders=True)
 
 
 def orbiting_eyelet(scene: Scene, draw: np.random.Generator) -> Law:

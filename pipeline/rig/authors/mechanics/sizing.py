@@ -47,7 +47,7 @@ class Calibration:
         moves, step = np.zeros(len(self.sigmas) + 2), 0.1 * np.eye(len(self.sigmas) + 2)
         left = [float(np.std(wanted - self.usual))]
         for _ in range(PASSES):
-            slopes = np.column_stack([(self._shown(moves + one) - self._shown(moves - one)) / 0.2 for one in step])
+            slopes = np.column_stack([(self._shown(moves + move) - self._shown(moves - move)) / 0.2 for move in step])
             bounds = (-BOUND_SIGMA - moves - 1e-9, BOUND_SIGMA - moves + 1e-9)
             moves = moves + lsq_linear(slopes, wanted - self._shown(moves), bounds, method="bvls").x
             left.append(float(np.std(wanted - self._shown(moves))))
@@ -65,13 +65,13 @@ def strength_for(size: Callable[[float], float], wanted: float, bounds: tuple[fl
     at = max(most - np.log(FIRST_OF_MOST), 0.5 * (least + most))
     tried: list[tuple[float, float]] = []
     while len(tried) < TRIES:
-        found = size(float(np.exp(at)))
-        if abs(found / wanted - 1.0) < NEAR:
-            return float(np.exp(at)), found
-        if at == (most if found < wanted else least):
+        reached = size(float(np.exp(at)))
+        if abs(reached / wanted - 1.0) < NEAR:
+            return float(np.exp(at)), reached
+        if at == (most if reached < wanted else least):
             break
-        low, high = (at, high) if found < wanted else (low, at)
-        tried.append((at, float(np.log(max(found, 1e-9)))))
+        low, high = (at, high) if reached < wanted else (low, at)
+        tried.append((at, float(np.log(max(reached, 1e-9)))))
         at = min(max(_next(tried, float(np.log(wanted))), low), high)
         if at in [place for place, _ in tried]:
             at = 0.5 * (low + high)
@@ -80,7 +80,7 @@ def strength_for(size: Callable[[float], float], wanted: float, bounds: tuple[fl
 
 def _next(tried: list[tuple[float, float]], wanted: float) -> float:
     """Where the line of the last two tries comes to what is wanted, or a line of slope 1 from the only one."""
-    (at, found), slope = tried[-1], 1.0
+    (at, reached), slope = tried[-1], 1.0
     if len(tried) > 1:
-        slope = (found - tried[-2][1]) / (at - tried[-2][0])
-    return at + (wanted - found) / min(max(slope, 0.3), 6.0)
+        slope = (reached - tried[-2][1]) / (at - tried[-2][0])
+    return at + (wanted - reached) / min(max(slope, 0.3), 6.0)

@@ -30,8 +30,8 @@ def _slid(force: Array, shares: Array, draw: np.random.Generator) -> tuple[Array
         grips[number] = LOOSE * FORCE * pulled[moment]
         pieces.append((int(moment), {"dof_frictionloss": grips.copy()}))
     position = simulated(text, np.tile(FORCE * pulled[:, None], len(names)), STEP_S, pieces=pieces).position
-    told = {f"slip_{number}_s": float(moment * STEP_S) for number, moment in enumerate(moments, 1)}
-    return position @ shares, told
+    moments_s = {f"slip_{number}_s": float(moment * STEP_S) for number, moment in enumerate(moments, 1)}
+    return position @ shares, moments_s
 
 
 def _few(draw: np.random.Generator) -> Array:
@@ -41,23 +41,23 @@ def _few(draw: np.random.Generator) -> Array:
 
 def one_ridge(scene: Scene, draw: np.random.Generator) -> Law:
     """The string's knot slides in its clamp once, from one ridge to the next."""
-    slid, told = _slid(scene.load_n * (1.0 + np.square(scene.tangent)), np.ones(1), draw)
-    return proportional("length", "slipped_mm", 5.0, -slid, told, wanders=False)
+    slid, moments_s = _slid(scene.load_n * (1.0 + np.square(scene.tangent)), np.ones(1), draw)
+    return proportional("length", "slipped_mm", 5.0, -slid, moments_s, wanders=False)
 
 
 def several_ridges(scene: Scene, draw: np.random.Generator) -> Law:
     """The knot slides some times, ridge after ridge."""
-    slid, told = _slid(scene.load_n * (1.0 + np.square(scene.tangent)), _few(draw), draw)
-    return proportional("length", "slipped_mm", 5.0, -slid, told, wanders=False)
+    slid, moments_s = _slid(scene.load_n * (1.0 + np.square(scene.tangent)), _few(draw), draw)
+    return proportional("length", "slipped_mm", 5.0, -slid, moments_s, wanders=False)
 
 
 def one_flat(scene: Scene, draw: np.random.Generator) -> Law:
     """The set screw slides on the shaft once, to the next flat: twist is lost under the load's torque."""
-    slid, told = _slid(scene.torque_nmm, np.ones(1), draw)
-    return proportional("twist", "lost_turns", 4.0, -slid, told, wanders=False)
+    slid, moments_s = _slid(scene.torque_nmm, np.ones(1), draw)
+    return proportional("twist", "lost_turns", 4.0, -slid, moments_s, wanders=False)
 
 
 def several_flats(scene: Scene, draw: np.random.Generator) -> Law:
     """The set screw slides some times, flat after flat."""
-    slid, told = _slid(scene.torque_nmm, _few(draw), draw)
-    return proportional("twist", "lost_turns", 4.0, -slid, told, wanders=False)
+    slid, moments_s = _slid(scene.torque_nmm, _few(draw), draw)
+    return proportional("twist", "lost_turns", 4.0, -slid, moments_s, wanders=False)

@@ -16,8 +16,8 @@ def _given_way(bench: Bench, rng: np.random.Generator, count: int, lasting_s: fl
     shares = rng.uniform(0.4, 1.0, len(instants))
     shares /= shares.sum()
     slipped = sum(share * eased(bench.time_s, at, lasting_s) for share, at in zip(shares, instants, strict=True))
-    told = {"instants_s": instants.tolist(), "shares": shares.tolist(), "lasting_s": lasting_s}
-    return added("length", "slipped_mm", FARTHEST_MM, -np.asarray(slipped), **told)
+    numbers = {"instants_s": instants.tolist(), "shares": shares.tolist(), "lasting_s": lasting_s}
+    return added("length", "slipped_mm", FARTHEST_MM, -np.asarray(slipped), **numbers)
 
 
 def one_slip(bench: Bench, rng: np.random.Generator) -> Part:
@@ -65,10 +65,10 @@ def two_tones(bench: Bench, rng: np.random.Generator) -> Part:
     other, high, damped = _knocked(bench, rng, 1.8)
     other, high = np.interp(bench.time_s * 1.9, bench.time_s, other, right=0.0), high * 1.9
     push, share = _push(bench), rng.uniform(0.25, 0.6)
-    one, two = after_impulses(push, ring), after_impulses(push, other)
-    shape = -(1.0 - share) * one / np.abs(one).max() - share * two / np.abs(two).max()
-    told = {"frequency_hz": hertz, "second_hz": high, "damping": damping, "second_damping": damped}
-    return _swung(shape, second_share=share, **told)
+    first, second = after_impulses(push, ring), after_impulses(push, other)
+    shape = -(1.0 - share) * first / np.abs(first).max() - share * second / np.abs(second).max()
+    numbers = {"frequency_hz": hertz, "second_hz": high, "damping": damping, "second_damping": damped}
+    return _swung(shape, second_share=share, **numbers)
 
 
 def dying_rings(bench: Bench, rng: np.random.Generator) -> Part:

@@ -58,8 +58,8 @@ def bottoming_spring(bench: Bench, rng: np.random.Generator) -> Part:
 
 def _lost(bench: Bench, instants_s: Array, amounts: Array, lasting_s: float) -> Part:
     lost = sum(amount * eased(bench.time_s, at, lasting_s) for amount, at in zip(amounts, instants_s, strict=True))
-    told = {"instants_s": instants_s.tolist(), "shares": amounts.tolist(), "lasting_s": lasting_s}
-    return added("twist", "lost_turns", WIDEST_TURNS, -np.asarray(lost), **told)
+    numbers = {"instants_s": instants_s.tolist(), "shares": amounts.tolist(), "lasting_s": lasting_s}
+    return added("twist", "lost_turns", WIDEST_TURNS, -np.asarray(lost), **numbers)
 
 
 def sheared_steps(bench: Bench, rng: np.random.Generator) -> Part:

@@ -31,10 +31,12 @@ def ledger_of_bites(bench: Bench, rng: np.random.Generator) -> Part:
     begin = rng.uniform(0.3, 0.7)
     elongation = np.zeros_like(bench.turns)
     for number, bite in enumerate(bites, 1):
-        here = bench.stroke == number
-        highest = float(bench.height[here].max()) if here.any() else 0.0
-        pulled = np.where(here, np.clip((bench.height / max(highest, 1e-9) - begin) / (1.0 - begin), 0.0, 1.0), 0.0)
-        pull = float(bench.load_ratio[here].mean()) if here.any() else 1.0
+        in_stroke = bench.stroke == number
+        highest = float(bench.height[in_stroke].max()) if in_stroke.any() else 0.0
+        pulled = np.where(
+            in_stroke, np.clip((bench.height / max(highest, 1e-9) - begin) / (1.0 - begin), 0.0, 1.0), 0.0
+        )
+        pull = float(bench.load_ratio[in_stroke].mean()) if in_stroke.any() else 1.0
         elongation += bite * pull * np.maximum.accumulate(pulled)
     return added("length", "elongation_mm", LONGEST_MM, -unit(elongation), ratio=ratio, begins_at=begin)
 

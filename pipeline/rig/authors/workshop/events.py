@@ -13,8 +13,8 @@ def strained_instants(bench: Bench, rng: np.random.Generator, count: int) -> Arr
     chosen = np.sort(rng.choice(middle, size=min(count, len(middle)), replace=False))
     instants = []
     for stroke in chosen:
-        here = np.flatnonzero((bench.stroke == stroke) & (bench.speed > 0.0))
-        hard = here[bench.torque[here] > rng.uniform(0.4, 0.9) * bench.torque[here].max()]
+        moving_rows = np.flatnonzero((bench.stroke == stroke) & (bench.speed > 0.0))
+        hard = moving_rows[bench.torque[moving_rows] > rng.uniform(0.4, 0.9) * bench.torque[moving_rows].max()]
         instants.append(bench.time_s[rng.choice(hard)])
     return np.array(instants)
 

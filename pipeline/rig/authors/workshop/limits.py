@@ -82,8 +82,8 @@ def coil_by_coil(bench: Bench, rng: np.random.Generator) -> Part:
     shape = np.asarray(sum(bite * relay(place, up, up - back) for up, back, bite in coils)) / bites.sum()
     ticks = max(1, round(0.12 / bench.tick_s))  # a coil needs this to jump
     eased = np.convolve(np.pad(shape, (ticks, 0)), np.full(ticks, 1.0 / ticks))[ticks : ticks + len(place)]
-    told = {"critical_turns": low + begin * (top - low), "coils": count}
-    return Part("length", "gain_mm", 12.0, lambda gain, now: now + gain * eased, told)
+    numbers = {"critical_turns": low + begin * (top - low), "coils": count}
+    return Part("length", "gain_mm", 12.0, lambda gain, now: now + gain * eased, numbers)
 
 
 def two_branches(bench: Bench, rng: np.random.Generator) -> Part:
@@ -93,8 +93,8 @@ def two_branches(bench: Bench, rng: np.random.Generator) -> Part:
     gap, bend = rng.uniform(0.04, 0.12) * span, rng.uniform(-2.0, 0.0)
     late = ceiling_play(bench.turns, gap)
     shape = drawn_curve(rng, bend)((late - begin) / (bench.turns.max() - begin))
-    told = {"critical_turns": begin, "late_turns": gap, "bend": bend}
-    return Part("length", "gain_mm", 12.0, lambda gain, now: now + gain * shape, told)
+    numbers = {"critical_turns": begin, "late_turns": gap, "bend": bend}
+    return Part("length", "gain_mm", 12.0, lambda gain, now: now + gain * shape, numbers)
 
 
 def _stopped(bench: Bench, size: str, beyond: Callable[[Array], Array], **parameters: float) -> Part:

@@ -60,17 +60,17 @@ def plain(parameters: dict[str, Any]) -> dict[str, float]:
     return numbers
 
 
-def make(asked: Asked) -> Made:
+def make(request: Asked) -> Made:
     """The recording that was asked; raises OutOfReach where its effects cannot be shown so large."""
-    specimen = drawn_specimen(asked.seed, asked.protocol)
-    bench, instruments = specimen.bench, drawn_instruments(asked.seed, specimen)
+    specimen = drawn_specimen(request.seed, request.protocol)
+    bench, instruments = specimen.bench, drawn_instruments(request.seed, specimen)
     clean_mm = reading(bench, [])
     _, noise_mm = recorded(specimen, instruments, clean_mm * specimen.scale)
     floor_mm = _rms(noise_mm)
     parts: list[tuple[Part, float]] = []
     effects: list[HiddenEffect] = []
-    for effect, kappa in zip(asked.effects, asked.kappas, strict=True):
-        law, part, size = drawn_part(bench, asked.seed, effect, kappa, floor_mm)
+    for effect, kappa in zip(request.effects, request.kappas, strict=True):
+        law, part, size = drawn_part(bench, request.seed, effect, kappa, floor_mm)
         parts.append((part, size))
         alone_mm = reading(bench, [(part, size)]) - clean_mm
         parameters = plain(part.parameters) | {part.size: size}
@@ -78,12 +78,12 @@ def make(asked: Asked) -> Made:
         rms_mm = _rms(alone_mm - alone_mm[0])
         effects.append({"id": effect, "law": law, "parameters": parameters, "rms_mm": rms_mm, "kappa": reached})
     protocol_s = float(bench.time_s[-1])
-    if asked.legs:
-        specimen = went_on(specimen, asked.legs)
+    if request.legs:
+        specimen = went_on(specimen, request.legs)
         before, bench, instruments = bench, specimen.bench, working_on(instruments, len(specimen.bench.time_s))
         whole_mm = reading(bench, [])
         for at, (entry, (part, size)) in enumerate(zip(effects, parts, strict=True)):
-            longer = again(bench, asked.seed, str(entry["id"]), str(entry["law"]))
+            longer = again(bench, request.seed, str(entry["id"]), str(entry["law"]))
             alone_mm = reading(before, [(part, size)]) - clean_mm
             parts[at] = longer, as_large(size, alone_mm, reading(bench, [(longer, size)]) - whole_mm)
     shown_mm = reading(bench, parts)
@@ -93,6 +93,6 @@ def make(asked: Asked) -> Made:
     stroke = bench.stroke[instruments.kept]
     late = stroke > stroke.max() - max(1, round(HELD_OUT * stroke.max()))
     truth: Truth = {"effects": effects, "noise_floor_mm": floor_mm, "heldout_noise_mm": _rms(noise_mm[late])}
-    if asked.legs:
+    if request.legs:
         truth["protocol_s"] = protocol_s
     return Made(specimen.content, table, truth)

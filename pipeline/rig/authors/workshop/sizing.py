@@ -42,7 +42,7 @@ def left_over(turns: Array, load_n: Array, geometry: Geometry, shown_mm: Array) 
 def _turned_further(turns: Array, load_n: Array, geometry: Geometry, shown_mm: Array, at: Array) -> Array:
     now = recalibrated(turns, load_n, geometry, at)
     moved = [recalibrated(turns, load_n, geometry, at + 0.01 * knob) for knob in np.eye(len(KNOBS))]
-    columns = [*((one - now) / 0.01 for one in moved), np.ones_like(now), shown_mm - now]
+    columns = [*((moved_mm - now) / 0.01 for moved_mm in moved), np.ones_like(now), shown_mm - now]
     # the triangle of the directions and the error stands for all the rows
     triangle = np.asarray(np.linalg.qr(np.stack(columns, axis=1), mode="r"))
     # a trace of a prior keeps twins apart without moving what is left
