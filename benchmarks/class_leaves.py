@@ -37,16 +37,16 @@ def left(author: str, effect: str, seed: int) -> tuple[str, float] | None:
     problem, _ = calibrate.without_outliers(problem, calibrate.base(problem))
     base = calibrate.base(problem)
     more = candidates.suggested(problem, base)
-    shapes = {effect: candidates.catalogue(problem, more).get(effect, [])}
-    if not shapes[effect]:
+    options = {effect: candidates.catalogue(problem, more).get(effect, [])}
+    if not options[effect]:
         return None
     floor = engine.noise_of(problem, base, candidates.without_physics(problem, more), engine.SURPRISES).floor
     noise, state = white(floor), base
     for _ in range(REFINED + 1):
-        search = Search(Linear(problem, state, noise, shapes))
+        search = Search(Linear(problem, state, noise, options))
         one = search.explain((effect,))
         state = calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys))
-        shapes = candidates.with_refined(problem, shapes, [state])
+        options = candidates.with_refined(problem, options, [state])
     sizes = [
         np.mean(np.square((problem.measured - problem.simulate(at))[: problem.rows])) - floor**2 for at in (state, base)
     ]

@@ -23,20 +23,20 @@ NOTE = {
 
 
 def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:
-    """One entry a shape: its id and, by name, the shape's values and the coefficients that are not zero."""
-    found: list[Included] = []
+    """One entry each time a mechanism acts: its id, nonlinear parameters and the coefficients that are not zero."""
+    included: list[Included] = []
     for act in acts:
         mechanism, at = mechanisms()[act.id], 0
-        for shape in act.shapes:
-            terms = mechanism.terms(drivers, shape)
+        for nonlinear in act.shapes:
+            terms = mechanism.terms(drivers, nonlinear)
             values = act.coefficients[at : at + len(terms)]
             at += len(terms)
             held = {term.name: value for term, value in zip(terms, values, strict=True) if value != 0.0}
             parameters = {
-                drivers.units.name(name): float(f"{value:.{DIGITS}g}") for name, value in {**shape, **held}.items()
+                drivers.units.name(name): float(f"{value:.{DIGITS}g}") for name, value in {**nonlinear, **held}.items()
             }
-            found.append({"id": act.id, "parameters": parameters})
-    return found
+            included.append({"id": act.id, "parameters": parameters})
+    return included
 
 
 def block(entries: Sequence[Included | Adoption], key: str = "simulation") -> str:
@@ -54,7 +54,7 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     known = content.get("parameters", {})
     runs = content.get("run")
     own = f"_{runs.index(run) + 1}" if isinstance(runs, list) and run in runs[1:] else None
-    found = {}
+    fitted_values = {}
     for name, entry in known.items() if isinstance(known, dict) else []:
         nominal: Any = entry.get("nominal") if isinstance(entry, dict) else None
         value: Any = entry.get("value") if isinstance(entry, dict) else None
@@ -67,8 +67,8 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
         other = known.get(f"{name}{own}", {}) if own else {}
         more = other.get("value", 0.0) if isinstance(other, dict) else 0.0
         total = float(value) + (float(more) if is_number(more) else 0.0)
-        found[name] = {"nominal": float(nominal), "fitted": float(f"{total:.{DIGITS}g}")}
-    return found
+        fitted_values[name] = {"nominal": float(nominal), "fitted": float(f"{total:.{DIGITS}g}")}
+    return fitted_values
 
 
 def adoptions(content: Verdict, where: str, run: str = "") -> list[Adoption]:
@@ -126,7 +126,7 @@ def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
 
 def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[Act, ...]:
     """The acts that a list of entries describes; raises BadInput for whatever is not known in it."""
-    found = []
+    acts = []
     if not isinstance(content, list):
         raise BadInput(where, "simulation", f"is {short(content)}, not a list", "paste the list of a diagnosis.json")
     for number, entry in enumerate(content):
@@ -134,26 +134,26 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
         id_, given = checked(entry, field, where)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
-        options = mechanism.shapes(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])
+        options = mechanism.candidates(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])
         if not options:
             raise BadInput(where, f"{field}.id", f"{id_!r} has no place in this rig or this recording", "remove it")
-        said = drivers.units.name
-        names = [{said(name) for name in shape} for shape in options] or [set()]
+        name_of = drivers.units.name
+        names = [{name_of(name) for name in nonlinear} for nonlinear in options] or [set()]
         fitting = [keys for keys in names if keys <= set(given)]
         if not fitting:
             raise BadInput(where, f"{field}.parameters", f"lacks one of {', '.join(sorted(names[0]))}", mend)
         keys = max(fitting, key=len)
-        order = next(list(shape) for shape in options or [{}] if {said(name) for name in shape} == keys)
-        shape = {name: float(given[said(name)]) for name in order}
+        order = next(list(nonlinear) for nonlinear in options or [{}] if {name_of(name) for name in nonlinear} == keys)
+        nonlinear = {name: float(given[name_of(name)]) for name in order}
         try:
-            terms = mechanism.terms(drivers, shape)
+            terms = mechanism.terms(drivers, nonlinear)
         except (ArithmeticError, LookupError, ValueError) as error:
             problem = f"cannot act in {id_!r} ({type(error).__name__}: {short(str(error))})"
             raise BadInput(where, f"{field}.parameters", problem, mend) from None
-        unknown = set(given) - keys - {said(term.name) for term in terms}
+        unknown = set(given) - keys - {name_of(term.name) for term in terms}
         if unknown:
-            known = ", ".join(said(name) for name in [*order, *(term.name for term in terms)])
+            known = ", ".join(name_of(name) for name in [*order, *(term.name for term in terms)])
             wrong = key_name(sorted(unknown)[0])
             raise BadInput(where, f"{field}.parameters.{wrong}", f"is not one of {known}", mend)
-        found.append(Act(id_, (shape,), tuple(float(given.get(said(term.name), 0.0)) for term in terms)))
-    return tuple(found)
+        acts.append(Act(id_, (nonlinear,), tuple(float(given.get(name_of(term.name), 0.0)) for term in terms)))
+    return tuple(acts)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .interface import Shape
+from .interface import Nonlinear
 from .library import mechanisms
 from .linear import Key, Linear
 from .noise import Noise, white
@@ -20,7 +20,7 @@ EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sam
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
-    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, shapes kept.
+    """Gauss-Newton from a state (the nominal one by default); the acts' coefficients are refitted, nonlinear ones kept.
 
     No step is taken that raises the misfit: it is made again within less of what the dimensions may move (`step`).
     """
@@ -42,35 +42,35 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
     return steps.state
 
 
-def _between(candidates: list[Shape], shape: Shape, width: float, kinds: bool) -> list[Shape]:
-    """Shapes near one, by a share of the distance to its neighbours among the candidates, along each parameter.
+def _between(candidates: list[Nonlinear], nonlinear: Nonlinear, width: float, kinds: bool) -> list[Nonlinear]:
+    """Values near one set, by a share of the distance to its neighbours among the candidates, along each parameter.
 
     With `kinds` a parameter of a few values takes each of them.
     """
     neighbours = []
-    for name in shape:
-        others = sorted({other[name] for other in candidates if set(other) == set(shape)})
+    for name in nonlinear:
+        others = sorted({other[name] for other in candidates if set(other) == set(nonlinear)})
         if len(others) < FEW:
-            neighbours += [{**shape, name: other} for other in others if kinds and other != shape[name]]
+            neighbours += [{**nonlinear, name: other} for other in others if kinds and other != nonlinear[name]]
             continue
-        place = int(np.searchsorted(others, shape[name]))
+        place = int(np.searchsorted(others, nonlinear[name]))
         lower, upper = others[max(place - 1, 0)], others[min(place + 1, len(others) - 1)]
         reach = max(upper - lower, 1e-9) / 2.0
         for side in (-1.0, 1.0):
-            value = float(f"{shape[name] + side * width * reach:.8g}")
+            value = float(f"{nonlinear[name] + side * width * reach:.8g}")
             if others[0] <= value <= others[-1]:
-                neighbours.append({**shape, name: value})
+                neighbours.append({**nonlinear, name: value})
     return neighbours
 
 
 def refine(problem: Problem, noise: Noise, state: State) -> State:
-    """Search between the grid's candidates for the shapes of what acts, one mechanism after the other."""
+    """Search between the grid's candidates for the nonlinear parameters of what acts, one mechanism after the other."""
     kinds = problem.drivers.levered  # the loop of a drive would be bent to anything by mixing its kinds
     for level in range(EVENT_REFINEMENTS):
         for place, act in enumerate(state.acts):
             if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
                 continue
-            candidates = mechanisms()[act.id].shapes(problem.drivers)
+            candidates = mechanisms()[act.id].candidates(problem.drivers)
             for number in range(len(act.shapes)):
                 act = state.acts[place]
                 near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level, kinds)]

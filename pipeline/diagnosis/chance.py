@@ -4,7 +4,7 @@ import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from ..ground.kinematics import Array
-from .interface import Shape
+from .interface import Nonlinear
 from .library import mechanisms
 from .problem import Act, Problem, State
 
@@ -18,18 +18,18 @@ def left(problem: Problem, state: State) -> Array:
     return (problem.measured - problem.simulate(state))[: problem.rows]
 
 
-def seen(problem: Problem, state: State) -> dict[str, Shape]:
-    """By mechanism, the shape of the random effect that a residual shows."""
+def seen(problem: Problem, state: State) -> dict[str, Nonlinear]:
+    """By mechanism, the nonlinear parameters of the random effect that a residual shows."""
     residual, predicted = left(problem, state), problem.simulate(state)[: problem.rows]
-    random_shapes = {
+    random_by_id = {
         id_: mechanism.random(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()
     }
-    return {id_: shape for id_, shape in random_shapes.items() if shape is not None}
+    return {id_: nonlinear for id_, nonlinear in random_by_id.items() if nonlinear is not None}
 
 
-def act(problem: Problem, id_: str, shape: Shape) -> Act:
+def act(problem: Problem, id_: str, nonlinear: Nonlinear) -> Act:
     """A random effect as it enters the simulator: named, and silent."""
-    return Act(id_, (shape,), (0.0,) * len(problem.terms(mechanisms()[id_], shape)))
+    return Act(id_, (nonlinear,), (0.0,) * len(problem.terms(mechanisms()[id_], nonlinear)))
 
 
 def floor_at_rest(problem: Problem, state: State, otherwise: float) -> float:

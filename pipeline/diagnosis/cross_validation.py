@@ -14,7 +14,7 @@ AS_WELL = 1.35  # times the best error: hardly worse to a person who predicts
 
 
 def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
-    """Error (rms) of each explanation on stretches that its coefficients were fitted without, shapes held."""
+    """Error (rms) of each explanation on stretches that its coefficients were fitted without, nonlinear ones held."""
     wanted = np.unique(np.concatenate([explanation.fit.columns for explanation in sets])).astype(int)
     place = {int(column): number for number, column in enumerate(wanted)}
     table = np.ascontiguousarray(linear.table[[*wanted, -1]])

@@ -14,9 +14,9 @@ def detectable(search: Search, floor: float) -> dict[str, float]:
     calibration = linear.table[known]
     plain = calibration @ calibration.T + np.diag(linear.raw_prior[known])
     size_by_id = {}
-    for id_, shapes in linear.catalogue.items():
+    for id_, options in linear.catalogue.items():
         sizes = []
-        for number in range(len(shapes)):
+        for number in range(len(options)):
             columns = linear.index[id_, number]
             signals = linear.table[columns]
             norms = np.sqrt(np.sum(np.square(signals), axis=1))

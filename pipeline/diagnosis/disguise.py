@@ -53,8 +53,8 @@ def disguised(linear: Linear, explanation: Explanation, dimensions: Linear) -> b
     at = len(linear.calibration)
     effects: dict[str, Array] = {}
     for key in explanation.keys:
-        columns, shape = linear.index[key], linear.catalogue[key[0]][key[1]]
-        if outside(linear.problem, linear.problem.terms(mechanisms()[key[0]], shape)):
+        columns, nonlinear = linear.index[key], linear.catalogue[key[0]][key[1]]
+        if outside(linear.problem, linear.problem.terms(mechanisms()[key[0]], nonlinear)):
             return True
         moved = explanation.fit.coefficients[at : at + len(columns)] @ linear.table[columns]
         effects[key[0]] = effects.get(key[0], 0.0) + moved

@@ -54,8 +54,8 @@ def make_problem(
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     mend = "record at least three strokes, with a pause between them"
     if to_fit and worked < LEAST_STROKES:
-        said = f"holds {worked} stroke{'s' * (worked != 1)}: what comes with time cannot be told from what comes with "
-        raise BadInput(where, "recording", f"{said}the motion", mend)
+        few = f"holds {worked} stroke{'s' * (worked != 1)}: what comes with time cannot be told from what comes with "
+        raise BadInput(where, "recording", f"{few}the motion", mend)
     if to_fit and len(record) < LEAST_SAMPLES:
         raise BadInput(where, "recording", f"holds {len(record)} samples, of which {LEAST_SAMPLES} are needed", mend)
     drivers = drivers_of(system, record, runs[0])
@@ -77,29 +77,29 @@ def homes_of(system: System, runs: list[Run]) -> list[Parameter]:
     ids = {run.string.id if run.string else None for run in runs}
     if system.homed is None or (len(ids) == 1 and None not in ids):
         return []
-    first = next(one for one in system.parameters(runs[0]) if one.name == system.homed)
+    first = next(parameter for parameter in system.parameters(runs[0]) if parameter.name == system.homed)
     return [replace(first, name=f"{first.name}_{number}", nominal=0.0) for number in range(2, len(runs) + 1)]
 
 
 def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
-    """Mechanisms all of whose shapes act where a system has no port."""
+    """Mechanisms all of whose candidates act where a system has no port."""
     if set(system.ports) == set(PORTS):
         return frozenset()
-    found = {id_: (mechanism, mechanism.shapes(drivers)) for id_, mechanism in mechanisms().items()}
+    options_by_id = {id_: (mechanism, mechanism.candidates(drivers)) for id_, mechanism in mechanisms().items()}
     return frozenset(
         id_
-        for id_, (mechanism, shapes) in found.items()
-        if shapes and not any(placed(system, mechanism.terms(drivers, shape)) for shape in shapes)
+        for id_, (mechanism, options) in options_by_id.items()
+        if options and not any(placed(system, mechanism.terms(drivers, nonlinear)) for nonlinear in options)
     )
 
 
-def fine_floor(fine: Problem, found: Study) -> float:
+def fine_floor(fine: Problem, studied: Study) -> float:
     """Noise floor at the recording's own rate: the working floor and what averaging took off it."""
-    if len(fine.record) == len(found.problem.record):
-        return found.noise.floor
-    own = robust(fine.measured - fine.simulate(found.best))
-    averaged = robust(found.problem.measured - found.problem.simulate(found.best))
-    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + found.floor**2))
+    if len(fine.record) == len(studied.problem.record):
+        return studied.noise.floor
+    own = robust(fine.measured - fine.simulate(studied.best))
+    averaged = robust(studied.problem.measured - studied.problem.simulate(studied.best))
+    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + studied.floor**2))
 
 
 def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, trim: float = 0.0) -> Noise:
@@ -128,43 +128,43 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     smooth = candidates.without_physics(problem, more)
     say("noise floor and colour")
     noise = noise_of(problem, base, smooth, SURPRISES)
-    shapes = candidates.catalogue(problem, more)
+    catalogue = candidates.catalogue(problem, more)
     random = chance.seen(problem, base)
     least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
     if problem.included:  # what was adopted is as inexact as any formula
         least = max(least, ADOPTED * bare(problem, noise))
     say("searching explanations")
-    search = Search(Linear(problem, base, noise, shapes), least)
+    search = Search(Linear(problem, base, noise, catalogue), least)
     chosen, best = search.select(noise.floor, largest=1), base
     if chosen.ids:
         for step in ("one mechanism", "several mechanisms"):
             say(f"refining {step}")
-            leaders = search.leaders(chosen)
-            refined = [calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys)) for one in leaders]
+            states = [search.linear.state_of(leader.fit, leader.keys) for leader in search.leaders(chosen)]
+            refined = [calibrate.refine(problem, noise, state) for state in states]
             own = [noise_of(problem, state, smooth) for state in refined]
             place = min(range(len(own)), key=lambda i: bic(problem, own[i], refined[i]))
             best, noise = refined[place], own[place]
-            shapes = candidates.with_refined(problem, shapes, refined)
+            catalogue = candidates.with_refined(problem, catalogue, refined)
             deviations = discrepancy.columns(problem, [best, *(state for state in refined if state is not best)])
             del search  # it is large, and the next one is as large
-            search = Search(Linear(problem, best, noise, shapes, deviations=deviations), least)
+            search = Search(Linear(problem, best, noise, catalogue, deviations=deviations), least)
             before, chosen = chosen, search.select(noise.floor)
             if len(chosen.ids) in (0, len(before.ids)):
                 break
     say("judging")
-    found = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
+    judgement = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
     dimensions = Linear(problem, base, white(1.0), {})
-    sets = [one for one in found.sets if not disguised(search.linear, one, dimensions)]
+    sets = [explanation for explanation in judgement.sets if not disguised(search.linear, explanation, dimensions)]
     best = at_work(search, sets[0]) if sets else base
     while sets and (no_name(problem, best, dimensions) or (len(sets) > 1 and cancels(problem, best))):
         sets = sets[1:]  # a balance of two effects is none of what ties
         best = at_work(search, sets[0]) if sets else base
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
-    random = {id_: shape for id_, shape in random.items() if id_ in still}
-    return decide(problem, nominal, base, noise, best, replace(found, sets=sets), search, random)
+    random = {id_: nonlinear for id_, nonlinear in random.items() if id_ in still}
+    return decide(problem, nominal, base, noise, best, replace(judgement, sets=sets), search, random)
 
 
-def at_work(search: Search, one: Explanation) -> State:
+def at_work(search: Search, explanation: Explanation) -> State:
     """The simulator with an explanation in it, refined through the simulator itself.
 
     Where the formula is right, weighing samples alike gives what weighing them by their noise gives, but for chance.
@@ -172,23 +172,23 @@ def at_work(search: Search, one: Explanation) -> State:
     is where the reading follows derivatives, as those who identify inverse dynamics have found.
     """
     problem, noise = search.linear.problem, search.linear.noise
-    best = calibrate.refine(problem, noise, search.linear.state_of(one.fit, one.keys))
+    best = calibrate.refine(problem, noise, search.linear.state_of(explanation.fit, explanation.keys))
     acts = tuple(act for act in best.acts if act not in problem.included)
     alike = calibrate.calibrate(problem, white(noise.floor), best, acts)
     apart = rms((problem.simulate(best) - problem.simulate(alike))[: problem.rows])
     return alike if problem.system.differentiates or apart > INEXACT_FROM * noise.floor else best
 
 
-def polished(found: Study, fine: Problem) -> Study:
+def polished(studied: Study, fine: Problem) -> Study:
     """The study with its explanation refitted to what `to_polish` gives: averaging flattens ripples."""
-    acts = tuple(act for act in found.best.acts if act not in fine.included and act.id not in found.random)
-    if not acts or len(fine.record) == len(found.problem.record):
-        return found
-    fine, _ = calibrate.without_outliers(fine, found.best)
-    noise = noise_of(fine, found.best)
-    best = calibrate.calibrate(fine, noise, found.best, acts)
-    best = replace(best, acts=(*best.acts, *(act for act in found.best.acts if act.id in found.random)))
-    return replace(found, best=best, state=best if found.state is found.best else found.state)
+    acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
+    if not acts or len(fine.record) == len(studied.problem.record):
+        return studied
+    fine, _ = calibrate.without_outliers(fine, studied.best)
+    noise = noise_of(fine, studied.best)
+    best = calibrate.calibrate(fine, noise, studied.best, acts)
+    best = replace(best, acts=(*best.acts, *(act for act in studied.best.acts if act.id in studied.random)))
+    return replace(studied, best=best, state=best if studied.state is studied.best else studied.state)
 
 
 def bic(problem: Problem, noise: Noise, state: State) -> float:

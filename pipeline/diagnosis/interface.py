@@ -8,7 +8,7 @@ from ..ground.kinematics import Array
 from .drivers import Drivers
 
 Port = Literal["twist", "radius", "length", "resistance", "sensor"]
-Shape = dict[str, float]
+Nonlinear = dict[str, float]  # values of the parameters that enter a law nonlinearly, by name
 
 
 @dataclass(frozen=True)
@@ -35,10 +35,11 @@ class Term:
 class Mechanism:
     """One piece of physics that a simulator may lack: data and two pure functions of the drivers.
 
-    `shapes` lists candidates for the parameters that enter nonlinearly (at least one, possibly empty; none when the
-    recording cannot show the mechanism at all); `terms` gives the terms of one shape. `steps` > 1: the mechanism may
-    act several times (sudden events), each with a shape of its own. `suggest` adds the shapes that a residual of
-    calibration makes plausible. `random` gives a shape where a residual shows an effect whose every move is chance.
+    `candidates` lists values of the nonlinear parameters (at least one set, possibly empty; none when the recording
+    cannot show the mechanism at all); `terms` gives the terms at one of them. `steps` > 1: the mechanism may act
+    several times (sudden events), each with nonlinear parameters of its own. `suggest` adds the candidates that a
+    residual of calibration makes plausible. `random` gives nonlinear parameters where a residual shows an effect whose
+    every move is chance.
     `mark` says how clearly a residual of calibration, beside the prediction, shows what only this mechanism leaves:
     about 0 without it, and never more than about 6; where it is less than `least_mark`, no explanation names the
     mechanism. An id that begins with `x_` is no physics of the library: alone it
@@ -58,16 +59,16 @@ class Mechanism:
     confused_with: str
     told_apart_by: str
     sentence: str
-    shapes: Callable[[Drivers], list[Shape]]
-    terms: Callable[[Drivers, Shape], list[Term]]
+    candidates: Callable[[Drivers], list[Nonlinear]]
+    terms: Callable[[Drivers, Nonlinear], list[Term]]
     steps: int = 1
     details: tuple[str, ...] = ()
     meaning: str = ""
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     names: dict[str, str] = field(default_factory=dict)
-    units: dict[str, str] = field(default_factory=dict)  # of a shape, where `shapes` may be empty
-    suggest: Callable[[Drivers, Array], list[Shape]] = lambda drivers, residual: []
-    random: Callable[[Drivers, Array, Array], Shape | None] = lambda drivers, residual, predicted: None
+    units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
+    suggest: Callable[[Drivers, Array], list[Nonlinear]] = lambda drivers, residual: []
+    random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
     mark: Callable[[Drivers, Array, Array], float] | None = None
     least_mark: float = 0.0
 

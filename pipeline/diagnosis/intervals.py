@@ -15,7 +15,7 @@ Z90 = 1.6448536269514722
 FORM_SCALES = np.geomspace(0.01, 3.0, 24)  # noise floors: candidates of the random effect's size per column
 LEAST_FORM = 0.02
 FORM_SHARE = 0.02  # of an effect: what no formula of the library gets right
-CONTINUOUS, STEP = 5, 1e-3  # values among the candidates that make a shape parameter continuous; relative step
+CONTINUOUS, STEP = 5, 1e-3  # values among the candidates that make a nonlinear parameter continuous; relative step
 
 
 @dataclass(frozen=True)
@@ -42,18 +42,18 @@ def _form_scale(gram: Array, moment: Array) -> float:
 
 
 def continuous(problem: Problem, act: Act) -> list[tuple[int, str]]:
-    """Shape parameters of an act that were fitted, not chosen from a few: the number of the shape, and the name."""
-    candidates = mechanisms()[act.id].shapes(problem.drivers)
+    """Nonlinear parameters of an act that were fitted, not chosen from a few: which time it acts, and the name."""
+    candidates = mechanisms()[act.id].candidates(problem.drivers)
     return [
         (number, name)
-        for number, shape in enumerate(act.shapes)
-        for name in shape
-        if len({other[name] for other in candidates if set(other) == set(shape)}) >= CONTINUOUS
+        for number, nonlinear in enumerate(act.shapes)
+        for name in nonlinear
+        if len({other[name] for other in candidates if set(other) == set(nonlinear)}) >= CONTINUOUS
     ]
 
 
-def slopes_of_shape(problem: Problem, state: State, act: Act) -> Array:
-    """How the prediction moves with each continuous shape parameter of an act, per half of its value.
+def slopes_of_nonlinear(problem: Problem, state: State, act: Act) -> Array:
+    """How the prediction moves with each continuous nonlinear parameter of an act, per half of its value.
 
     Shape (parameters, samples), in the reading's unit.
     """
@@ -68,9 +68,9 @@ def slopes_of_shape(problem: Problem, state: State, act: Act) -> Array:
 def intervals(
     problem: Problem, state: State, noise: Noise
 ) -> tuple[dict[str, Interval], dict[str, Interval], dict[tuple[str, int, str], float]]:
-    """Intervals of every movable parameter, by name, and of the size of every act, by id; half-widths of its shape.
+    """Intervals of every movable parameter, by name, and of the size of every act, by id; nonlinear half-widths.
 
-    The latter are shares of the value, by the act's id, the shape's number and the parameter's name.
+    The latter are shares of the value, by the act's id, which time it acts, and the nonlinear parameter's name.
 
     The size is the rms of the prediction with the act less the prediction without it, all else held, its constant
     part included. The act's formula may be wrong by smooth factors, which calibration may hide in part.
@@ -80,7 +80,7 @@ def intervals(
     scale = np.sqrt(np.mean(np.square(smooth[:, : problem.rows]), axis=1))
     smooth = smooth[scale > 0] / scale[scale > 0][:, None] * noise.floor
     deviations = discrepancy.columns(problem, [state])
-    shaped = [slopes_of_shape(problem, state, act) for act in acts]
+    shaped = [slopes_of_nonlinear(problem, state, act) for act in acts]
     shaped = [np.vstack([slopes, deviations[act.id]]) for act, slopes in zip(acts, shaped, strict=True)]
     extra = np.ascontiguousarray(np.vstack([*shaped, smooth]))
     linear = Linear(problem, state, noise, {act.id: list(act.shapes) for act in acts}, extra)
@@ -121,7 +121,7 @@ def intervals(
         weights[problem.runs + place] = 1.0
         parameters[problem.parameters[index].name] = interval(float(state.values[index]), weights)
     sizes_: dict[str, Interval] = {}
-    shapes: dict[tuple[str, int, str], float] = {}
+    half_widths: dict[tuple[str, int, str], float] = {}
     for act, ways, (part, effect) in zip(acts, shaped, effects, strict=True):
         rest = State(state.values, state.zeros, tuple(other for other in state.acts if other is not act))
         rms = float(np.sqrt(np.mean(np.square((problem.simulate(state) - problem.simulate(rest))[: problem.rows]))))
@@ -130,8 +130,8 @@ def intervals(
         weights[part] = linear.table[own[part]] @ effect / norm
         weights[at : at + len(ways)] = ways[:, : problem.rows] @ effect / norm
         for place, (number, name) in enumerate(continuous(problem, act), start=at):
-            shapes[act.id, number, name] = 0.5 * Z90 * float(np.sqrt(covariance[place, place]))
+            half_widths[act.id, number, name] = 0.5 * Z90 * float(np.sqrt(covariance[place, place]))
         at += len(ways)
         form_interval = interval(rms, weights, FORM_SHARE)
         sizes_[act.id] = Interval(form_interval.value, max(form_interval.low, 0.0), form_interval.high)
-    return parameters, sizes_, shapes
+    return parameters, sizes_, half_widths

@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from ..ground.kinematics import Array
 from .bounded import boxed, fitted, scan
 from .columns import Columns
-from .interface import Shape
+from .interface import Nonlinear
 from .library import mechanisms
 from .noise import Noise
 from .problem import Act, Problem, State
 from .products import Products
 from .slopes import column, linearised
 
-Key = tuple[str, int]  # a mechanism's id and the index of one of its shapes
+Key = tuple[str, int]  # a mechanism's id and the index of one of its candidates
 ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true
-FEW, PER_SHAPE = 40, 3  # columns that calibration and a few acts have, and that a shape of the library has on average
+FEW, PER_CANDIDATE = 40, 3  # columns that calibration and a few acts have, and that a candidate has on average
 
 
 @dataclass(frozen=True)
@@ -36,14 +36,14 @@ class Fit:
 
 
 class Linear(Products):
-    """A problem linearised at a state, under a noise model, with columns for the shapes of chosen mechanisms."""
+    """A problem linearised at a state, under a noise model, with columns for the candidates of chosen mechanisms."""
 
     def __init__(
         self,
         problem: Problem,
         state: State,
         noise: Noise,
-        catalogue: dict[str, list[Shape]],
+        catalogue: dict[str, list[Nonlinear]],
         extra: Array | None = None,
         deviations: dict[str, Array] | None = None,
     ) -> None:
@@ -51,7 +51,7 @@ class Linear(Products):
         rows = self.rows = problem.rows
         tangent = linearised(problem, state)
         more = sum(map(len, (deviations or {}).values())) + (0 if extra is None else len(extra))
-        columns = Columns(rows, FEW + PER_SHAPE * sum(map(len, catalogue.values())) + more)
+        columns = Columns(rows, FEW + PER_CANDIDATE * sum(map(len, catalogue.values())) + more)
         run_index = problem.record.run_index[:rows]
         reach, spread = (np.inf, ZERO_SIGMA) if problem.system.free_zero else (0.0, FIXED_SIGMA)
         for run in range(problem.runs):
@@ -66,10 +66,10 @@ class Linear(Products):
             columns.add(tangent.slopes[parameter.name][:rows], least, most, parameter.sigma, moved)
         self.calibration = known = np.arange(len(columns))
         self.index: dict[Key, np.ndarray] = {}
-        for id_, shapes in catalogue.items():
-            for number, shape in enumerate(shapes):
+        for id_, options in catalogue.items():
+            for number, nonlinear in enumerate(options):
                 before = len(columns)
-                for term in problem.terms(mechanisms()[id_], shape):
+                for term in problem.terms(mechanisms()[id_], nonlinear):
                     columns.add(column(problem, term, tangent)[:rows], term.low, term.high, np.inf)
                 self.index[id_, number] = np.arange(before, len(columns))
         self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
@@ -105,7 +105,7 @@ class Linear(Products):
         return Fit(columns, solution, self.square + misfit, np.nan, active)
 
     def scan(self, keys: tuple[Key, ...], id_: str) -> tuple[Array, NDArray[np.intp]]:
-        """Whitened misfits, and numbers of active columns, of some shapes with each shape of one mechanism in turn.
+        """Whitened misfits, and numbers of active columns, of some candidates with each of one mechanism in turn.
 
         Both of shape (shapes,).
         """
@@ -158,13 +158,13 @@ class Linear(Products):
         values = np.array([parameter.nominal for parameter in problem.parameters])
         for place, index in enumerate(problem.movable):
             values[index] += fit.coefficients[problem.runs + place]
-        acts: dict[str, tuple[list[Shape], list[float]]] = {}
+        acts: dict[str, tuple[list[Nonlinear], list[float]]] = {}
         at = len(self.calibration)
         for key in keys:
             count = len(self.index[key])
-            shapes, coefficients = acts.setdefault(key[0], ([], []))
-            shapes.append(self.catalogue[key[0]][key[1]])
+            nonlinears, coefficients = acts.setdefault(key[0], ([], []))
+            nonlinears.append(self.catalogue[key[0]][key[1]])
             coefficients.extend(float(value) for value in fit.coefficients[at : at + count])
             at += count
-        acts_found = tuple(Act(id_, tuple(shapes), tuple(values_)) for id_, (shapes, values_) in acts.items())
+        acts_found = tuple(Act(id_, tuple(nonlinears), tuple(values_)) for id_, (nonlinears, values_) in acts.items())
         return State(values, fit.coefficients[: problem.runs].copy(), problem.included + acts_found)

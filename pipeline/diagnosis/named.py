@@ -15,7 +15,7 @@ from .outcome import Study, rms
 from .problem import Act, Problem, State
 
 RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
-Shapes = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
+HalfWidths = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
 
 
 def as_entry(interval: Interval) -> dict[str, float]:
@@ -33,7 +33,7 @@ def effect_of(problem: Problem, state: State, act: Act) -> Array:
 
 
 def parameters_of(
-    problem: Problem, act: Act, relative: tuple[float, float], shapes: Shapes
+    problem: Problem, act: Act, relative: tuple[float, float], half_widths: HalfWidths
 ) -> dict[str, dict[str, Any]]:
     """Parameters of an act by name, with 90 % intervals and units; strengths are as uncertain as the effect's size."""
     names, parameters = problem.drivers.units, {}
@@ -44,16 +44,18 @@ def parameters_of(
         units |= {name: unit for name, (_, unit) in sums.items()}
         own = {names.name(name): name for name in act.shapes[number]}
         for name, value in (entry["parameters"] | {name: value for name, (value, _) in sums.items()}).items():
-            half = shapes.get((act.id, number, own.get(name, name)), 0.0)  # none where it was chosen from a few
+            half = half_widths.get((act.id, number, own.get(name, name)), 0.0)  # none where it was chosen from a few
             low, high = sorted(value * factor for factor in (relative if name in units else (1.0 - half, 1.0 + half)))
-            shape = own.get(name, name)
-            unit = units.get(name, names.unit(mechanisms()[act.id].units.get(shape, unit_of_shape(shape))))
+            nonlinear = own.get(name, name)
+            unit = units.get(name, names.unit(mechanisms()[act.id].units.get(nonlinear, unit_of_nonlinear(nonlinear))))
             label = name if number == 0 else f"{name}_{number + 1}"
             parameters[label] = {"value": value, "low": low, "high": high, "unit": unit}
     return parameters
 
 
-def listed(study: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shapes, unit: str) -> list[dict[str, Any]]:
+def listed(
+    study: Study, fine: Problem, sizes: dict[str, Interval], half_widths: HalfWidths, unit: str
+) -> list[dict[str, Any]]:
     """All that is named; `fine` is the problem at the recording's own rate, `unit` the ending of the channel."""
     problem, entries_ = study.problem, []
     for act in study.best.acts:
@@ -72,7 +74,7 @@ def listed(study: Study, fine: Problem, sizes: dict[str, Interval], shapes: Shap
                 "id": act.id,
                 "confidence": confidence(study, act.id),
                 f"rms_{unit}": as_entry(size),
-                "parameters": parameters_of(problem, act, relative, shapes),
+                "parameters": parameters_of(problem, act, relative, half_widths),
                 "location": locate.box(effect, problem),
             }
         )
@@ -89,8 +91,8 @@ def totals(terms: list[Term], parameters: dict[str, float], names: Units) -> dic
     return {name: (sum(value for value, _ in parts), parts[0][1]) for name, parts in parts_by_total.items()}
 
 
-def unit_of_shape(name: str) -> str:
-    """Unit of a shape's value, from its name."""
+def unit_of_nonlinear(name: str) -> str:
+    """Unit of a nonlinear parameter, from its name."""
     endings = {"_turns_per_s": "turns/s", "_s": "s", "_mm": "mm", "_turns": "turns", "_hz": "Hz"}
     return next((unit for ending, unit in endings.items() if name.endswith(ending)), "1")
 

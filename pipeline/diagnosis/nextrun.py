@@ -93,11 +93,11 @@ def separation(
     for explanation in sets:
         keys = []
         for id_, number in explanation.keys:
-            shape = search.linear.catalogue[id_][number]
+            nonlinear = search.linear.catalogue[id_][number]
             known = catalogue.setdefault(id_, [])
-            if shape not in known:
-                known.append(shape)
-            keys.append((id_, known.index(shape)))
+            if nonlinear not in known:
+                known.append(nonlinear)
+            keys.append((id_, known.index(nonlinear)))
         chosen.append(tuple(keys))
     linear = Linear(longer, search.linear.state, noise, catalogue)
     gaps = []

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import chance, discrepancy
 from .calibrate import calibrate
-from .interface import Shape, physics
+from .interface import Nonlinear, physics
 from .judged import UNKNOWN, Judged
 from .library import mechanisms
 from .noise import Noise
@@ -36,7 +36,7 @@ class Study:
     share: float  # of the mismatch's energy that the best explanation takes
     mismatch: float  # rms after calibration, noise taken off
     floor: float  # of the noise: at rest, where something random is at work in motion
-    random: dict[str, Shape]  # what was seen of mechanisms whose every move is chance
+    random: dict[str, Nonlinear]  # what was seen of mechanisms whose every move is chance
     random_rms: float
     judged: Judged  # how likely each explanation is
 
@@ -59,7 +59,7 @@ def decide(
     best: State,
     judged: Judged,
     search: Search,
-    random: dict[str, Shape],
+    random: dict[str, Nonlinear],
 ) -> Study:
     """The verdict, from what is left after calibration and after the best explanation, and from the judge."""
     sets = judged.sets
@@ -77,14 +77,14 @@ def decide(
     remainder = float(np.sqrt(max(left["best"] ** 2 - noise.floor**2, 0.0)))
     share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)
     better = left["nominal"] ** 2 - left["base"] ** 2
-    new = {id_: shape for id_, shape in random.items() if id_ not in {act.id for act in problem.included}}
+    new = {id_: nonlinear for id_, nonlinear in random.items() if id_ not in {act.id for act in problem.included}}
     if new:
         sets = [
             replace(explanation, ids=tuple(sorted({*explanation.ids, *new})))
             for explanation in sets or [search.nothing]
         ]
         acting = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
-        silent = [chance.act(problem, id_, shape) for id_, shape in new.items() if id_ not in acting]
+        silent = [chance.act(problem, id_, nonlinear) for id_, nonlinear in new.items() if id_ not in acting]
         best = replace(best, acts=(*best.acts, *silent))
     if not sets:
         verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"

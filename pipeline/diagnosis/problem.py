@@ -7,7 +7,7 @@ import numpy as np
 from ..ground.kinematics import Array
 from ..systems import Parameter, System
 from .drivers import Drivers
-from .interface import Mechanism, Shape, Term
+from .interface import Mechanism, Nonlinear, Term
 from .judge import Judge, judge
 from .library import mechanisms
 from .record import Record
@@ -17,10 +17,10 @@ REMEMBERED, REMEMBERED_NUMBERS = 64, 6_400_000  # terms that are kept, of what a
 
 @dataclass(frozen=True)
 class Act:
-    """A mechanism at work: its shapes (several for sudden events) and the coefficients of their terms, in order."""
+    """A mechanism at work: its nonlinear parameters (`shapes`, a set each time it acts) and the terms' coefficients."""
 
     id: str
-    shapes: tuple[Shape, ...]
+    shapes: tuple[Nonlinear, ...]
     coefficients: tuple[float, ...]
 
 
@@ -84,11 +84,11 @@ class Problem:
         zeros = np.array([np.median(gap[index == run]) if (index == run).any() else 0.0 for run in range(self.runs)])
         return replace(state, zeros=zeros)
 
-    def terms(self, mechanism: Mechanism, shape: Shape) -> list[Term]:
-        """Terms of a mechanism's shape; the last few that were asked for are remembered."""
-        key = (mechanism.id, tuple(shape.items()))
+    def terms(self, mechanism: Mechanism, nonlinear: Nonlinear) -> list[Term]:
+        """Terms of a mechanism at nonlinear parameters; the last few that were asked for are remembered."""
+        key = (mechanism.id, tuple(nonlinear.items()))
         if key not in self._terms:
-            terms = mechanism.terms(self.drivers, shape)
+            terms = mechanism.terms(self.drivers, nonlinear)
             most = min(REMEMBERED, REMEMBERED_NUMBERS // len(self.record))
             while self._terms and sum(map(len, [*self._terms.values(), terms])) > most:
                 del self._terms[next(iter(self._terms))]
@@ -98,7 +98,7 @@ class Problem:
     def act_terms(self, act: Act) -> list[tuple[Term, float]]:
         """All terms of an act with their coefficients."""
         mechanism = mechanisms()[act.id]
-        terms = [term for shape in act.shapes for term in self.terms(mechanism, shape)]
+        terms = [term for nonlinear in act.shapes for term in self.terms(mechanism, nonlinear)]
         return list(zip(terms, act.coefficients, strict=True))
 
     def ports(self, acts: tuple[Act, ...]) -> tuple[dict[str, Array], list[tuple[Term, float]]]:

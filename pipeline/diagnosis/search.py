@@ -7,7 +7,7 @@ import numpy as np
 
 from .library import mechanisms
 from .linear import Fit, Key, Linear
-from .shapes import varied
+from .shared_laws import varied
 
 LEAST_GAIN = 10.0
 EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
@@ -23,7 +23,7 @@ SIGNS_TRIED = 24  # of the best further events, until one goes the same way as t
 
 @dataclass(frozen=True)
 class Explanation:
-    """A set of mechanisms with their shapes, its fit, its cost (misfit and ln n a number) and plain energy."""
+    """A set of mechanisms at candidates of each, its fit, its cost (misfit and ln n a number) and plain energy."""
 
     ids: tuple[str, ...]
     keys: tuple[Key, ...]
@@ -43,7 +43,7 @@ class Search:
     def __init__(self, linear: Linear, least: float = 0.0) -> None:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
         self.penalty = float(np.log(linear.rows))
-        self.free = {id_: varied(shapes) for id_, shapes in linear.catalogue.items()}
+        self.free = {id_: varied(options) for id_, options in linear.catalogue.items()}
         self.fits: dict[tuple[str, ...], tuple[tuple[Key, ...], Fit]] = {}
         self._explained: dict[tuple[str, ...], Explanation] = {}
         self.nothing = self._explanation((), (), linear.fit(linear.columns_of(())))
@@ -55,7 +55,7 @@ class Search:
         return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(fit.columns).energy)
 
     def _best(self, id_: str, given: tuple[Key, ...]) -> tuple[Key, ...]:
-        """The best shapes of a mechanism beside given ones; sudden events are added one by one, all of one sign."""
+        """The best candidates of a mechanism beside given ones; sudden events are added one by one, all of one sign."""
         chosen: tuple[Key, ...] = ()
         cost = np.inf
         for _ in range(mechanisms()[id_].steps):
@@ -83,7 +83,7 @@ class Search:
         return bool(np.all(signs >= 0) or np.all(signs <= 0))
 
     def _fitted(self, ids: tuple[str, ...]) -> tuple[tuple[Key, ...], Fit]:
-        """The best shapes of exactly these mechanisms, in the order of their ids, and their fit."""
+        """The best candidates of exactly these mechanisms, in the order of their ids, and their fit."""
         if ids in self.fits:
             return self.fits[ids]
         chosen: dict[str, tuple[Key, ...]] = {}
@@ -124,7 +124,7 @@ class Search:
 
     def all_of(self, size: int) -> list[Explanation]:
         """Explanations of a size, cheapest first: all singles, pairs with a good partner, and so on."""
-        ids = [id_ for id_, shapes in self.linear.catalogue.items() if shapes]
+        ids = [id_ for id_, options in self.linear.catalogue.items() if options]
         sets: list[tuple[str, ...]]
         if size == 1:
             sets = [(id_,) for id_ in ids]

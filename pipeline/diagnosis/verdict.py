@@ -121,7 +121,7 @@ def diagnosis(
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = study.problem
     unit = problem.system.channel.rpartition("_")[2]
-    parameters, sizes, shapes = intervals(problem, study.state, study.noise)
+    parameters, sizes, half_widths = intervals(problem, study.state, study.noise)
     named = study.verdict in ("explained", "ambiguous")
     mismatch: dict[str, Any] | None = None
     pattern: dict[str, Any] | None = None
@@ -164,7 +164,7 @@ def diagnosis(
         "run": runs[0].run,
         "verdict": study.verdict,
         "mismatch": mismatch,
-        "mechanisms": listed(study, fine, sizes, shapes, unit) if named else [],
+        "mechanisms": listed(study, fine, sizes, half_widths, unit) if named else [],
         "alternatives": [list(other.ids) for other in study.sets[1:]] if study.verdict == "ambiguous" else [],
         "next_experiment": None,
         "next_run": experiment.entry(runs[0], float(np.ptp(problem.record.load)) == 0.0) if experiment else None,
@@ -184,8 +184,8 @@ def diagnosis(
     if without:
         content["without"] = sorted(without)
     if study.verdict == "unknown" and own_alone(study):
-        _, sizes, shapes = intervals(problem, study.best, study.noise)
-        own = {"mechanisms": listed(study, fine, sizes, shapes, unit)}
+        _, sizes, half_widths = intervals(problem, study.best, study.noise)
+        own = {"mechanisms": listed(study, fine, sizes, half_widths, unit)}
         content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}
     tidied: dict[str, Any] = tidy(content)
     tidied["simulation"] = content["simulation"]

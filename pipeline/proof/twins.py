@@ -28,7 +28,7 @@ from .size import OutOfReach, rms
 LEAST = 0.03  # of an effect's rms, which the library must leave of each
 SEEDS = 3
 TRIED = 5  # seeds for each that is wanted: some benches cannot show some effects
-LEADERS = 3  # shapes of a mechanism from which the fit sets out
+LEADERS = 3  # candidates of a mechanism from which the fit sets out
 FINE = 1e-2  # of an effect's rms: weighs misfit so heavily that what more numbers cost does not count
 COLUMNS = ["effect", "seed", "protocol", "raw_mm", "share"]
 
@@ -52,21 +52,21 @@ def noise_free(case: Case) -> tuple[Problem, Array]:
 def unexplained_mm(problem: Problem, name: str) -> float:
     """Rms of what the best fit of one mechanism leaves, in mm; infinite where the recording cannot show it."""
     begin = problem.nominal()
-    shapes = mechanisms()[name].shapes(problem.drivers)
-    shapes = shapes + mechanisms()[name].suggest(problem.drivers, problem.measured - problem.simulate(begin))
-    if not shapes:
+    options = mechanisms()[name].candidates(problem.drivers)
+    options = options + mechanisms()[name].suggest(problem.drivers, problem.measured - problem.simulate(begin))
+    if not options:
         return np.inf
     noise = white(FINE * rms(problem.measured - problem.simulate(begin)))
     left: list[float] = []
     for _ in range(LEADERS):
-        search = Search(Linear(problem, begin, noise, {name: shapes}))
+        search = Search(Linear(problem, begin, noise, {name: options}))
         best = search.explain((name,))
         states = [search.linear.state_of(best.fit, best.keys)]
         states.append(calibrate.refine(problem, noise, states[0]))
         left += [rms(problem.measured - problem.simulate(state)) for state in states]
-        spent = [shapes[number] for _, number in best.keys]
-        shapes = [shape for shape in shapes if shape not in spent]
-        if not shapes:
+        spent = [options[number] for _, number in best.keys]
+        options = [nonlinear for nonlinear in options if nonlinear not in spent]
+        if not options:
             break
     return min(left)
 

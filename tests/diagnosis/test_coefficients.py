@@ -24,8 +24,8 @@ def test_a_share_within_a_name_is_any_number_and_is_not_said() -> None:
 @pytest.mark.parametrize("id_", [id_ for id_, one in mechanisms().items() if one.names])
 def test_every_word_that_is_explained_stands_in_a_name_of_its_mechanism(problem, id_: str) -> None:
     one, drivers = mechanisms()[id_], problem.drivers
-    shapes = [shape | ({"loaded": 1.0} if "loaded" in shape else {}) for shape in one.shapes(drivers)]
-    named = [f"_{term.name}_" for shape in shapes for term in one.terms(drivers, shape)]
+    options = [nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}) for nonlinear in one.candidates(drivers)]
+    named = [f"_{term.name}_" for nonlinear in options for term in one.terms(drivers, nonlinear)]
     for word in one.names:
         there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
         assert any(there.search(name) for name in named), word

@@ -12,7 +12,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Act
-from pipeline.diagnosis.shapes import hinge
+from pipeline.diagnosis.shared_laws import hinge
 from pipeline.run.samples import read_samples
 
 SLACK = {"take_up_turns": 14.5, "stop": 0.0, "softness": 0.05}
@@ -108,15 +108,15 @@ def test_a_constant_or_on_the_twist_a_line_is_what_a_dimension_could_be(problem,
 @pytest.mark.parametrize(("outside", "back"), [(True, False), (False, True), (False, False)])
 def test_an_explanation_is_calibration_in_disguise_by_its_corner_or_by_its_whole_effect(monkeypatch, outside, back):
     """The effect of a mechanism that acts twice is the sum of both."""
-    shape = ("creep", 0), ("creep", 1)
+    nonlinear = ("creep", 0), ("creep", 1)
     linear = SimpleNamespace(
         calibration=np.array([0]),
         catalogue={"creep": [{}, {}]},
-        index={shape[0]: np.array([1]), shape[1]: np.array([2])},
+        index={nonlinear[0]: np.array([1]), nonlinear[1]: np.array([2])},
         table=np.array([[9.0, 9.0], [1.0, 2.0], [10.0, 20.0]]),
-        problem=SimpleNamespace(terms=lambda mechanism, shape: []),
+        problem=SimpleNamespace(terms=lambda mechanism, nonlinear: []),
     )
-    one = SimpleNamespace(keys=shape, fit=SimpleNamespace(coefficients=np.array([7.0, 2.0, 3.0])))
+    one = SimpleNamespace(keys=nonlinear, fit=SimpleNamespace(coefficients=np.array([7.0, 2.0, 3.0])))
     asked = []
     monkeypatch.setattr(disguise, "outside", lambda problem, terms: outside)
     monkeypatch.setattr(disguise, "only_calibration", lambda effect, dimensions: asked.append(effect) or back)

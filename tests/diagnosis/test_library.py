@@ -39,9 +39,9 @@ def test_a_mechanism_is_in_the_file_of_its_name_and_says_what_it_is() -> None:
 @pytest.mark.parametrize("id_", mechanisms())
 def test_terms_are_finite_named_once_and_as_long_as_the_recording(id_: str, problem) -> None:
     mechanism = mechanisms()[id_]
-    for shape in mechanism.shapes(problem.drivers)[:40:7]:
-        terms = mechanism.terms(problem.drivers, shape)
-        assert len({term.name for term in terms} | set(shape)) == len(terms) + len(shape)
+    for nonlinear in mechanism.candidates(problem.drivers)[:40:7]:
+        terms = mechanism.terms(problem.drivers, nonlinear)
+        assert len({term.name for term in terms} | set(nonlinear)) == len(terms) + len(nonlinear)
         for term in terms:
             signal = term.signal(problem.measured) if callable(term.signal) else term.signal
             assert signal.shape == problem.measured.shape and np.isfinite(signal).all()
@@ -70,8 +70,8 @@ def test_a_shape_means_the_same_on_a_longer_recording(id_: str, one_load) -> Non
     mechanism, rows, rig = mechanisms()[id_], len(problem.record), Rig(problem.record)
     longer = appended(problem.record, [*rig.stroke(load=2.0), *rig.stroke(slower=0.25, dwell_s=300.0)])
     drivers = drivers_of(problem.system, longer, run)
-    for shape in mechanism.shapes(problem.drivers)[:40:7]:
-        before, after = mechanism.terms(problem.drivers, shape), mechanism.terms(drivers, shape)
+    for nonlinear in mechanism.candidates(problem.drivers)[:40:7]:
+        before, after = mechanism.terms(problem.drivers, nonlinear), mechanism.terms(drivers, nonlinear)
         assert [term.name for term in after] == [term.name for term in before]
         for old, new in zip(before, after, strict=True):
             was = old.signal(problem.measured) if callable(old.signal) else old.signal

@@ -76,14 +76,14 @@ def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
     from pipeline.diagnosis.library import mechanisms
 
     problem = own_rate.to_score([described()], [recorded()])
-    shapes = [(one, shape) for one in mechanisms().values() for shape in one.shapes(problem.drivers)][:5]
-    numbers = [ROWS * len(problem.terms(mechanism, shape)) for mechanism, shape in shapes]
+    options = [(one, nonlinear) for one in mechanisms().values() for nonlinear in one.candidates(problem.drivers)][:5]
+    numbers = [ROWS * len(problem.terms(mechanism, nonlinear)) for mechanism, nonlinear in options]
     problem._terms.clear()
     monkeypatch.setattr(module, "REMEMBERED_NUMBERS", sum(numbers[-2:]))
-    for mechanism, shape in shapes:
-        problem.terms(mechanism, shape)
-    assert [key[0] for key in problem._terms] == [mechanism.id for mechanism, _ in shapes[-2:]]
+    for mechanism, nonlinear in options:
+        problem.terms(mechanism, nonlinear)
+    assert [key[0] for key in problem._terms] == [mechanism.id for mechanism, _ in options[-2:]]
     monkeypatch.setattr(module, "REMEMBERED_NUMBERS", ROWS - 1)
-    problem.terms(*shapes[0])
-    assert problem.terms(*shapes[0]) is problem.terms(*shapes[0])  # the last one is always kept
+    problem.terms(*options[0])
+    assert problem.terms(*options[0]) is problem.terms(*options[0])  # the last one is always kept
     assert len(problem._terms) == 1

@@ -14,7 +14,7 @@ SETS = [("creep",), ("sensor_drift", "creep"), ("axial_elasticity", "sensor_drif
 
 @pytest.fixture
 def linear(problem):
-    catalogue = {id_: mechanisms()[id_].shapes(problem.drivers)[:2] for id_ in IDS}
+    catalogue = {id_: mechanisms()[id_].candidates(problem.drivers)[:2] for id_ in IDS}
     return lambda: Linear(problem, problem.nominal(), white(0.05), catalogue)
 
 

@@ -14,9 +14,9 @@ from pipeline.diagnosis.slopes import column, linearised
 def at_work(problem):
     """A state in which an operator and something at a port act, and what is linearised there."""
     acts = tuple(
-        Act(id_, (shape,), tuple(size for _ in problem.terms(mechanisms()[id_], shape)))
+        Act(id_, (nonlinear,), tuple(size for _ in problem.terms(mechanisms()[id_], nonlinear)))
         for id_, size in (("sensor_lag", 0.02), ("creep", 0.05))
-        for shape in mechanisms()[id_].shapes(problem.drivers)[:1]
+        for nonlinear in mechanisms()[id_].candidates(problem.drivers)[:1]
     )
     nominal = problem.nominal()
     state = State(nominal.values, nominal.zeros + 0.3, acts)
@@ -43,11 +43,11 @@ def test_slopes_of_dimensions_are_those_of_the_simulator(problem, at_work):
 @pytest.mark.parametrize("id_", ["shaft_windup", "radius_compaction", "creep", "viscous_loss", "eccentricity"])
 def test_columns_of_terms_are_what_a_little_of_them_does(problem, id_):
     mechanism, nominal = mechanisms()[id_], problem.nominal()
-    shape = mechanism.shapes(problem.drivers)[0]
+    nonlinear = mechanism.candidates(problem.drivers)[0]
     here = linearised(problem, nominal)
-    terms = problem.terms(mechanism, shape)
+    terms = problem.terms(mechanism, nonlinear)
     for number, term in enumerate(terms):
         size = 1e-4 / max(float(np.abs(term.signal).max()), 1e-9)
-        act = Act(id_, (shape,), tuple(size * (place == number) for place in range(len(terms))))
+        act = Act(id_, (nonlinear,), tuple(size * (place == number) for place in range(len(terms))))
         by_hand = (problem.simulate(replace(nominal, acts=(act,))) - here.predicted) / size
         np.testing.assert_allclose(column(problem, term, here), by_hand, atol=2e-3 * np.abs(by_hand).max())

@@ -145,8 +145,8 @@ def test_names_stay_apart_in_every_systems_words(name, problem):
     units = Units.of(systems()[name])
     drivers = replace(problem.drivers, units=units, levered=systems()[name].levered)
     for mechanism in mechanisms().values():
-        for shape in mechanism.shapes(drivers)[:40:7]:
-            names = [*shape, *(term.name for term in mechanism.terms(drivers, shape))]
+        for nonlinear in mechanism.candidates(drivers)[:40:7]:
+            names = [*nonlinear, *(term.name for term in mechanism.terms(drivers, nonlinear))]
             assert len({units.name(one) for one in names}) == len(names), mechanism.id
 
 

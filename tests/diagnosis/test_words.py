@@ -260,8 +260,8 @@ def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
     for system in systems().values():
         words, units = Vocabulary.of(system), Units.of(system)
         for mechanism in mechanisms().values():
-            for shape in mechanism.shapes(problem.drivers)[:40:7]:
-                names = [*shape, *(term.name for term in mechanism.terms(problem.drivers, shape))]
+            for nonlinear in mechanism.candidates(problem.drivers)[:40:7]:
+                names = [*nonlinear, *(term.name for term in mechanism.terms(problem.drivers, nonlinear))]
                 found = {units.name(name): parameter(0.21, units.unit("mm")) for name in names}
                 entry = {"id": mechanism.id, f"rms_{words.ending}": parameter(0.3, words.unit), "parameters": found}
                 said = effects.sentence(mechanism, entry, 0.7, words, units)

@@ -4,12 +4,12 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 TOE_LOADS = (0.15, 0.5)  # of 10 N
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """`from_load` (10 N) is the load of the tare; none under a constant load, which shows nothing."""
     return [{"from_load": float(f"{drivers.load0:.6g}")}] if drivers.loaded else []
 
@@ -19,9 +19,9 @@ def saturating(load: Array, toe: float) -> Array:
     return np.asarray(np.sign(load) * (1.0 - np.exp(-np.abs(load) / toe)))
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Stretch with the load: straight, with a toe, and growing faster than the load."""
-    load, load0 = drivers.load, shape["from_load"]
+    load, load0 = drivers.load, nonlinear["from_load"]
     all_terms = [Term("straight_mm_per_10_n", "length", load - load0, "mm/10N")]
     yielding = load * np.abs(load) - load0 * abs(load0)
     if drivers.levered:  # what a cable drive yields to is its friction
@@ -45,7 +45,7 @@ MECHANISM = Mechanism(
     meaning="the string stretches with the load.",
     sentence="The {string} stretches with its load, by up to {span} ({size}).",
     details=("{straight_mm_per_10_n} in proportion to the load",),
-    shapes=shapes,
+    candidates=candidates,
     units={"from_load": "10N"},
     terms=terms,
 )

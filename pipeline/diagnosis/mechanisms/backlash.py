@@ -3,23 +3,23 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import play
-from ..shapes import grid
+from ..shared_laws import grid
 
 INSIDE = {"share": 1.0, "inner_share": 0.5}  # of the half-width: contacts that yield close a part of it earlier
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Half-widths of the play, in turns."""
     return grid("half_width_turns", 5e-4 * drivers.span, 0.15 * drivers.span, 26)
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """The string's twist follows the motor's with a dead band."""
     all_terms = []
     for name, share in INSIDE.items() if drivers.levered else [("share", 1.0)]:
-        followed = play(drivers.motion, np.full(len(drivers.motion), share * shape["half_width_turns"]))
+        followed = play(drivers.motion, np.full(len(drivers.motion), share * nonlinear["half_width_turns"]))
         all_terms.append(Term(name, "twist", followed - drivers.motion, "1", high=1.25))
     return all_terms
 
@@ -35,6 +35,6 @@ MECHANISM = Mechanism(
     sentence="After each reversal the motor moves a little before the {string} follows, worth {size}.",
     details=("half the play is {half_width_turns}",),
     names={"share": "play of the whole width (b = 1)", "inner_share": "play of half the width (b = 1/2)"},
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

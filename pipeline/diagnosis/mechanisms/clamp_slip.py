@@ -4,23 +4,23 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import jump_mark, slipped, slips, slips_seen
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import jump_mark, slipped, slips, slips_seen
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """When it slips, in s since the start, and how fast."""
     return slips(drivers)
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """Where a residual jumps. It has the shape (samples,), in the reading's unit."""
     return slips_seen(drivers, residual)
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """A step of the length, at once or within a second."""
-    return [Term("mm", "length", slipped(drivers, shape), "mm", -np.inf)]
+    return [Term("mm", "length", slipped(drivers, nonlinear), "mm", -np.inf)]
 
 
 MECHANISM = Mechanism(
@@ -33,7 +33,7 @@ MECHANISM = Mechanism(
     meaning="the clamp gives way suddenly and for good.",
     sentence="The {string} slipped in its clamp and stayed so, worth {size}.",
     details=("by {mm} after {at_s}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     suggest=suggest,
     mark=jump_mark,

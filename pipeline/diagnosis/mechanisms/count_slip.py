@@ -4,11 +4,11 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import jump_mark, slipped, slips, slips_seen
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import jump_mark, slipped, slips, slips_seen
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """When it slips, in s since the start; −1: a little at every stroke.
 
     None where a constant gear makes twist and reading one: there a sudden step is `clamp_slip`.
@@ -16,18 +16,18 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [*slips(drivers), {"at_s": -1.0, "within_s": 0.0}] if drivers.levered else []
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """Where a residual jumps. It has the shape (samples,), in the reading's unit."""
     return slips_seen(drivers, residual) if drivers.levered else []
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """A step of the string's twist against the encoder's, at once or within a second."""
-    if shape["at_s"] < 0:
+    if nonlinear["at_s"] < 0:
         return [
             Term("turns_per_stroke", "twist", -(drivers.stroke - drivers.stroke[0]).astype(float), "turns", -np.inf)
         ]
-    return [Term("turns", "twist", -slipped(drivers, shape), "turns", -np.inf)]
+    return [Term("turns", "twist", -slipped(drivers, nonlinear), "turns", -np.inf)]
 
 
 MECHANISM = Mechanism(
@@ -40,7 +40,7 @@ MECHANISM = Mechanism(
     meaning="twist is lost suddenly between encoder and string.",
     sentence="Motion was lost suddenly between encoder and {string}, worth {size}.",
     details=("{turns_per_stroke} at every stroke", "{turns} after {at_s}"),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     suggest=suggest,
     mark=jump_mark,

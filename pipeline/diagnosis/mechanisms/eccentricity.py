@@ -3,14 +3,14 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 WAVES = {"sine": np.sin, "cosine": np.cos}
 HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve
 LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """On the motor's turn (0), where the motion makes one; or on a sensor wheel by its circumference in mm."""
     reach = float(np.ptp(drivers.contraction))
     seen = drivers.levered and 0.8 * reach > LEAST_WHEEL_MM
@@ -21,15 +21,17 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]  # fmt: skip
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Sine and cosine of the turn and its harmonics: on the reading, and on the twist, unless a gear is constant."""
-    angle = drivers.contraction / shape["wheel_mm"] if shape["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
+    angle = (
+        drivers.contraction / nonlinear["wheel_mm"] if nonlinear["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
+    )
     within = np.gradient(angle)  # turns in one sample, over which its reading is a mean
     waves = {name: wave(2.0 * np.pi * angle) * np.sinc(within) for name, wave in WAVES.items()}
     all_terms = [Term(f"{name}_mm", "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
-    if not shape["wheel_mm"] and drivers.levered:
+    if not nonlinear["wheel_mm"] and drivers.levered:
         all_terms += [Term(f"{name}_turns", "twist", wave, "turns", -np.inf) for name, wave in waves.items()]
-    for harmonic in HARMONICS if drivers.levered and not shape["wheel_mm"] else ():
+    for harmonic in HARMONICS if drivers.levered and not nonlinear["wheel_mm"] else ():
         for name, wave in WAVES.items():
             signal = wave(2.0 * np.pi * harmonic * angle) * np.sinc(harmonic * within)
             all_terms.append(Term(f"{name}_{harmonic}_mm", "sensor", signal, "mm", -np.inf))
@@ -46,7 +48,7 @@ MECHANISM = Mechanism(
     meaning="a ripple once a turn.",
     sentence="The {reading} ripples once per turn, {size}.",
     details=("the turn is that of a sensor wheel of {wheel_mm} circumference",),
-    shapes=shapes,
+    candidates=candidates,
     units={"wheel_mm": "mm"},
     terms=terms,
 )

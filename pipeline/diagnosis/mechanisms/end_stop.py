@@ -4,8 +4,8 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import hinge
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import hinge
 
 UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
@@ -14,7 +14,7 @@ TOP, FEWEST = 95.0, 20  # percentile of the reading above which it is highest; m
 LOWER = np.linspace(0.01, 0.3, 14)
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Where the motion ends, in mm from where it starts; side 1: at its upper end, −1: at its lower end."""
     low, high = float(drivers.contraction.min()), float(drivers.contraction.max())
     places = [(share, 1.0) for share in UPPER] + [(share, -1.0) for share in LOWER]
@@ -25,14 +25,14 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """The part of the reading that lies beyond the stop is missing."""
 
     def clipped(reading: Array) -> Array:
-        stop = reading[0] + shape["stop_mm"]
-        beyond, soft = shape["side"] * (reading - stop), shape["soft_mm"]
+        stop = reading[0] + nonlinear["stop_mm"]
+        beyond, soft = nonlinear["side"] * (reading - stop), nonlinear["soft_mm"]
         held = hinge(beyond, 0.0, soft) if soft > 0.0 else np.maximum(beyond, 0.0)
-        return np.asarray(-shape["side"] * held)
+        return np.asarray(-nonlinear["side"] * held)
 
     return [Term("share_held", "sensor", clipped, "1", LEAST_HELD, 1.4)]
 
@@ -60,7 +60,7 @@ MECHANISM = Mechanism(
     meaning="the motion is cut off at an end.",
     sentence="The motion is clipped at a stop, which takes up to {span} away ({size}).",
     details=("the stop is {stop_mm} from where the recording begins",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     mark=mark,
 )

@@ -4,9 +4,9 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import play
-from ..shapes import grid
+from ..shared_laws import grid
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
@@ -17,7 +17,7 @@ SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same
 TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n"}
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Stretch, by stops of every width, or of two where nothing is twisted; or a play of twist as wide as the load.
 
     Where nothing is twisted it may also be dry alone: open at once, closed at rest. `loaded`: whether the recording
@@ -38,37 +38,38 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
     usual = float(f"{max(float(np.median(drivers.load)), 1e-3):.6g}")
     plays = [
-        {**shape, "usual_load": usual} for shape in grid("play_turns", 1e-3 * drivers.span, 0.1 * drivers.span, 14)
+        {**nonlinear, "usual_load": usual}
+        for nonlinear in grid("play_turns", 1e-3 * drivers.span, 0.1 * drivers.span, 14)
     ]
     return [*stretch, *plays]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Stretch by a memory of direction, growing with load, with load and twist, or not at all; or lost twist.
 
     A loop that grows with the twist alone is a play of constant width, and not friction's. Without a lever that
     changes there is no twist to grow with.
     """
-    if "play_turns" in shape:
-        width = shape["play_turns"] * np.maximum(drivers.load / shape["usual_load"], 0.0)
+    if "play_turns" in nonlinear:
+        width = nonlinear["play_turns"] * np.maximum(drivers.load / nonlinear["usual_load"], 0.0)
         lost = play(drivers.motion, width) - drivers.motion
         half = play(drivers.motion, 0.4 * width) - drivers.motion
         return [Term("share", "twist", lost, "1", high=1.25), Term("inner_share", "twist", half, "1", high=1.25)]
-    if "slow_turns_per_s" in shape:
-        sides = {"dry": np.tanh(drivers.rate / shape["slow_turns_per_s"])}
-    elif "half_turns" in shape:
-        sides = {name: drivers.directed(shape[key]) for name, key in WIDTHS.items()}
+    if "slow_turns_per_s" in nonlinear:
+        sides = {"dry": np.tanh(drivers.rate / nonlinear["slow_turns_per_s"])}
+    elif "half_turns" in nonlinear:
+        sides = {name: drivers.directed(nonlinear[key]) for name, key in WIDTHS.items()}
     else:
-        sides = {f"stop_{share:g}": drivers.directed(share * shape["span_turns"]) for share in STOPS}
+        sides = {f"stop_{share:g}": drivers.directed(share * nonlinear["span_turns"]) for share in STOPS}
     all_terms = []
     for name, side in sides.items():
         all_terms += [
             Term(f"{name}_{key}", "resistance", side * size, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
-            for key, size in envelopes(drivers, bool(shape["loaded"])).items()
+            for key, size in envelopes(drivers, bool(nonlinear["loaded"])).items()
         ]
-    if "fastest_turns_per_s" in shape:
+    if "fastest_turns_per_s" in nonlinear:
         for share in SLOW:
-            side = np.tanh(drivers.rate / (share * shape["fastest_turns_per_s"]))
+            side = np.tanh(drivers.rate / (share * nonlinear["fastest_turns_per_s"]))
             all_terms.append(Term(f"dry_{share:g}_mm", "resistance", side))
             all_terms.append(
                 Term(f"dry_{share:g}_twist_mm_per_10_n", "resistance", side * drivers.load * drivers.tangent, "mm/10N")
@@ -122,6 +123,6 @@ MECHANISM = Mechanism(
         "load_steep": "load x tan(helix angle)^3",
         "root_load_twist": "the root of the load, x tan(helix angle)",
     },
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

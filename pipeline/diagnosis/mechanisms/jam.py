@@ -3,11 +3,11 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import hinge
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import hinge
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Critical twist in turns, and how softly it begins (of the range); none without a string to wind."""
     if not drivers.levered:
         return []
@@ -19,9 +19,9 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Twist that contracts nothing any more, in proportion beyond the critical twist and faster."""
-    beyond = hinge(drivers.motion, shape["critical_turns"], shape["softness_turns"])
+    beyond = hinge(drivers.motion, nonlinear["critical_turns"], nonlinear["softness_turns"])
     return [
         Term("share", "twist", -beyond, "1", high=1.2),
         Term("faster_per_turn", "twist", -(beyond**2), "1/turn", high=0.5),
@@ -38,6 +38,6 @@ MECHANISM = Mechanism(
     meaning="past a critical twist the displacement falls behind.",
     sentence="Past a critical {motion} the coils touch and the {reading} falls behind, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

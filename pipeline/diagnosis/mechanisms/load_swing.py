@@ -5,7 +5,7 @@ from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import resonator
 
 STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3  # of the spectrum that tells where a residual rings
@@ -13,7 +13,7 @@ NEAR = (0.98, 1.0, 1.02)  # of a line's frequency
 LOWEST_HZ, LOWEST_STIFF_HZ = 0.4, 3.0  # of a load that hangs on a string; of what a stiff drive moves
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Frequency in Hz (at 10 N) and damping; a spring under a dead weight swings slower the heavier it is."""
     highest = min(0.35 / drivers.step_s, 25.0)
     kinds = (0.0, 1.0) if drivers.loaded else (0.0,)
@@ -25,7 +25,7 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """Frequencies at which a residual rings: the strongest lines of its spectrum, and the first two together.
 
     It has the shape (samples,), in the reading's unit.
@@ -44,11 +44,11 @@ def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
             break
         peaks.append(float(hz[peak]))
         height[np.abs(hz - hz[peak]) < 0.12 * hz[peak]] = 0.0
-    suggested: list[Shape] = []
+    suggested: list[Nonlinear] = []
     for peak_hz in peaks:
         for share in NEAR:
-            shape = {"frequency_hz": float(f"{share * peak_hz:.6g}"), "heavy_slow": 0.0}
-            suggested += [{**shape, "damping": damping} for damping in (0.015, 0.04, 0.1)]
+            nonlinear = {"frequency_hz": float(f"{share * peak_hz:.6g}"), "heavy_slow": 0.0}
+            suggested += [{**nonlinear, "damping": damping} for damping in (0.015, 0.04, 0.1)]
     if len(peaks) > 1:
         both = {"frequency_hz": float(f"{peaks[0]:.6g}"), "second_hz": float(f"{peaks[1]:.6g}"), "heavy_slow": 0.0}
         suggested += [{**both, "damping": damping} for damping in (0.015, 0.04, 0.1)]
@@ -79,14 +79,14 @@ def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
     return float(np.clip(np.log(max(float(height[lowest:].max(initial=1.0)), 1.0)), 0.0, 6.0))
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Response of a damped oscillator to the acceleration of the contraction, in two phases."""
     load = np.maximum(drivers.load, 0.05)
-    hz = shape["frequency_hz"] * (load**-0.5 if shape["heavy_slow"] else np.ones_like(load))
+    hz = nonlinear["frequency_hz"] * (load**-0.5 if nonlinear["heavy_slow"] else np.ones_like(load))
     hz = np.minimum(hz, 0.45 / drivers.step_s)
-    all_terms = mode(drivers, hz, shape["damping"], "swing")
-    if "second_hz" in shape:
-        all_terms += mode(drivers, np.full_like(load, shape["second_hz"]), shape["damping"], "second_swing")
+    all_terms = mode(drivers, hz, nonlinear["damping"], "swing")
+    if "second_hz" in nonlinear:
+        all_terms += mode(drivers, np.full_like(load, nonlinear["second_hz"]), nonlinear["damping"], "second_swing")
     return all_terms
 
 
@@ -110,7 +110,7 @@ MECHANISM = Mechanism(
     meaning="the load swings on the string, and rings after starts and stops.",
     sentence="Load and {string} ring after starts and stops, {size}.",
     details=("at {frequency_hz}, with a damping ratio of {damping}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     suggest=suggest,
     mark=mark,

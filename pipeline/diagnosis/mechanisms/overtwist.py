@@ -5,9 +5,9 @@ from numba import njit
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass, play
-from ..shapes import hinge
+from ..shared_laws import hinge
 
 LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of the coil's loop
 BORN = (0.15, 0.5, 0.85)  # of the way from the critical to the highest twist: where more coils are born
@@ -15,7 +15,7 @@ SLOWLY_S = 1.0  # in which coils come over a barrier
 SPREAD = (-2.0, -1.0, 0.0, 1.0, 2.0)  # softnesses about the critical twist at which coils form
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Critical twist in turns, and how softly it begins; none without a string. `top_turns` is the highest twist."""
     if not drivers.levered:
         return []
@@ -31,23 +31,23 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Extra contraction beyond the critical twist: at once, by a play, and by coils that form there and melt late."""
-    critical, softness = shape["critical_turns"], shape["softness_turns"]
+    critical, softness = nonlinear["critical_turns"], nonlinear["softness_turns"]
     all_terms = []
     for loop in (0.0, *LOOPS):
-        width = loop * shape["top_turns"]
+        width = loop * nonlinear["top_turns"]
         late = play(drivers.motion, np.full(len(drivers.motion), width)) + width
         beyond = hinge(late, critical, softness)
         all_terms.append(Term(f"loop_{loop:g}_mm_per_turn", "length", -beyond, "mm/turn"))
         all_terms.append(Term(f"loop_{loop:g}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
     for loop in LOOPS:
-        memory = 2.0 * loop * shape["top_turns"]
+        memory = 2.0 * loop * nonlinear["top_turns"]
         coils = [coiled(drivers.motion, critical + apart * softness, memory) for apart in SPREAD]
         all_terms.append(Term(f"coiled_{loop:g}_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn"))
         for born in BORN:
-            at = critical + born * (shape["top_turns"] - critical)
-            width = 0.1 * (shape["top_turns"] - critical)
+            at = critical + born * (nonlinear["top_turns"] - critical)
+            width = 0.1 * (nonlinear["top_turns"] - critical)
             born_share = np.mean([relay(drivers.motion, at + apart * width, memory) for apart in SPREAD], axis=0)
             all_terms.append(Term(f"born_{born:g}_loop_{loop:g}_mm", "length", -born_share))
     beyond = hinge(drivers.motion, critical, softness)
@@ -90,6 +90,6 @@ MECHANISM = Mechanism(
     meaning="past a critical twist the displacement runs ahead, with a loop of its own.",
     sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

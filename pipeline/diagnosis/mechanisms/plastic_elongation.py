@@ -3,13 +3,13 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import saturations
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import saturations
 
 SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Work weighs with the load to the power 0 or 1; `work` is the recording's whole work, for scale.
 
     `loaded`: whether the load varies, so that its new maxima show.
@@ -21,11 +21,11 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Saturating and straight growth with work, the same or more under load, and with each new highest tension."""
-    grown = saturations(drivers.worked(shape["load_power"]), shape["work"])
+    grown = saturations(drivers.worked(nonlinear["load_power"]), nonlinear["work"])
     all_terms = [Term(f"{name}_mm", "length", signal) for name, signal in grown.items()]
-    if shape["loaded"] and drivers.levered:
+    if nonlinear["loaded"] and drivers.levered:
         for name, signal in grown.items():
             for power, share in SHARES.items():
                 all_terms.append(Term(f"{name}_{power}_load_mm", "length", signal * np.abs(drivers.load) ** share))
@@ -44,6 +44,6 @@ MECHANISM = Mechanism(
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
     meaning="the string grows longer for good, stroke by stroke.",
     sentence="Every worked stroke leaves the {string} longer, {span} in all ({size}), and no rest takes it back.",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 PRESSED = (0.03, 0.1, 0.3)  # of the highest pressure of the strands on each other: where voids have closed
 SATURATING = (0.15, 0.4)  # of the steepest helix: where a bundle that settles early has settled
@@ -11,7 +11,7 @@ SETTLING = (0.2, 0.45)  # of the steepest helix: the same, for one that begins s
 STAGES, WIDE = (0.5, 0.7), 0.09  # of the steepest helix: where fibres rearrange late, and over how much of it
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """The laws of twist and tension add up; `loaded`: whether the recording can show the tension's.
 
     `steepest` is the largest tangent of the helix angle, `highest_pressure` that of load times tangent squared.
@@ -22,27 +22,27 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [{"loaded": float(drivers.loaded), "steepest": steepest, "highest_pressure": highest}]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Relative loss of radius: powers of the helix angle's tangent, with and without load, and the load's logarithm."""
     slope = np.maximum(drivers.tangent, 0.0)
     all_terms = [Term(f"tangent_{power}", "radius", -(slope**power), "1", high=1.0) for power in (1, 2, 4)]
     for share in SATURATING:
         all_terms.append(
-            Term(f"within_{share:g}", "radius", np.expm1(-slope / (share * shape["steepest"])), "1", high=0.5)
+            Term(f"within_{share:g}", "radius", np.expm1(-slope / (share * nonlinear["steepest"])), "1", high=0.5)
         )
     for share in SETTLING:
-        early = np.expm1(-((slope / (share * shape["steepest"])) ** 2))
+        early = np.expm1(-((slope / (share * nonlinear["steepest"])) ** 2))
         all_terms.append(Term(f"settled_{share:g}", "radius", early, "1", high=0.5))
     for share in STAGES:
-        late = -1.0 / (1.0 + np.exp((share - slope / shape["steepest"]) / WIDE))
+        late = -1.0 / (1.0 + np.exp((share - slope / nonlinear["steepest"]) / WIDE))
         all_terms.append(Term(f"stage_at_{share:g}", "radius", late, "1", high=0.5))
-    pressure = np.maximum(drivers.load, 0.0) * slope**2 / shape["highest_pressure"]
+    pressure = np.maximum(drivers.load, 0.0) * slope**2 / nonlinear["highest_pressure"]
     for share in PRESSED:
         for name, power in (("closing", 1), ("ordering", 2)):
             all_terms.append(
                 Term(f"{name}_at_{share:g}", "radius", np.expm1(-((pressure / share) ** power)), "1", high=0.5)
             )
-    if shape["loaded"]:
+    if nonlinear["loaded"]:
         load = np.maximum(drivers.load, 0.05)
         all_terms += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]
         all_terms.append(Term("log_load", "radius", -np.log(load), "1", high=0.5))
@@ -58,6 +58,6 @@ MECHANISM = Mechanism(
     told_apart_by="more than 20 turns at two loads; an image of the bundle",
     meaning="the twist or the tension presses the bundle thinner.",
     sentence="The twist presses the bundle thinner: its radius falls, which costs up to {span} of {reading} ({size}).",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

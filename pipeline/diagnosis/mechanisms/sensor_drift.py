@@ -3,26 +3,26 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import half_waves
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording
 MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SETTLING}  # of each over the recording
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """A law, or one about which the zero wanders by so many `half_waves`; `whole_s` is the recording's length."""
     law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
     return [law, {**law, "half_waves": WAVES}] if drivers.free_zero and drivers.levered else [law]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Straight, bent, settling and wandering drift, of either sign; about its mean where the zero is a true one."""
-    share = drivers.elapsed_s / shape["whole_s"]
+    share = drivers.elapsed_s / nonlinear["whole_s"]
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
-    for count, wave in half_waves(share, shape, 2).items():
+    for count, wave in half_waves(share, nonlinear, 2).items():
         name = f"wandering_{count}_mm"
         signals[name], means[name] = wave, 0.0
     return [Term(name, "sensor", signal - means[name], "mm", -np.inf) for name, signal in signals.items()]
@@ -37,6 +37,6 @@ MECHANISM = Mechanism(
     told_apart_by="a long rest: a drifting zero goes on in it as before",
     meaning="the sensor's zero moves with time.",
     sentence="The zero of the sensor drifts with time, {span} in all ({size}), at work and at rest alike.",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass
 
 TIMES_S = (0.03, 0.1, 0.3, 1.0)
@@ -12,12 +12,12 @@ DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)
 DRIVES_DELAYS_S = (0.05, 0.2)  # of a drive without a string
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
-    """One shape: filters and delays add up. None where it would quiet the noise of derivatives."""
+def candidates(drivers: Drivers) -> list[Nonlinear]:
+    """One candidate: filters and delays add up. None where it would quiet the noise of derivatives."""
     return [{}] if drivers.velocity is None else []
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """First-order filters, dead times, and a clock that runs away."""
     time_s = drivers.time_s
 
@@ -52,6 +52,6 @@ MECHANISM = Mechanism(
     told_apart_by="two speeds; a rigid bar in place of the string",
     meaning="the displacement is read late.",
     sentence="The {reading} is read late, which is worth {size} at these speeds.",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

@@ -3,15 +3,15 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """None where the zero is calibration (a string's displacement): there an offset cannot show."""
     return [] if drivers.free_zero else [{}]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """A constant on the reading."""
     return [Term("offset_mm", "sensor", np.ones_like(drivers.motion), "mm", -np.inf)]
 
@@ -26,6 +26,6 @@ MECHANISM = Mechanism(
     meaning="a constant force or angle is added.",
     sentence="The {reading} carries a constant offset, {size}.",
     details=("{offset_mm}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

@@ -3,24 +3,24 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 UP_TO = (0.12, 0.25, 0.45, 0.7)  # of the highest torque: where a spring in series bottoms
 LOOP = 0.02  # of the range of motion: what a coupling that rubs needs to turn its loop round
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
-    """One shape; none without a lever that changes, where wind-up is stretch: `axial_elasticity`."""
+def candidates(drivers: Drivers) -> list[Nonlinear]:
+    """One candidate; none without a lever that changes, where wind-up is stretch: `axial_elasticity`."""
     if not drivers.levered:
         return []
     highest = max(float(np.percentile(np.abs(drivers.load * drivers.sine), 99.9)), 1e-9)
     return [{"loop_turns": float(f"{LOOP * drivers.span:.6g}"), "highest_torque": float(f"{highest:.6g}")}]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Twist lost in proportion to the torque F r sin a, and parts that stiffen, bottom, yield or rub."""
     torque = drivers.load * drivers.sine
-    side, highest = drivers.directed(shape["loop_turns"]), shape["highest_torque"]
+    side, highest = drivers.directed(nonlinear["loop_turns"]), nonlinear["highest_torque"]
     stops = [
         Term(
             f"up_to_{share:g}_turns_per_10_n", "twist", -np.clip(torque, -share * highest, share * highest), "turns/10N"
@@ -52,6 +52,6 @@ MECHANISM = Mechanism(
         "rubbing": "the torque x direction",
         "stiffening_turns": "the root of the torque",
     },
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

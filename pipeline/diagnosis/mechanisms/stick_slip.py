@@ -5,7 +5,7 @@ from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..noise import resolution
 from ..recursions import sticking
 
@@ -16,7 +16,7 @@ SURE = 6.0  # standard errors of the skewness
 COARSE = 0.75  # of the sensor's resolution: rounding alone makes steps of half of it, skewed along slow motion
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """How far the contraction is ahead, in mm, before it slips; `usual_rate` (turns/s) says what is slow."""
     reach_mm = float(np.ptp(drivers.contraction))
     rate = np.abs(drivers.rate)
@@ -28,12 +28,12 @@ def shapes(drivers: Drivers) -> list[Shape]:
     ]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """The gap to what sticks: at every speed, and at low speed only."""
     gap = drivers.contraction - sticking(
-        drivers.contraction, shape["reach_mm"], shape["back_share"] * shape["reach_mm"]
+        drivers.contraction, nonlinear["reach_mm"], nonlinear["back_share"] * nonlinear["reach_mm"]
     )
-    slow = np.exp(-np.square(drivers.rate / shape["usual_rate"]))
+    slow = np.exp(-np.square(drivers.rate / nonlinear["usual_rate"]))
     return [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
 
 
@@ -66,7 +66,7 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, f
     return strongest
 
 
-def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
+def random(drivers: Drivers, residual: Array, predicted: Array) -> Nonlinear | None:
     """Jerks beyond chance; the reach is that of a sawtooth of the size seen.
 
     Residual and prediction have the shape (samples,), in the reading's unit.
@@ -76,8 +76,8 @@ def random(drivers: Drivers, residual: Array, predicted: Array) -> Shape | None:
         return None
     rate = np.abs(drivers.rate[: len(residual)])[1:]
     usual = float(np.median(rate[rate > 3.0 * STILL * rate.max()]))
-    shape = {"reach_mm": float(f"{np.sqrt(6.0) * size:.6g}"), "back_share": 0.0}
-    return shape | {"usual_rate": float(f"{usual:.6g}")}
+    nonlinear = {"reach_mm": float(f"{np.sqrt(6.0) * size:.6g}"), "back_share": 0.0}
+    return nonlinear | {"usual_rate": float(f"{usual:.6g}")}
 
 
 def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
@@ -101,7 +101,7 @@ MECHANISM = Mechanism(
     meaning="the motion sticks and jumps.",
     sentence="Slow motion goes in jerks of {size}.",
     details=("what sticks is let go after about {reach_mm}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     random=random,
     mark=mark,

@@ -1,11 +1,11 @@
 """The string gets stiffer with work, so that it stretches less under the same load."""
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import saturations
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import saturations
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Over work or over time; `work` and `whole_s` are the recording's own, for scale; none without a load."""
     work = float(f"{drivers.worked(1.0)[-1]:.6g}")
     if work <= 0.0:
@@ -15,13 +15,15 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [{"work": work, "from_load": ref} for ref in refs] + [{"whole_s": whole_s, "from_load": ref} for ref in refs]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """A stretch that falls with work, in proportion to the load."""
-    in_time = "whole_s" in shape
+    in_time = "whole_s" in nonlinear
     grown = (
-        saturations(drivers.elapsed_s, shape["whole_s"]) if in_time else saturations(drivers.worked(1.0), shape["work"])
+        saturations(drivers.elapsed_s, nonlinear["whole_s"])
+        if in_time
+        else saturations(drivers.worked(1.0), nonlinear["work"])
     )
-    load = drivers.load - shape["from_load"]
+    load = drivers.load - nonlinear["from_load"]
     return [Term(f"{name}_mm_per_10_n", "length", -load * signal, "mm/10N") for name, signal in grown.items()]
 
 
@@ -34,7 +36,7 @@ MECHANISM = Mechanism(
     told_apart_by="small load steps at one twist every few strokes",
     meaning="the string gets stiffer with work.",
     sentence="With work the {string} grows stiffer and stretches up to {span} less under its load ({size}).",
-    shapes=shapes,
+    candidates=candidates,
     units={"work": "10mm", "from_load": "10N"},
     terms=terms,
 )

@@ -4,9 +4,9 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass
-from ..shapes import time_constants, within
+from ..shared_laws import time_constants, within
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)
 LEAST_RANGE_K = 0.3
@@ -14,10 +14,10 @@ MOVING = 0.05  # of the highest rate: faster is moving, for heat that comes when
 BEHIND_S = 30.0  # of the node between what heats and the string, where there are two
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Lengthens or shortens when warm, by the measured temperature where there is one or by self-heating.
 
-    The times that the recording can show and its usual powers, for scale, go with the shape.
+    The times that the recording can show and its usual powers, for scale, go with each candidate.
     """
     measured = drivers.temperature_c is not None and np.ptp(drivers.smooth(drivers.temperature_c)) > LEAST_RANGE_K
     taus = time_constants(drivers, TIMES_S)
@@ -38,23 +38,23 @@ def _powers(drivers: Drivers) -> dict[str, Array]:
     return powers | ({"torque": rate * torque} if drivers.levered else {})
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Strain with the measured temperature (at once or delayed), or with filtered friction and motor power."""
-    sign, all_terms = shape["sign"], []
-    if shape["measured"]:
+    sign, all_terms = nonlinear["sign"], []
+    if nonlinear["measured"]:
         measured = np.zeros_like(drivers.motion) if drivers.temperature_c is None else drivers.temperature_c
         kelvin = drivers.smooth(measured)
         kelvin = kelvin - kelvin[0]
         all_terms.append(Term("at_once_mm_per_k", "length", sign * kelvin, "mm/K"))
-        for tau_s in within(TIMES_S, shape)[:4:2]:
+        for tau_s in within(TIMES_S, nonlinear)[:4:2]:
             delayed = lowpass(kelvin, drivers.time_s, tau_s, 0.0)
             all_terms.append(Term(f"after_{tau_s:g}_s_mm_per_k", "length", sign * delayed, "mm/K"))
         return all_terms
     for name, power in _powers(drivers).items():
-        usual = shape[f"usual_{name}"]
+        usual = nonlinear[f"usual_{name}"]
         if usual == 0.0:
             continue
-        for tau_s in within(TIMES_S, shape):
+        for tau_s in within(TIMES_S, nonlinear):
             warm = lowpass(power / usual, drivers.time_s, tau_s, 0.0)
             all_terms.append(Term(f"{name}_{tau_s:g}_s_mm", "length", sign * warm))
             if tau_s > BEHIND_S:
@@ -73,6 +73,6 @@ MECHANISM = Mechanism(
     meaning="the length follows the temperature.",
     sentence="The length follows {temperature}, by up to {span} ({size}), {times}.",
     details=("{at_once_mm_per_k}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

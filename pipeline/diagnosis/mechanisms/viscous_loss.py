@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass
 
 RELAXING_S = (0.08, 0.2, 0.5)  # a loss with a memory of its own, as a Kelvin-Voigt element in series with a spring
@@ -12,7 +12,7 @@ GROWING = 2.0  # times what it is without twist, that a loss may gain at the hig
 TWICE_S = 0.12  # of each of two such elements in a row
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """`loaded`: whether the loss may grow with the load, which a constant load cannot show.
 
     `steepest` is the largest tangent of the helix angle, for scale.
@@ -21,18 +21,18 @@ def shapes(drivers: Drivers) -> list[Shape]:
     return [{"loaded": float(drivers.loaded), "steepest": steepest}]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Loss with powers of the rate, at once or relaxing, and with the load.
 
     The powers are a string's: where a guide rubs, a root would only blur the step of friction into the straight line.
     """
     rate = drivers.rate
     all_terms = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn")]
-    if shape["loaded"]:
+    if nonlinear["loaded"]:
         all_terms.append(Term("loaded_mm_per_turn_s_10_n", "resistance", rate * drivers.load, "mm s/turn/10N"))
     if not drivers.levered:
         return all_terms
-    steep = np.abs(drivers.tangent) / shape["steepest"]
+    steep = np.abs(drivers.tangent) / nonlinear["steepest"]
     powers = {
         "low": np.sign(rate) * np.abs(rate) ** 0.3,
         "root": np.sign(rate) * np.sqrt(np.abs(rate)),
@@ -62,6 +62,6 @@ MECHANISM = Mechanism(
     meaning="what is lost grows with the speed.",
     sentence="A loss follows the {rate}, up to {span} ({size}), and is gone as soon as the motor stands.",
     details=("{straight_mm_per_turn_s}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

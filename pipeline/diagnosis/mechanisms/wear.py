@@ -4,11 +4,11 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import growths
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import growths
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Thinner or thicker, with travel or with travel under load; `travel_turns` is the recording's own, for scale."""
     powers = (0.0, 1.0) if drivers.loaded else (0.0,)
     whole = {power: float(f"{travelled(drivers, power)[-1]:.6g}") for power in powers}
@@ -28,10 +28,10 @@ def travelled(drivers: Drivers, load_power: float) -> Array:
     return np.concatenate([[0.0], np.cumsum(load * np.diff(drivers.path))])
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Relative change of radius with travel, saturating and straight."""
-    grown = growths(travelled(drivers, shape["load_power"]), shape["travel_turns"])
-    return [Term(name, "radius", shape["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
+    grown = growths(travelled(drivers, nonlinear["load_power"]), nonlinear["travel_turns"])
+    return [Term(name, "radius", nonlinear["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
 
 
 MECHANISM = Mechanism(
@@ -43,6 +43,6 @@ MECHANISM = Mechanism(
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",
     meaning="the radius changes with the distance travelled.",
     sentence="The radius changes with the distance travelled, which moves the {reading} by up to {span} ({size}).",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

@@ -6,28 +6,28 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import half_waves
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most
 MOST_S = 2.0  # of delay that comes or goes
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Parting, or wandering by so many `half_waves`; `whole_s` is the whole recording. None where nothing is wound."""
     law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
     return [law, {**law, "half_waves": WAVES}] if drivers.levered else []
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """A delay that grows with time, or wanders; one that stays is a lag."""
-    share = drivers.elapsed_s / shape["whole_s"]
+    share = drivers.elapsed_s / nonlinear["whole_s"]
 
     def late(delay: Array) -> Callable[[Array], Array]:
         return lambda reading: np.asarray(-delay * drivers.slope(reading))
 
     all_terms = [Term("parting_s", "sensor", late(share), "s", -MOST_S, MOST_S)]
-    for count, wave in half_waves(share, shape, 1).items():
+    for count, wave in half_waves(share, nonlinear, 1).items():
         all_terms.append(Term(f"wandering_{count}_s", "sensor", late(wave), "s", -MOST_S, MOST_S))
     return all_terms
 
@@ -41,7 +41,7 @@ MECHANISM = Mechanism(
     told_apart_by="fast strokes at the beginning and at the end: a lag is the same in both",
     meaning="the clocks of motor and displacement part; a stand-in, no physics of the library.",
     sentence="The clocks of motor and displacement part, which is worth {size} at these speeds.",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     helper=True,
 )

@@ -3,20 +3,20 @@
 import numpy as np
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 BOTH_SIDES = 0.2  # of the range of motion, that must lie on either side of the spring's rest
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
-    """One shape, where a force is read and the motion goes to both sides of its zero, which is the spring's rest."""
+def candidates(drivers: Drivers) -> list[Nonlinear]:
+    """One, where a force is read and the motion goes to both sides of its zero, which is the spring's rest."""
     if drivers.levered or drivers.velocity is None:
         return []
     least = BOTH_SIDES * drivers.span
     return [{}] if drivers.motion.min() < -least and drivers.motion.max() > least else []
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Force with the cube of the motion, of either sign: a spring that gets stiffer or softer."""
     return [Term("cubic_mm_per_turn3", "resistance", drivers.motion**3, "mm/turn3", -np.inf)]
 
@@ -31,6 +31,6 @@ MECHANISM = Mechanism(
     meaning="the force of a spring grows with the cube of how far it is moved; on rigs without a string.",
     sentence="The spring is no straight line: the cube of the {motion} adds up to {span} ({size}).",
     details=("{cubic_mm_per_turn3}",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

@@ -5,14 +5,14 @@ from numba import njit
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 RIMS = np.linspace(0.3, 1.06, 39)  # of the nominal range above the lowest level; calibration may stretch it
 TIMES = (0.003, 0.01, 0.03, 0.1, 0.3)  # of the recording: in which what is missing comes back, but for a third
 LEAST_HELD = 0.7  # a rim holds all of what lies beyond it, but for calibration
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Where the rim is, in V from where the recording begins, and how long it shows afterwards.
 
     Only where what is read is a level that follows its driver and has a true zero, as that of a tank does.
@@ -44,12 +44,12 @@ def missing(level: Array, rim: float, time_s: Array, forgets_s: float) -> Array:
     return out
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """The reading stays at the rim while more flows in than out, and is lower than predicted for a while after."""
 
     def spilt(reading: Array) -> Array:
-        rim = float(reading[0]) + shape["rim_mm"]
-        return np.asarray(-missing(np.ascontiguousarray(reading), rim, drivers.time_s, shape["forgets_s"]))
+        rim = float(reading[0]) + nonlinear["rim_mm"]
+        return np.asarray(-missing(np.ascontiguousarray(reading), rim, drivers.time_s, nonlinear["forgets_s"]))
 
     return [Term("share_held", "sensor", spilt, "1", LEAST_HELD, 1.4)]
 
@@ -64,6 +64,6 @@ MECHANISM = Mechanism(
     meaning="what rises past a rim runs over and is lost; on rigs without a string.",
     sentence="It overflows, which takes up to {span} away ({size}).",
     details=("the rim is {rim_mm} from where the recording begins",),
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
 )

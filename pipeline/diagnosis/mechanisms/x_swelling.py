@@ -1,21 +1,21 @@
 """The radius changes with time, at work and at rest alike: the string takes up moisture, or dries."""
 
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
-from ..shapes import growths
+from ..interface import Mechanism, Nonlinear, Term
+from ..shared_laws import growths
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Thicker or thinner; `whole_s` is the recording's length, for scale. None where nothing is wound."""
     if not drivers.levered:
         return []
     return [{"sign": sign, "whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")} for sign in (-1.0, 1.0)]
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Relative change of radius with time, saturating, straight and bent."""
-    grown = growths(drivers.elapsed_s, shape["whole_s"])
-    return [Term(name, "radius", shape["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
+    grown = growths(drivers.elapsed_s, nonlinear["whole_s"])
+    return [Term(name, "radius", nonlinear["sign"] * signal, "1", high=0.5) for name, signal in grown.items()]
 
 
 MECHANISM = Mechanism(
@@ -27,7 +27,7 @@ MECHANISM = Mechanism(
     told_apart_by="a long rest between two strokes: what the air does goes on in it",
     meaning="the radius changes with time, at rest too (damp air); a stand-in, no physics of the library.",
     sentence="The radius changes with time, at rest too, which moves the {reading} by up to {span} ({size}).",
-    shapes=shapes,
+    candidates=candidates,
     terms=terms,
     helper=True,
 )

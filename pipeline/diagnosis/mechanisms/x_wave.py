@@ -5,7 +5,7 @@ from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
 from ..drivers import Drivers
-from ..interface import Mechanism, Shape, Term
+from ..interface import Mechanism, Nonlinear, Term
 
 LEAST_PERIODS = 3
 AROUND = 61  # bins of the spectrum that make the background of a line
@@ -14,7 +14,7 @@ MOST = 3
 STEPS = np.linspace(-0.45, 0.45, 7)  # bins beside a line at which its frequency is tried
 
 
-def shapes(drivers: Drivers) -> list[Shape]:
+def candidates(drivers: Drivers) -> list[Nonlinear]:
     """None before a recording suggests one."""
     return []
 
@@ -30,7 +30,7 @@ def lines(signal: Array, time_s: Array) -> Array:
     return np.asarray(power / (median_filter(power, AROUND, mode="nearest") / np.log(2.0) + 1e-300))
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """Frequencies (Hz) of the strongest lines of a residual that are no lines of the motion.
 
     It has the shape (samples,), in the reading's unit.
@@ -42,7 +42,7 @@ def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
     height[lines(drivers.contraction[:count], time_s) > LINE] = 0.0
     height[:LEAST_PERIODS] = 0.0
     whole_s = float(drivers.elapsed_s[count - 1])
-    suggested: list[Shape] = []
+    suggested: list[Nonlinear] = []
     for _ in range(MOST):
         peak = int(np.argmax(height))
         if height[peak] < LINE:
@@ -52,9 +52,9 @@ def suggest(drivers: Drivers, residual: Array) -> list[Shape]:
     return suggested
 
 
-def terms(drivers: Drivers, shape: Shape) -> list[Term]:
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Sine and cosine of the time."""
-    angle = 2.0 * np.pi * shape["hz"] * drivers.elapsed_s
+    angle = 2.0 * np.pi * nonlinear["hz"] * drivers.elapsed_s
     waves = {"sine_mm": np.sin(angle), "cosine_mm": np.cos(angle)}
     return [Term(name, "sensor", wave, "mm", -np.inf) for name, wave in waves.items()]
 
@@ -69,7 +69,7 @@ MECHANISM = Mechanism(
     meaning="a steady oscillation in time, whatever the rig does; a stand-in, no physics of the library.",
     sentence="The reading oscillates steadily in time, {size}, whatever the rig does.",
     details=("at {hz}",),
-    shapes=shapes,
+    candidates=candidates,
     helper=True,
     units={"hz": "Hz"},
     terms=terms,

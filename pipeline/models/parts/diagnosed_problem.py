@@ -7,7 +7,7 @@ import pandas as pd
 
 from ...diagnosis import engine
 from ...diagnosis.drivers import Drivers, drivers_of
-from ...diagnosis.interface import Mechanism, Shape, Term
+from ...diagnosis.interface import Mechanism, Nonlinear, Term
 from ...diagnosis.problem import Problem
 from ...diagnosis.record import joined
 from ...ground.kinematics import Array
@@ -24,12 +24,12 @@ class Holed(Problem):
 
     whole: Drivers | None = None  # of the motion without holes, from the same start
 
-    def terms(self, mechanism: Mechanism, shape: Shape) -> list[Term]:
-        """Terms of a mechanism's shape at the instants that have a reading, remembered."""
+    def terms(self, mechanism: Mechanism, nonlinear: Nonlinear) -> list[Term]:
+        """Terms of a mechanism at the instants that have a reading, remembered."""
         assert self.whole is not None
-        key = (mechanism.id, tuple(shape.items()))
+        key = (mechanism.id, tuple(nonlinear.items()))
         if key not in self._terms:
-            self._terms[key] = [self._seen(term, self.whole) for term in mechanism.terms(self.whole, shape)]
+            self._terms[key] = [self._seen(term, self.whole) for term in mechanism.terms(self.whole, nonlinear)]
         return self._terms[key]
 
     def _seen(self, term: Term, whole: Drivers) -> Term:

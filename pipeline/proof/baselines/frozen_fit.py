@@ -15,10 +15,10 @@ from .learnt import Calibrated, Learnt
 
 
 def learn(seen: Calibrated) -> Learnt:
-    """One mechanism or none, its shape refined; the zero of the reading stays free, every dimension is frozen."""
+    """One mechanism or none, its nonlinear parameters refined; the zero stays free, dimensions are frozen."""
     problem = frozen(seen.problem, seen.state)
-    shapes = candidates.catalogue(problem, candidates.suggested(problem, seen.state))
-    known = {id_: options for id_, options in shapes.items() if physics((id_,))}
+    catalogue = candidates.catalogue(problem, candidates.suggested(problem, seen.state))
+    known = {id_: options for id_, options in catalogue.items() if physics((id_,))}
     floor = engine.noise_of(problem, seen.state).floor
     noise = white(floor)
     search = Search(Linear(problem, seen.state, noise, known))

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from .drivers import Drivers
-from .interface import Shape
+from .interface import Nonlinear
 
 BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
 WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third
@@ -25,12 +25,12 @@ def growths(amount: Array, whole: float) -> dict[str, Array]:
     return {**saturations(amount, whole), "faster": (amount / whole) ** 2}
 
 
-def half_waves(share: Array, shape: Shape, first: int) -> dict[int, Array]:
+def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Array]:
     """Cosines of `first` to `half_waves` half waves over a recording, of whose length `share` has passed, by number.
 
     None where the shape has no `half_waves`. Each of shape (samples,).
     """
-    last = int(shape.get("half_waves", 0.0))
+    last = int(nonlinear.get("half_waves", 0.0))
     return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
 
 
@@ -46,20 +46,20 @@ def time_constants(drivers: Drivers, candidates: tuple[float, ...]) -> list[floa
     return fitting or [min(candidates, key=lambda tau: abs(np.log(tau / whole_s)))]
 
 
-def within(candidates: tuple[float, ...], shape: Shape) -> list[float]:
-    """Those candidates (s) that a shape says its recording could show."""
-    return [tau for tau in candidates if shape["fastest_s"] <= tau <= shape["slowest_s"]]
+def within(candidates: tuple[float, ...], nonlinear: Nonlinear) -> list[float]:
+    """Those candidates (s) that nonlinear parameters say their recording could show."""
+    return [tau for tau in candidates if nonlinear["fastest_s"] <= tau <= nonlinear["slowest_s"]]
 
 
-def grid(name: str, low: float, high: float, count: int) -> list[Shape]:
+def grid(name: str, low: float, high: float, count: int) -> list[Nonlinear]:
     """Candidates of one parameter, evenly spaced in its logarithm, rounded to six digits."""
     return [{name: float(f"{value:.6g}")} for value in np.geomspace(low, high, count)]
 
 
-def slips(drivers: Drivers) -> list[Shape]:
+def slips(drivers: Drivers) -> list[Nonlinear]:
     """Candidate times of a slip that is over at once, and fewer of one that takes `within_s`."""
     at_once, slowly = times(drivers, 60), times(drivers, 30)
-    return [{**shape, "within_s": 0.0} for shape in at_once] + [{**shape, "within_s": WITHIN_S} for shape in slowly]
+    return [time | {"within_s": 0.0} for time in at_once] + [time | {"within_s": WITHIN_S} for time in slowly]
 
 
 def jumps(residual: Array) -> Array:
@@ -82,14 +82,14 @@ def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
     return float(np.clip(np.log(max(height.max() / max(usual, 1e-300) / 4.0, 1.0)) * 2.0, 0.0, 6.0))
 
 
-def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
+def slips_seen(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before.
 
     The residual has the shape (samples,), in the channel's unit; times in s.
     """
     height = jumps(residual)
     apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
-    candidates: list[Shape] = []
+    candidates: list[Nonlinear] = []
     for _ in range(SEEN):
         place = int(np.argmax(height))
         if height[place] <= 0.0:
@@ -100,28 +100,29 @@ def slips_seen(drivers: Drivers, residual: Array) -> list[Shape]:
     return candidates
 
 
-def slipped(drivers: Drivers, shape: Shape) -> Array:
+def slipped(drivers: Drivers, nonlinear: Nonlinear) -> Array:
     """0 before a slip, 1 after it; a sample that holds a sudden one is a mean, and so between.
 
     Shape (samples,), without a unit; times of the shape in s.
     """
-    since_s = drivers.elapsed_s - shape["at_s"]
-    if shape["within_s"] > 0.0:
-        return np.asarray(1.0 - np.exp(-np.maximum(since_s, 0.0) / shape["within_s"]))
+    since_s = drivers.elapsed_s - nonlinear["at_s"]
+    if nonlinear["within_s"] > 0.0:
+        return np.asarray(1.0 - np.exp(-np.maximum(since_s, 0.0) / nonlinear["within_s"]))
     return np.asarray(np.clip(since_s / drivers.step_s + 0.5, 0.0, 1.0))
 
 
-def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Shape]:
+def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Nonlinear]:
     """Candidate times of a sudden event, evenly spread over the samples."""
     index = np.unique(np.linspace(0, len(drivers.motion) - 1, count + 2).astype(int)[1:-1])
     return [{name: float(f"{drivers.elapsed_s[i]:.6g}")} for i in index]
 
 
-def varied(shapes: list[Shape]) -> int:
-    """How many parameters of a mechanism's shapes were chosen among several values, in the shape that has most."""
+def varied(options: list[Nonlinear]) -> int:
+    """How many nonlinear parameters were chosen among several values, in the candidate that has most."""
     values: dict[str, set[float]] = {}
-    for shape in shapes:
-        for name, value in shape.items():
+    for nonlinear in options:
+        for name, value in nonlinear.items():
             values.setdefault(name, set()).add(value)
-    apart = {name for name, tried in values.items() if len(tried) > 1 or any(name not in shape for shape in shapes)}
-    return max((len(apart & set(shape)) for shape in shapes), default=0)
+    in_all = set.intersection(*map(set, options)) if options else set()
+    apart = {name for name, tried in values.items() if len(tried) > 1 or name not in in_all}
+    return max((len(apart & set(nonlinear)) for nonlinear in options), default=0)
