@@ -7,6 +7,7 @@ from ..diagnosis.adopt import fitted, is_number
 from ..diagnosis.content import Simulated, Verdict
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
+from ..diagnosis.words import unseen
 from ..diagnosis.words.dimensions import LEAVES, assumed, name_of
 from ..diagnosis.words.error_table import aligned
 from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
@@ -86,6 +87,26 @@ def is_of(content: Verdict, run: str) -> bool:
     """Whether a diagnosis is of a run; one that names none is taken to be."""
     of = content.get("run", run)
     return run in (of if isinstance(of, list) else [of])
+
+
+def on_unseen(content: Verdict, unit: str) -> list[str]:
+    """What the verdict says of strokes that no fit has seen, and whether it says not to adopt; nothing where it cannot.
+
+    `unit` is that of the reading.
+    """
+    fit, verdict = content.get("fit"), content.get("verdict")
+    held = fit.get("heldout") if isinstance(fit, dict) else None
+    values = [held.get(f"{name}_{unit}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
+    if verdict not in ("explained", "ambiguous") or len(values) != 2 or not all(map(is_number, values)):
+        return []
+    calibrated, explained = (float(value) for value in values if value is not None)
+    said = [
+        f"Those errors are of strokes that the fit has seen. On unseen ones the verdict says {size(explained, unit)}, "
+        f"and {size(calibrated, unit)} without the effects."
+    ]
+    if explained > unseen.WORSE * calibrated:
+        said.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
+    return said
 
 
 def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:

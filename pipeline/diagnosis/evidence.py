@@ -11,6 +11,7 @@ import numpy as np
 from ..ground.kinematics import Array
 from . import aspects, engine, generic, locate, named
 from .compare import price
+from .covered import covered
 from .outcome import Study, cancels, rms
 from .problem import Problem
 from .search import Explanation, Search
@@ -184,4 +185,5 @@ def evidence(study: Study) -> dict[str, Any]:
         system.driver: [float(drivers.motion.min()), float(drivers.motion.max())],
         "strokes": [int(max(drivers.stroke.min(), 1)), int(drivers.stroke.max())],
         "loaded": drivers.loaded,
+        "covered": covered(study.problem.record),
     }

@@ -9,7 +9,6 @@ from matplotlib.patches import Patch
 
 from ..ground.page import write_page
 from . import panels
-from .bounds import at_bound
 from .content import Verdict
 from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
@@ -18,6 +17,7 @@ from .words.dimensions import name_of
 from .words.headline import unfit
 from .words.quantity import listing
 from .words.sight import heading, included
+from .words.to_measure import to_measure
 from .words.unseen import noises
 from .words.vocabulary import Vocabulary
 
@@ -53,13 +53,10 @@ def title(content: dict[str, Any]) -> str:
 def warning(content: dict[str, Any], words: Vocabulary) -> str:
     """A run.yaml not to predict with, and which dimensions stand at the limit of calibration, a line each, if any."""
     lines = [sentence] if (sentence := unfit(content, words)) else []
-    names = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
-    single = len(names) == 1
+    names = [name_of(name) for name in to_measure(content)]
     if names:
-        sentence = (
-            f"{listing(names)} {'stands at its limit' if single else 'stand at their limits'} of three tolerances"
-        )
-        lines += [f"{sentence}: measure {'it' if single else 'them'} again first"]
+        them = "it" if len(names) == 1 else "them"
+        lines += [f"calibration moved {listing(names)} far: measure {them} again first (verdict.txt)"]
     return "\n".join(lines)
 
 

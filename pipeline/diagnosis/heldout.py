@@ -35,6 +35,7 @@ class Errors(TypedDict):
     explained: float
     without_physics: NotRequired[float]  # with what a regression adds, where it was asked
     left: NotRequired[Left]
+    chosen: list[str]  # effects that the procedure named without those strokes
 
 
 FITTED: tuple[Literal["calibrated", "explained"], ...] = ("calibrated", "explained")
@@ -91,6 +92,7 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
         "nominal": error(studied.nominal),
         "calibrated": error(studied.base),
         "explained": error(studied.state),
+        "chosen": [act.id for act in studied.state.acts if act not in fine.included],
     }
     if errors["explained"] > LEFT * min(fine_floor(fine, studied), quick(fine, studied.state, unseen)):
         later = problem.record.time_s >= problem.record.time_s[row]

@@ -26,12 +26,13 @@ TITLE_WIDE = 34  # characters
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
     "tied": (TIED, "likely as well"),
-    "beaten": (OTHER, "less likely: details.txt says why"),
+    "beaten": (OTHER, "less likely (details.txt: the likeliest of them)"),
     "not needed": (MORE, "less likely, with more effects"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
 MORE_ALONE = "takes away too little to be named"  # where nothing is
+NOT_NAMED = "leaves least, and is not named"  # where none has to be
 BENT_FORMULA = "left if its formulas may be a little wrong"
 NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
 MOTION = {
@@ -86,10 +87,9 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
     shown_standings = {explanation["standing"] for explanation in shown}
     standings = [name for name in STANDINGS if name in shown_standings]
-    meanings = {
-        name: MORE_ALONE if name == "not needed" and "named" not in shown_standings else STANDINGS[name][1]
-        for name in shown_standings
-    }
+    meanings = {name: STANDINGS[name][1] for name in STANDINGS}
+    meanings |= {} if "named" in shown_standings else {"not needed": MORE_ALONE}
+    meanings |= {} if content.get("verdict") == "unknown" else {"not enough": NOT_NAMED}
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=meanings[name]) for name in standings]
     if decide:
         handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))

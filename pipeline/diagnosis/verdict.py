@@ -177,6 +177,8 @@ def diagnosis(
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
     content["evidence"] = evidence(study) | ({"pattern": pattern} if pattern else {})
+    if heldout:
+        content["evidence"]["chosen_without_them"] = heldout["chosen"]
     if heldout and "left" in heldout:
         content["evidence"]["left_of_unseen"] = heldout["left"]
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():

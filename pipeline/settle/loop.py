@@ -158,7 +158,7 @@ class Loop:
     def _recorded(self, step: Step) -> tuple[Step, int]:
         """The run is made; the step, and an exit status where the loop is to end here."""
         folder = Path(step.run_dir or "")
-        move.describe(folder, self.runs[-1])
+        move.describe(folder, self.runs[-1], step)
         if move.begun(folder) and self.motor.port:
             if move.mended(folder):
                 return self.place.write(move.came(step)[0]), DONE

@@ -24,10 +24,16 @@ def free_dir(first: Path) -> Path:
     return first.parent / f"{first.name}-s{number}"
 
 
-def describe(folder: Path, first: Path) -> None:
-    """Make the run's folder with a run.yaml like the first one's, unless it is there."""
-    if not (folder / "run.yaml").exists():
-        make_run(with_given(as_in(first), {"run": folder.name}, first), None, folder.parent, known=True)
+def describe(folder: Path, first: Path, step: Step) -> None:
+    """Make the run's folder with a run.yaml like the first one's, unless it is there.
+
+    A load that run.yaml gives, since nothing measures it, is that of the step's motion where it moves under one load.
+    """
+    if (folder / "run.yaml").exists():
+        return
+    like = as_in(first)
+    hangs = {"rig": {"load_n": step.loads_n[0]}} if "load_n" in like.get("rig", {}) and len(step.loads_n) == 1 else {}
+    make_run(with_given(like, {"run": folder.name, **hangs}, first), None, folder.parent, known=True)
 
 
 def begun(folder: Path) -> bool:

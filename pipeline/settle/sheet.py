@@ -11,12 +11,12 @@ def sheet(step: Step, like: Path, why: str) -> str:
     """What to do, leg by leg, and how to record it; `why` says why the rig is not moved by this program."""
     folder = Path(step.run_dir or "")
     lines = [f"Run {folder.name}: {step.proposal['title']}", f"By hand, since {why}.", ""]
-    lines += ["What the motor does:"] if step.legs else []
-    at, hangs = step.proposal.get("from", 0.0), None
+    lines += [*before(step), "What the motor does:"] if step.legs else []
+    at, hangs = step.proposal.get("from", 0.0), step.loads_n[0] if len(step.loads_n) == 1 else None
     for number, leg in enumerate(step.legs, 1):
         to, load = leg["motor_turns"], leg.get("load_n")
         does = f"stand at {to:.2f} turns" if abs(to - at) < 5e-3 else f"go from {at:.2f} to {to:.2f} turns"
-        weight = f", under {load:g} N" if load is not None and load != hangs else ""
+        weight = f", under {load:g} N" if load is not None and load != hangs and len(step.loads_n) != 1 else ""
         lines.append(f"  {number}. {does} in {leg['seconds']:.1f} s{weight}")
         at, hangs = to, load if load is not None else hangs
     record = f"{command('capture')} PORT {shlex.quote(str(folder))}"
@@ -27,3 +27,11 @@ def sheet(step: Step, like: Path, why: str) -> str:
         "When the recording is there, this program goes on by itself.",
     ]
     return "\n".join(lines) + "\n"
+
+
+def before(step: Step) -> list[str]:
+    """What to hang before the motion begins, or that a recording needs a column of the load where that changes."""
+    if len(step.loads_n) == 1:
+        return [f"Before it, hang {step.loads_n[0]:g} N, and leave it there."]
+    said = "The load changes on the way: record it as load_n too, for run.yaml can give one load only."
+    return [said] if step.loads_n else []

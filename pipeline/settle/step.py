@@ -10,6 +10,7 @@ from ..ground.files import write_text
 from .proposed import LegJson, ProposedRun, StepVerdict
 
 STATES = ("proposed", "approved", "recorded", "diagnosed")
+STANDS = 5e-3  # turns: a leg that goes less far stands
 NAME, PROPOSED = "state.json", "proposed.json"
 
 
@@ -50,6 +51,14 @@ class Step:
         ways = [leg["motor_turns"] for leg in self.legs]
         before = [self.proposal.get("from", 0.0), *ways]
         return sum(to > at for at, to in zip(before, ways, strict=False))
+
+    @property
+    def loads_n(self) -> list[float]:
+        """The loads under which it moves, in N, each once and in their order; none where it says nothing of a load."""
+        before = [self.proposal.get("from", 0.0), *(leg["motor_turns"] for leg in self.legs)]
+        moves = [leg for at, leg in zip(before, self.legs, strict=False) if abs(leg["motor_turns"] - at) > STANDS]
+        loads = [leg.get("load_n") for leg in moves]
+        return list(dict.fromkeys(float(load) for load in loads if load is not None))
 
 
 @dataclass(frozen=True)

@@ -221,8 +221,9 @@ def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_abov
     content["simulation"] = [{"id": "slack", "parameters": {}}]
     content["evidence"] |= {"nominal_mm": 1.0, "calibrated_mm": 0.02, "moved_sigma": {"radius": BOUND}}
     content["parameters"] = {"radius": {}}
+    content["adopted"] = []
     first, second = figures.warning(content, words).split("\n")
     assert first.startswith("do not predict with run.yaml as it stands: it errs by 1.0 mm rms")
-    assert second == "radius stands at its limit of three tolerances: measure it again first"
+    assert second == "calibration moved radius far: measure it again first (verdict.txt)"
     content["evidence"]["nominal_mm"] = 0.03
     assert figures.warning(content, words) == second

@@ -125,7 +125,7 @@ def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_fo
     one = program(place, "settle", "raw/poor-1", "--port", old.port, "--out", "out")
     until(one, place / "out" / "step-1" / "sheet.txt")
     sheet = (place / "out" / "step-1" / "sheet.txt").read_text()
-    assert "go from 0.00 to 20.0" in sheet and "under 40 N" in sheet and "declares no limits" in sheet
+    assert "go from 0.00 to 20.0" in sheet and "hang 40 N" in sheet and "declares no limits" in sheet
     for name in ("recording.frames", "capture.json"):
         shutil.copy(place / "by-hand" / name, place / "raw" / "poor-1-s1" / name)
     said = one.communicate(timeout=60)[0]

@@ -5,13 +5,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from made_recording import recording
 
 from pipeline.ground.errors import BadInput
+from pipeline.run.folder import read_run
 from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
 from pipeline.settle.choose import Budget, chosen, firm, reachable
 from pipeline.settle.drawing import simulated_mm, zero_mm
 from pipeline.settle.limits import Allowed
+from pipeline.settle.move import describe
 from pipeline.settle.sheet import sheet
 from pipeline.settle.step import Place, Step
 from pipeline.wire.motion import Limits
@@ -100,9 +103,21 @@ def test_a_person_is_asked_and_only_yes_is_yes(answer, moves, monkeypatch, tmp_p
 def test_a_sheet_says_each_leg_and_how_to_record_it():
     step = chosen([entry("one", load_n=40.0)], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
     text = sheet(step, Path("raw/a"), "no --port was given")
-    assert "1. stand at 0.00 turns in 2.0 s, under 20 N" in text
-    assert "2. go from 0.00 to 20.00 turns in 5.0 s, under 40 N" in text
+    assert "Before it, hang 40 N, and leave it there." in text and "under" not in text
+    assert "1. stand at 0.00 turns in 2.0 s\n" in text and "2. go from 0.00 to 20.00 turns in 5.0 s\n" in text
     assert "3. go from 20.00 to 0.00 turns in 5.0 s\n" in text and "capture PORT raw/a-s1" in text
+    step.legs[2]["load_n"] = 10.0
+    text = sheet(step, Path("raw/a"), "no --port was given")
+    assert "2. go from 0.00 to 20.00 turns in 5.0 s, under 40 N" in text and "in 5.0 s, under 10 N" in text
+    assert "record it as load_n too" in text and "leave it there" not in text
+
+
+@pytest.mark.parametrize(("rig", "hangs"), [({"load_n": 20.0}, 40.0), ({}, None)])
+def test_a_load_that_nothing_measures_is_that_of_the_run_that_is_made(make_run, tmp_path, rig, hangs):
+    first = make_run("a", recording(4), rig={"torsion_zone_mm": 150, "separator_mm": 8, **rig})
+    step = chosen([entry("one", load_n=40.0)], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
+    describe(first.parent / "a-s1", first, step)
+    assert read_run(first.parent / "a-s1").rig.get("load_n") == hangs
 
 
 def test_steps_are_read_as_they_were_written(tmp_path):

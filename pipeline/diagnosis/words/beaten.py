@@ -111,7 +111,8 @@ def _not_needed(one: dict[str, Any], content: dict[str, Any], words: Vocabulary)
     said = f"{added}: {more} {left(one, content, words)}"
     if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and bent < saved:
         allowed = f"{ALLOWED[0].lower()}{ALLOWED[1:]}"
-        said += f". Of the {size(saved, words.unit)} only {size(bent, words.unit)} are sure {allowed}"
+        all_of_it, sure = size(saved, words.unit), size(bent, words.unit)
+        said += f". Of the {all_of_it} only {sure} are sure {allowed}" if sure != all_of_it else ""
     kept = [other for other in entries(content, "tied") if len(other["ids"]) >= len(one["ids"])]
     if any(other[f"left_{ending}"] >= one[f"left_{ending}"] for other in kept):
         return f"{said}. Some that are likely leave as much, and are ranked before it all the same."

@@ -84,7 +84,7 @@ def do_not_copy(moved: Iterable[str]) -> str:
 
 def suspicious(content: dict[str, Any]) -> list[str]:
     """What a reader must know first of dimensions that calibration moved to the bound of what it may do."""
-    bounds = at_bound(content["evidence"]["moved_sigma"])
+    bounds = at_bound(far_moved(content))
     found = {name: which for name, which in bounds.items() if name in content["parameters"]}
     if not found:
         return []
@@ -173,10 +173,11 @@ def each_moved(content: dict[str, Any], words: Vocabulary, but: Iterable[str] = 
     """
     sigmas = content["evidence"]["moved_sigma"]
     moved = {name: sigma for name, sigma in sigmas.items() if abs(sigma) >= HARDLY and name not in but}
-    lines, within = [], [name_of(name) for name, sigma in moved.items() if but and abs(sigma) < 1.0]
+    measured = [name for name in moved if not name.startswith("stiffness")]
+    lines, within = [], [name for name in measured if but and abs(moved[name]) < 1.0]
     if within:
-        lines.append(f"Within {'its' if len(within) == 1 else 'their'} tolerance: {listing(within)}.")
-        moved = {name: sigma for name, sigma in moved.items() if abs(sigma) >= 1.0}
+        lines.append(f"Within tolerance: {listing([name_of(name) for name in within])}.")
+        moved = {name: sigma for name, sigma in moved.items() if name not in within}
     for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
         nominal, value = from_to(content, name)
         known = tolerances.said(content, name, words)

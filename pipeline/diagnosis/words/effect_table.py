@@ -11,12 +11,16 @@ from .vocabulary import Vocabulary
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 NO_SIZE = "–"  # of an effect that the best explanation has not
-POORLY, HIDDEN = ", poorly known", ", poorly known: mostly hidden"
+POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of it."
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
 MORE = 0.02  # of a probability: what a reader wonders about
+SOME_TAKEN_BACK = (
+    "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
+    "its own size stands and falls with them."
+)
 ALSO_ELSEWHERE = (
     "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
     "more than the {} of this one explanation."
@@ -44,6 +48,7 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         *([f"Sizes are those of the best explanation, {best}."] if several else []),
         *_than_the_explanation(content),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
+        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),
         *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in row for *_, row in rows) else []),
     ]
 
@@ -88,5 +93,6 @@ def own_size(entry: dict[str, Any], content: dict[str, Any], words: Vocabulary) 
         return size(known["value"], words.unit)
     within = certainty.span(known["low"], known["high"], words)
     much = content["mismatch"] and certainty.hidden(known["value"], content, words)
-    doubt = HIDDEN if much else POORLY if certainty.wide(known) else ""
+    some = content["mismatch"] and known["value"] > rivals.MORE * content["mismatch"][f"rms_{words.ending}"]
+    doubt = HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if some else ""
     return f"{size(known['value'], words.unit)} ({within}){doubt}"

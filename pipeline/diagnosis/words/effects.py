@@ -11,6 +11,7 @@ from .quantity import duration, listing, quantity, size
 from .vocabulary import Vocabulary
 
 HALF = "half_loop_mm"  # what the strengths add up to that follow neither load nor twist
+SMALL = 0.2  # of an effect's rms: a part of a loop that is not worth a word
 MOST_OF = 0.2  # of all strengths: time constants with less are not worth a word
 CALCULATED = (
     "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
@@ -33,7 +34,7 @@ def sentence(mechanism: Mechanism, entry: dict[str, Any], span: float | None, wo
     fields["times"] = time_constants(entry["parameters"])
     fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
     said = filled(mechanism.sentence, fields).rstrip(".")
-    detail = details(mechanism, entry["parameters"], words, units)
+    detail = details(mechanism, entry["parameters"], words, units, worth)
     return f"{said}{': ' if detail else ''}{detail}."
 
 
@@ -71,9 +72,11 @@ def names_in(template: str) -> list[str]:
     return [name for _, name, _, _ in Formatter().parse(template) if name]
 
 
-def details(mechanism: Mechanism, parameters: dict[str, Any], words: Vocabulary, units: Units) -> str:
-    """The first detail whose parameters were all found, once for every event."""
-    for template in loop_details(mechanism, parameters, units):
+def details(
+    mechanism: Mechanism, parameters: dict[str, Any], words: Vocabulary, units: Units, worth: float = 0.0
+) -> str:
+    """The first detail whose parameters were all found, once for every event; `worth` is the effect's rms."""
+    for template in loop_details(mechanism, parameters, units, worth):
         wanted = {name: units.name(name) for name in names_in(template) if name not in words.fields}
         found = []
         for number in range(1, mechanism.steps + 1):
@@ -100,16 +103,19 @@ def has_constants(entry: dict[str, Any]) -> bool:
     return bool(CONSTANT.search(entry["sentence"]))
 
 
-def loop_details(mechanism: Mechanism, parameters: dict[str, Any], units: Units) -> tuple[str, ...]:
+def loop_details(mechanism: Mechanism, parameters: dict[str, Any], units: Units, worth: float) -> tuple[str, ...]:
     """The details of a mechanism; half a loop is told only where it is the same under every load and at every twist.
 
-    Else the sum of those strengths is a part of the loop, and twice it is told as how wide that part is.
+    Else the sum of those strengths is a part of the loop, and twice it is told as how wide that part is; nothing where
+    that is little beside the effect's rms, `worth`.
     """
     part = parameters.get(units.name(HALF), {"value": 0.0})
     grown = [name for name, value in parameters.items() if value["unit"].startswith(f"{part.get('unit')}/")]
     others = [name for name in parameters if (name in grown or "slack_" in name) and parameters[name]["value"]]
     if not part["value"] or not others:
         return mechanism.details
+    if part["value"] < SMALL * worth:
+        return ()
     wide = quantity(2.0 * part["value"], part["unit"])
     return (f"{wide} of its width are the same under every load and at every {{motion}}",)
 

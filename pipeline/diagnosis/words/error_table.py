@@ -58,7 +58,9 @@ def short(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The table with its rows said in words, and no remarks; the details have those."""
     rows, held = _rows(content, words), unseen.errors(content, words)
     named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
-    said = {"nominal": "nominal: dimensions of run.yaml", "calibrated": "calibrated: dimensions moved"}
+    first = "adopted effects, dimensions of run.yaml" if sight.included(content) else "nominal: dimensions of run.yaml"
+    moved = "calibrated anew: dimensions moved" if sight.included(content) else "calibrated: dimensions moved"
+    said = {"nominal": first, "calibrated": moved}
     said |= {
         "as adopted": "as adopted: effects and dimensions",
         "as diagnosed": named,

@@ -34,8 +34,8 @@ NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
     "would show more.",
     "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
-    "explained": "None is needed: no other explanation of the library fits. To make sure, record the rig once more at "
-    "another speed and load.",
+    "explained": "None is needed: no other explanation of the library is as likely. What makes sure of a name stands "
+    "in verdict.txt, under What to do.",
 }
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
 NONE_PROPOSED = (

@@ -4,8 +4,11 @@ from pathlib import Path
 from typing import Any
 
 from ..library import mechanisms
-from . import certainty, commands, unseen
+from . import certainty, commands, seen, unseen
+from .quantity import duration, number, quantity
 from .vocabulary import Vocabulary
+
+ALIKE = 1.2  # times the slowest stroke's speed: a fastest one below that is no other speed
 
 
 def of_what_is_missing(
@@ -17,8 +20,9 @@ def of_what_is_missing(
     if unseen.nothing_new(content, words):
         return [
             [
-                "Leave what is still missing, unless it is too much for your use: details.txt says where it lies. No "
-                "effect of the library is named for it. Other speeds and loads, diagnosed together, show more of it."
+                "Leave what is still missing, unless it is too much for your use. No effect of the library is named "
+                "for it. Other speeds and loads, diagnosed together, show more of it.",
+                *seen.remains(content, words),
             ]
         ]
     again = commands.lines(folders, out, [""])
@@ -28,6 +32,7 @@ def of_what_is_missing(
             "way, and diagnose both runs together. If the error on unseen strokes falls to the noise, there were too "
             "few strokes. If not, this rig has physics that the library lacks.",
             *(f"  {line}" for line in again),
+            commands.CAPTURE,
         ]
     ]
 
@@ -41,7 +46,26 @@ def of_names(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
     tests = [f"- {id_}: {mechanisms()[id_].told_apart_by};" for id_ in ids] if words.twisted else []
     if not tests:
         return []
-    loads = "several loads" if content["evidence"]["loaded"] else "one load"
-    has = f" (it has {loads})" if words.load is not None else ""
-    head = f"To make sure of a name, see that the recording holds what tells the effect from others{has}:"
-    return [[head, *tests[:-1], f"{tests[-1].removesuffix(';')}."]]
+    head = "To make sure of a name, a recording should hold what tells the effect from others:"
+    return [[head, *tests[:-1], f"{tests[-1].removesuffix(';')}.", *held(content, words)]]
+
+
+def held(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """What this recording holds of loads, speeds, holds and rests; nothing where an older file does not say it."""
+    known = content["evidence"].get("covered")
+    if known is None:
+        return []
+    (least, most), (slow, fast) = known["load"], known["speed_per_s"]
+    loads = (
+        f"loads of {number(least, 3)} to {quantity(most, words.load_unit, 3)}"
+        if content["evidence"]["loaded"]
+        else "one load"
+    )
+    speeds = f"speeds of {number(slow)} to {quantity(fast, f'{words.motion_unit}/s')}"
+    if fast < ALIKE * slow:
+        speeds = f"one speed, {quantity(fast, f'{words.motion_unit}/s')}"
+    stands = (
+        f"holds of up to {duration(known['longest_hold_s'])} and rests of up to {duration(known['longest_rest_s'])}"
+    )
+    under = f" under {quantity(least, words.load_unit, 3)} or more" if words.load is not None and least > 0.0 else ""
+    return [f"This one has {loads}, {speeds}, and {stands}{under}."]

@@ -2,11 +2,12 @@
 
 from typing import Any
 
-from . import certainty, effects, rivals, sight, unseen
+from . import certainty, chances, effects, probability, sight, unseen
 from .dimensions import far_moved
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
 
+NAMED = 3  # other explanations that a report names
 FITTED = "Do not report calibrated dimensions, nor the numbers under `simulation`: they are fitted, not measured."
 
 
@@ -41,8 +42,9 @@ def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     alike = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
     but = f" ({listing(alike)} as the library's name for a slow effect: one load cannot tell it from others)"
-    said = f"of the library's effects {listing(sure)} {'are' if len(sure) > 1 else 'is'} sure"
-    return [f"{said}{but if alike else ''}"] if sure else []
+    shares = certainty.known(content)
+    named = listing([f"{id_} (probability {percent(shares[id_])})" for id_ in sure])
+    return [f"at work, by the library's names: {named}{but if alike else ''}"] if sure else []
 
 
 def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -57,22 +59,24 @@ def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 
 def _best(content: dict[str, Any]) -> list[str]:
-    """How likely the one explanation is that is named, and that there may be physics that the library lacks."""
+    """How likely the best explanation is, what is not excluded, and physics that the library lacks."""
     none = content["evidence"].get("probability_of_none")
-    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    if content["alternatives"] or share is None or none is None:
+    kept = chances.kept_shares(content)
+    if not kept or none is None or not probability.known(content):
         return []
-    name = rivals.called([entry["id"] for entry in content["mechanisms"]])
-    return [
-        f"{name} explains it with a probability of {percent(share)}; physics that the library lacks has {percent(none)}"
-    ]
+    (name, share), *others = kept
+    following = chances.next_best(content)
+    rest = [*others[:NAMED], *([following] if following and not others else [])]
+    also = [f"{one} ({percent(its)})" for one, its in rest] + [f"physics that the library lacks ({percent(none)})"]
+    return [f"the recording agrees best with {name} ({percent(share)}); not excluded are {listing(also)}"]
 
 
 def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
     if far_moved(content):
         return [
-            "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions."
+            "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions: "
+            "dimensions that moved so far can have taken a part of it."
         ]
     poorly = list(certainty.poorly_known(content, words))
     if not poorly:

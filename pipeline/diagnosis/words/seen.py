@@ -49,10 +49,9 @@ def remains(content: dict[str, Any], words: Vocabulary) -> list[str]:
     if not found or best is None or best[f"left_{words.ending}"] <= NOISY * floor:
         return []
     where = place(found["location"], evidence, words)
-    lies = f"lies mostly {where}"
-    if where == EVERYWHERE:
-        half = place(found["half"], evidence, words) if "half" in found else EVERYWHERE
-        lies = "is spread over the whole recording" + (f", half of its energy {half}" if half != EVERYWHERE else "")
+    half = place(found["half"], evidence, words) if "half" in found else EVERYWHERE
+    lies = "is spread over the whole recording" if where == EVERYWHERE else f"lies mostly {where}"
+    lies += f", half of its energy {half}" if half not in (EVERYWHERE, where) else ""
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in found["driver"]])
     rms = size(found[f"rms_{words.ending}"], words.unit)
     return [f"What is left holds a pattern of {rms} rms beside the noise. It {lies}, and follows {follows}."]

@@ -16,6 +16,7 @@ ZERO = (
     f"{program_name('simulate')} of another run sets the zero of the reading in its first second, which a verdict "
     "fits: there it can err by more."
 )
+NEAR = 1.5  # times the limit: a ratio below it is said to a hundredth
 WORSE = 1.02  # times the other error: less may be chance
 
 
@@ -35,8 +36,16 @@ def worse(content: dict[str, Any], words: Vocabulary) -> str:
     if found is None or not who:
         return ""
     nominal, error = found[0], found[2] if "explained" in who else found[1]
+    if size(error, words.unit) == size(nominal, words.unit):
+        return ""
     sizes = f"{size(error, words.unit)} against {size(nominal, words.unit)}"
     with_what = "as diagnosed" if "explained" in who else "calibrated"
+    if "explained" not in who and content["verdict"] in ("explained", "ambiguous"):
+        with_it = f"with what is named the simulator errs by {size(found[2], words.unit)}"
+        return (
+            f" On the {sight.strokes(content)} {with_it}, as measured by {size(nominal, words.unit)}; calibrated alone "
+            f"it is worse than that ({size(error, words.unit)})."
+        )
     return f" But on the {sight.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
 
 
@@ -48,15 +57,16 @@ def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
     nominal, calibrated, explained = found
     noise, said = content["fit"][f"noise_floor_{words.ending}"], []
     named, strokes = content["verdict"] in ("explained", "ambiguous"), sight.strokes(content)
-    if calibrated > WORSE * nominal:
+    named_helps = named and explained < nominal  # then the first line says it
+    if calibrated > WORSE * nominal and not named_helps:
         sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
-        without = " without what is named" if named and explained < nominal else ""
         said.append(
             f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
-            f" What calibration alone learnt does not hold later: do not adopt its dimensions{without}."
+            " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
     if harmful(content, words):
         said.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
+        said += other_choice(content)
     elif named and explained > NO_BETTER * calibrated:
         said.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
     if partly(content, words) and content["verdict"] != "unknown":
@@ -73,6 +83,18 @@ def harmful(content: dict[str, Any], words: Vocabulary) -> bool:
     return explained > max(WORSE * calibrated, calibrated + 0.1 * float(content["fit"][f"noise_floor_{words.ending}"]))
 
 
+def other_choice(content: dict[str, Any]) -> list[str]:
+    """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
+    chosen = content["evidence"].get("chosen_without_them")
+    if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
+        return []
+    name = " + ".join(chosen) or "no effect"
+    return [
+        f"Without those strokes the same procedure chose {name}, and that is what errs there. So the recording is too "
+        "short to choose, and what is named above has not been tried on strokes that it has not seen."
+    ]
+
+
 def partly(content: dict[str, Any], words: Vocabulary) -> bool:
     """Whether unseen strokes are missed by more than the noise."""
     found = errors(content, words)
@@ -85,16 +107,23 @@ def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, nam
     `unseen` is the error on unseen strokes in noise floors.
     """
     fitted = fitted_times(content, words, named)
-    missed = f"the {sight.strokes(content)} are missed by {times(unseen)} times the noise"
+    missed = (
+        f"the {sight.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
+    )
     if fitted is None or sight.sight(content) == sight.SEEN:
         return f"Something systematic is still missing: {missed}."
-    both = f"{missed}, those that the fit has seen by {times(fitted)} times"
+    both = f"{missed}, those that the fit has seen by {exact(fitted)} times"
     if unseen <= NOTHING_NEW * fitted:
-        return f"Something systematic is still missing: {both}. So nothing is new in the {sight.strokes(content)}."
+        return f"Something systematic is still missing: {both}. So it is in what the fit has seen as well."
     if named:
         changes = "So something changes from stroke to stroke that the explanation does not foresee"
         return f"Something systematic is still missing: {both}. {changes}, or too few strokes were seen."
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
+
+
+def exact(ratio: float) -> str:
+    """How many times, to a hundredth where that decides: 1.34, 3.4, 96."""
+    return f"{ratio:.2f}" if ratio < NEAR * STILL_MISSING else times(ratio)
 
 
 def nothing_new(content: dict[str, Any], words: Vocabulary) -> bool:

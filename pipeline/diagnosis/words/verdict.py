@@ -6,7 +6,7 @@ from typing import Any
 
 from ...systems import System
 from ..interface import physics
-from . import adoption, beaten, certainty, effect_table, error_table, level, sight, to_do, tolerances, unseen
+from . import adoption, beaten, certainty, chances, effect_table, error_table, level, sight, to_do, tolerances, unseen
 from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
 from .headline import UNNAMED, headline
 from .places import EVERYWHERE, place
@@ -36,6 +36,7 @@ def verdict_text(
             [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *_provisional(content, words)],
         ),
         (effect_table.HEADING, effect_table.lines(content, words)),
+        (chances.HEADING, chances.lines(content, words)),
         ("What is missing", _unknown(content, words)),
         (error_table.SHORT, error_table.short(content, words)),
         ("Dimensions", corrected(content, words)),

@@ -1,0 +1,58 @@
+"""How probable each explanation is, on the page: the kept ones, the next best, the others, and none of the library."""
+
+from typing import Any
+
+from . import probability, rivals, tolerances
+from .dimensions import name_of
+from .error_table import aligned
+from .quantity import listing, percent
+from .vocabulary import Vocabulary
+
+HEADING = "How probable each explanation is"
+KEPT = 5  # of them by name; the others are counted
+WORTH = 0.05  # a probability from which on the next best is named
+OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
+
+
+def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The table; nothing where nothing is named or no probability is known."""
+    if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
+        return []
+    kept = kept_shares(content)
+    rows = [[name, percent(share), "the best one" if place == 0 else ""] for place, (name, share) in enumerate(kept)]
+    if len(rows) > KEPT:
+        rest = kept[KEPT - 1 :]
+        rows = [*rows[: KEPT - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
+    none = content["evidence"].get("probability_of_none") or 0.0
+    left = max(1.0 - none - sum(share for _, share in kept), 0.0)
+    following = next_best(content)
+    if following:
+        rows.append([following[0], percent(following[1]), "less likely"])
+        left = max(left - following[1], 0.0)
+    rows += [[OTHERS, percent(left), ""], [NONE, percent(none), ""]]
+    return [*(line.rstrip() for line in aligned(rows)), *_stands_on(content, words)]
+
+
+def _stands_on(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
+    moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > 1.0}
+    known = {name: tolerances.said(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
+    said = [f"{name_of(name)} {tolerance}" for name, tolerance in known.items() if tolerance]
+    if not said:
+        return []
+    return [f"All this stands on these tolerances: {listing(said)}. If one of them is another, names can change."]
+
+
+def kept_shares(content: dict[str, Any]) -> list[tuple[str, float]]:
+    """The explanations that the verdict keeps by name, each with its probability, the best one first."""
+    best, ties = rivals.entries(content, "named"), rivals.entries(content, "tied")
+    found = [*best, *sorted(ties, key=lambda one: -(one.get("probability") or 0.0))]
+    return [(rivals.called(one["ids"]), float(one.get("probability") or 0.0)) for one in found]
+
+
+def next_best(content: dict[str, Any]) -> tuple[str, float] | None:
+    """The likeliest explanation that is not kept, with its probability, if it is worth a word."""
+    others = rivals.entries(content, "beaten", "not needed")
+    found = max(others, key=lambda one: one.get("probability") or 0.0, default=None)
+    share = float(found.get("probability") or 0.0) if found else 0.0
+    return (rivals.called(found["ids"]), share) if found and share >= WORTH else None
