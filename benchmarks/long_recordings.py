@@ -25,26 +25,32 @@ import time
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
 import yaml
 
 ROOT = Path(__file__).parents[1]
 RATE_HZ, STROKE_S = 1000.0, 60.0
+PIECE = 1 << 20  # samples
 STRING = {"material": "Z", "radius_mm": 0.4, "length_mm": 300.0, "stiffness_n_per_mm": 50.0}
 
 
 def record(folder: Path, minutes: float) -> None:
-    """A run folder with a recording of so many minutes."""
+    """A run folder with a recording of so many minutes, which is written piece by piece."""
     folder.mkdir(parents=True)
-    time_s = np.arange(round(60.0 * minutes * RATE_HZ)) / RATE_HZ
-    turns = 25.0 * np.interp(
-        time_s / STROKE_S % 1.0, [0.0, 0.05, 0.45, 0.55, 0.95, 1.0], [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]
-    )
-    noise = np.random.default_rng(1).normal(0.0, 1.0, (2, len(time_s)))
-    contraction_mm = 300.0 - np.sqrt(300.0**2 - (2.0 * np.pi * turns * 0.4) ** 2)
-    creep_mm = 0.8 * (1.0 - np.exp(-time_s / 120.0))
-    table = {"time_s": time_s, "motor_turns": turns, "displacement_mm": contraction_mm - creep_mm + 0.02 * noise[0]}
-    pd.DataFrame(table | {"load_n": 20.0 + 0.05 * noise[1]}).to_parquet(folder / "recording.parquet")
+    schema = pa.schema([(name, pa.float64()) for name in ("time_s", "motor_turns", "displacement_mm", "load_n")])
+    generator, samples = np.random.default_rng(1), round(60.0 * minutes * RATE_HZ)
+    with pq.ParquetWriter(folder / "recording.parquet", schema) as to_file:
+        for first in range(0, samples, PIECE):
+            time_s = np.arange(first, min(first + PIECE, samples)) / RATE_HZ
+            turns = 25.0 * np.interp(
+                time_s / STROKE_S % 1.0, [0.0, 0.05, 0.45, 0.55, 0.95, 1.0], [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]
+            )
+            noise = generator.normal(0.0, 1.0, (2, len(time_s)))
+            contraction_mm = 300.0 - np.sqrt(300.0**2 - (2.0 * np.pi * turns * 0.4) ** 2)
+            creep_mm = 0.8 * (1.0 - np.exp(-time_s / 120.0))
+            columns = [time_s, turns, contraction_mm - creep_mm + 0.02 * noise[0], 20.0 + 0.05 * noise[1]]
+            to_file.write_table(pa.Table.from_arrays([pa.array(one) for one in columns], schema=schema))
     content = {"run": folder.name, "actuator": "twisted_pair", "string": STRING, "rig": {}}
     (folder / "run.yaml").write_text(yaml.safe_dump(content))
 

@@ -1,9 +1,8 @@
 """What of a text recording is not as `file:` says: lines before the table, rows of another length, a cut end."""
 
 import csv
-import io
 import re
-import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +16,6 @@ NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan", re.IGNOR
 DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
 LOOK = 50  # lines at the start by which the layout is judged
 MOST_BELOW = 5  # lines of units, ranges and the like under the names
-TAIL = 250_000  # bytes at the end that hold the last two lines
 
 
 def cells(line: str, delimiter: str) -> list[str]:
@@ -77,30 +75,23 @@ def check_start(path: Path, lines: list[tuple[int, str]], layout: TextFile) -> N
     raise BadInput(path, "file.skip", problem, f"set file.skip to {before}: so many lines stand before {what}")
 
 
-def without_half(path: Path, kept: io.BytesIO, ended: bool, delimiter: str) -> int:
-    """How many lines were dropped from the end: 1 where the last row was cut off, which is said, else 0."""
-    size = kept.seek(0, io.SEEK_END)
-    kept.seek(max(size - TAIL, 0))
-    tail = kept.read().decode("utf-8", "replace").splitlines(keepends=True)[-2:]
-    kept.seek(0)
-    if len(tail) < 2 or not _of_numbers(tail[0].rstrip("\n"), delimiter):
-        return 0
-    whole, last = (cells(line.rstrip("\n"), delimiter) for line in tail)
-    short_row = len(last) < len(whole) and (not ended or all(NUMBER.fullmatch(cell) for cell in last))
-    half_number = not ended and len(last) == len(whole) and whole[-1][-1:].isdigit() and not last[-1][-1:].isdigit()
-    if not (short_row or half_number):
-        return 0
-    kept.truncate(size - len(tail[-1].encode()))
-    print(f"{path}: its last line, {short(tail[-1].strip())}, is cut off and was left out", file=sys.stderr)
-    return 1
+def is_half(before: str, last: str, delimiter: str) -> bool:
+    """Whether the last line of a file was cut off; both lines have their ends, and the last one has none if so."""
+    if not _of_numbers(before.rstrip("\n"), delimiter):
+        return False
+    ended = last.endswith("\n")
+    row, found = (cells(line.rstrip("\n"), delimiter) for line in (before, last))
+    short_row = len(found) < len(row) and (not ended or all(NUMBER.fullmatch(cell) for cell in found))
+    half_number = not ended and len(found) == len(row) and row[-1][-1:].isdigit() and not found[-1][-1:].isdigit()
+    return short_row or half_number
 
 
-def uneven(content: bytes, delimiter: str) -> str | None:
-    """In words, the first line with more fields than the table's first line; None where no line has more."""
-    lines = content.decode("utf-8", "replace").splitlines()
-    width = len(cells(lines[0], delimiter))
+def uneven(lines: Iterator[str], delimiter: str) -> str | None:
+    """In words, the first of a table's lines with more fields than its first line; None where no line has more."""
+    first = next(lines)
+    width = len(cells(first, delimiter))
     for line in lines:
-        count = len(cells(line, delimiter))
-        if count > width:
-            return f"the line {short(line)} has {count} fields, its first line {short(lines[0])} has {width}"
+        found = len(cells(line, delimiter))
+        if found > width:
+            return f"the line {short(line)} has {found} fields, its first line {short(first)} has {width}"
     return None

@@ -54,27 +54,67 @@ def _zone_s(zone: str) -> float:
     return 60.0 * (minutes if zone[0] == "+" else -minutes)
 
 
-def _since_midnight_s(column: pd.Series) -> pd.Series:
-    """Stamps as seconds from the first date's midnight; times without a date pass midnight where they fall back."""
-    parts = column.astype("string").str.strip().str.extract(rf"^{STAMP.pattern}$")
-    hour = parts["hour"].astype(float)
-    half = parts["half"].str.lower()
-    hour = hour.where(half.isna(), hour % 12 + 12 * (half == "pm").astype(float))
-    seconds = 3600 * hour + 60 * parts["minute"].astype(float) + parts["second"].str.replace(",", ".").astype(float)
-    zones = {zone: _zone_s(zone) for zone in parts["zone"].dropna().unique()}
-    seconds = (seconds - parts["zone"].map(zones).astype(float).fillna(0.0)).astype(float)
-    dates = list(parts["date"].dropna().unique())
-    if not dates:
-        return seconds + DAY_S * (seconds.ffill().diff() < -DAY_S / 2).cumsum()
-    days = parts["date"].map(_days(dates)).astype(float)
-    return seconds + DAY_S * (days - days.min())
+class Stamps:
+    """Stamps of one column that comes in pieces: each is looked at first, then all are told in seconds, in order.
+
+    Dates are told from all that the column has, and times of day without one from those before them.
+    """
+
+    def __init__(self) -> None:
+        self.example: Any = None  # the first stamp
+        self._dates: dict[str, None] = {}  # the different dates, in the column's order
+        self._days: dict[str, float] = {}
+        self._least: Any = None  # of dates or durations by their type
+        self._first_s: float | None = None
+        self._before_s, self._midnights = np.nan, 0  # the last time of day, and how often midnight was passed
+
+    def look(self, column: pd.Series) -> None:
+        """Note what is needed of all pieces before the first of them is told."""
+        self.example = next(iter(column.dropna().head(1)), None) if self.example is None else self.example
+        if column.dtype.kind in "Mm":
+            least = column.min()
+            self._least = least if pd.isna(self._least) or least < self._least else self._least
+        else:
+            self._dates |= dict.fromkeys(_parts(column)["date"].dropna().unique())
+
+    def seconds(self, column: pd.Series) -> pd.Series:
+        """The next piece in seconds from the column's first stamp; NaN for what is none."""
+        if column.dtype.kind in "Mm":
+            passed = column if column.dtype.kind == "m" else column - self._least
+            seconds = passed.dt.total_seconds()
+        else:
+            seconds = self._since_midnight_s(column)
+        if self._first_s is None:
+            self._first_s = next(iter(seconds.dropna().head(1)), None)
+        return seconds - (self._first_s or 0.0)
+
+    def _since_midnight_s(self, column: pd.Series) -> pd.Series:
+        """Stamps as seconds from the first date's midnight; times without a date pass midnight where they fall back."""
+        parts = _parts(column)
+        hour = parts["hour"].astype(float)
+        half = parts["half"].str.lower()
+        hour = hour.where(half.isna(), hour % 12 + 12 * (half == "pm").astype(float))
+        seconds = 3600 * hour + 60 * parts["minute"].astype(float) + parts["second"].str.replace(",", ".").astype(float)
+        zones = {zone: _zone_s(zone) for zone in parts["zone"].dropna().unique()}
+        seconds = (seconds - parts["zone"].map(zones).astype(float).fillna(0.0)).astype(float)
+        if self._dates:
+            self._days = self._days or _days(list(self._dates))
+            days = parts["date"].map(self._days).astype(float)
+            return seconds + DAY_S * (days - np.nanmin(list(self._days.values())))
+        known = seconds.ffill().fillna(self._before_s).to_numpy()
+        passed = self._midnights + np.cumsum(np.diff(known, prepend=self._before_s) < -DAY_S / 2)
+        if len(known):
+            self._before_s, self._midnights = float(known[-1]), int(passed[-1])
+        return seconds + DAY_S * passed
+
+
+def _parts(column: pd.Series) -> pd.DataFrame:
+    """What a column of stamps is written of."""
+    return column.astype("string").str.strip().str.extract(rf"^{STAMP.pattern}$")
 
 
 def stamps_s(column: pd.Series) -> pd.Series:
     """A column of stamps, dates or durations as seconds from its first one; NaN for what is none."""
-    if column.dtype.kind in "Mm":
-        passed = column if column.dtype.kind == "m" else column - column.min()
-        seconds = passed.dt.total_seconds()
-    else:
-        seconds = _since_midnight_s(column)
-    return seconds - next(iter(seconds.dropna().head(1)), 0.0)
+    stamps = Stamps()
+    stamps.look(column)
+    return stamps.seconds(column)

@@ -4,7 +4,7 @@ import errno
 import hashlib
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from .errors import BadInput
@@ -12,7 +12,7 @@ from .errors import BadInput
 
 @contextmanager
 def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
-    """Yield a temporary path beside `path`; on success rename it to `path`, on failure remove it.
+    """Yield a temporary path beside `path`; on success rename it to `path`, on failure remove it and its new folders.
 
     The temporary name keeps the suffix (writers go by it) and carries the process id, so that an orphan of a
     killed run and its successor never share a half-written file. Raises BadInput where no file can be written, or
@@ -21,6 +21,7 @@ def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
     """
     path = Path(path)
     mend = "give the name of a file in a folder in which you may write"
+    made = [folder for folder in path.parents if not folder.exists()]
     try:
         if not path.name or (path.exists() and not path.is_file()):
             raise BadInput(path, "--out", "is a folder, a device or a pipe, not a file", mend)
@@ -37,6 +38,9 @@ def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
         _place(temporary, path, new)
     finally:
         temporary.unlink(missing_ok=True)
+        for folder in made if not path.exists() else ():
+            with suppress(OSError):  # somebody else wrote there
+                folder.rmdir()
 
 
 def _place(temporary: Path, path: Path, new: bool) -> None:

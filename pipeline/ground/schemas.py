@@ -1,6 +1,7 @@
 """Every table that passes a door: its columns, types, units and check sum, checked on both sides."""
 
 import json
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pandas as pd
@@ -11,6 +12,7 @@ from . import seal
 from .command import REMAKE
 from .errors import BadInput
 from .files import whole
+from .regular_file import open_regular
 
 MEND = f"delete it and {REMAKE}"
 REFUSED = b"refused"  # the key under which a file tells why there is no table in it
@@ -77,12 +79,30 @@ ROW_GROUP = 1 << 20  # rows that are turned into Parquet together
 def write(table: pd.DataFrame, schema: pa.Schema, path: Path | str) -> None:
     """Write a table as Parquet under its schema, with its units and a check sum of it all, whole or not at all."""
     with whole(path) as temporary:
-        with pq.ParquetWriter(temporary, schema) as to_temporary:
-            for start in range(0, max(len(table), 1), ROW_GROUP):  # a table as Parquet is as large as the table
-                part = table.iloc[start : start + ROW_GROUP]
-                columns = [pa.array(part[field.name].to_numpy(), field.type, from_pandas=False) for field in schema]
-                to_temporary.write_table(pa.Table.from_arrays(columns, schema=schema))
-        seal.seal_parquet(temporary)
+        put([table], schema, temporary)
+
+
+def put(pieces: Iterable[pd.DataFrame], schema: pa.Schema, temporary: Path) -> None:
+    """Write a table that comes in pieces into a temporary file, as `write` does, whatever the pieces' lengths."""
+    with pq.ParquetWriter(temporary, schema) as to_temporary:
+        for part in _row_groups(pieces):  # a table as Parquet is as large as the table
+            columns = [pa.array(part[field.name].to_numpy(), field.type, from_pandas=False) for field in schema]
+            to_temporary.write_table(pa.Table.from_arrays(columns, schema=schema))
+    seal.seal_parquet(temporary)
+
+
+def _row_groups(pieces: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:
+    """Pieces of a table cut and joined to pieces of one length, but for the last; one without rows if there is none."""
+    waiting, rows, written = list[pd.DataFrame](), 0, False
+    for piece in pieces:
+        waiting.append(piece)
+        rows += len(piece)
+        while rows > ROW_GROUP:
+            joined = waiting[0] if len(waiting) == 1 else pd.concat(waiting, ignore_index=True)
+            yield joined.iloc[:ROW_GROUP]
+            waiting, rows, written = [joined.iloc[ROW_GROUP:]], rows - ROW_GROUP, True
+    if rows or not written:
+        yield waiting[0] if len(waiting) == 1 else pd.concat(waiting, ignore_index=True)
 
 
 def write_refusal(error: BadInput, path: Path | str) -> None:
@@ -103,11 +123,36 @@ def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
     try:
         seal.check_parquet(content)
     except seal.Damaged as error:
-        raise Damaged(path, "content", f"is damaged, or not this version's: {error}", MEND) from None
+        raise _damaged(path, error) from None
     arrow = pq.read_table(pa.BufferReader(content))
-    if REFUSED in (arrow.schema.metadata or {}):
-        raise Refused(*json.loads(arrow.schema.metadata[REFUSED]))
-    expected = schema if schema is not None else samples(arrow.schema.names)
-    if not arrow.schema.equals(expected, check_metadata=True):
-        raise BadInput(path, "schema", "columns, types or units are not this version's", MEND)
+    _check(path, arrow.schema, schema)
     return arrow.to_pandas()
+
+
+def opened(path: Path | str, schema: pa.Schema | None = None) -> pq.ParquetFile:
+    """A Parquet table that is read by row groups, refused as `read` refuses it; raises BadInput and Refused."""
+    file = open_regular(Path(path))
+    try:
+        seal.check_parquet_file(file)
+        file.seek(0)
+        parquet = pq.ParquetFile(file)
+        _check(path, parquet.schema_arrow, schema)
+    except Exception as error:
+        file.close()
+        if isinstance(error, seal.Damaged):
+            raise _damaged(path, error) from None
+        raise
+    return parquet
+
+
+def _damaged(path: Path | str, error: seal.Damaged) -> Damaged:
+    return Damaged(path, "content", f"is damaged, or not this version's: {error}", MEND)
+
+
+def _check(path: Path | str, there: pa.Schema, schema: pa.Schema | None) -> None:
+    """Raise BadInput unless a file's schema is the one that is asked for, and Refused where it holds a refusal."""
+    if REFUSED in (there.metadata or {}):
+        raise Refused(*json.loads(there.metadata[REFUSED]))
+    expected = schema if schema is not None else samples(there.names)
+    if not there.equals(expected, check_metadata=True):
+        raise BadInput(path, "schema", "columns, types or units are not this version's", MEND)

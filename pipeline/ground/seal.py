@@ -7,6 +7,7 @@ import os
 import stat
 import struct
 from pathlib import Path
+from typing import BinaryIO
 
 MARK = b"twistbench sha-256 "
 SEAL_BYTES = len(MARK) + hashlib.sha256().digest_size
@@ -51,20 +52,23 @@ def seal_parquet(temporary: Path) -> None:
         file.seek(size - PARQUET_TAIL.size)
         start = size - _footer_bytes(file.read(), size + SEAL_BYTES)
         file.seek(0)
-        digest, left = hashlib.sha256(), start
-        while left:
-            part = file.read(min(CHUNK_BYTES, left))
-            digest.update(part)
-            left -= len(part)
+        digest = hashlib.sha256()
+        _digest(file, start, digest)
         footer = file.read()
         digest.update(footer)
         file.seek(start)
         file.write(MARK + digest.digest() + footer)
 
 
-def is_sealed(content: memoryview) -> bool:
-    """Whether a mapped file carries our seal, right or wrong, anywhere."""
-    return bool(content.obj.find(MARK) >= 0)  # type: ignore[attr-defined]
+def is_sealed(file: BinaryIO) -> bool:
+    """Whether an open file carries our seal, right or wrong, anywhere; reads it once, in pieces."""
+    file.seek(0)
+    before = b""
+    while part := file.read(CHUNK_BYTES):
+        if MARK in before + part:
+            return True
+        before = part[1 - len(MARK) :]
+    return False
 
 
 def check_parquet(content: memoryview) -> None:
@@ -72,6 +76,29 @@ def check_parquet(content: memoryview) -> None:
     start = len(content) - _footer_bytes(content[-PARQUET_TAIL.size :], len(content))
     if content[start - SEAL_BYTES : start] != _seal(content[: start - SEAL_BYTES], content[start:]):
         raise Damaged("its check sum is missing or wrong")
+
+
+def check_parquet_file(file: BinaryIO) -> None:
+    """Raise Damaged unless an open Parquet file's content is what was sealed; reads it once, in pieces."""
+    size = file.seek(0, os.SEEK_END)
+    file.seek(max(size - PARQUET_TAIL.size, 0))
+    start = size - _footer_bytes(file.read(), size)
+    file.seek(start - SEAL_BYTES)
+    told = file.read(SEAL_BYTES)
+    digest = hashlib.sha256()
+    for begin, end in ((0, start - SEAL_BYTES), (start, size)):
+        file.seek(begin)
+        _digest(file, end - begin, digest)
+    if told != MARK + digest.digest():
+        raise Damaged("its check sum is missing or wrong")
+
+
+def _digest(file: BinaryIO, left: int, digest: "hashlib._Hash") -> None:
+    """Add so many of a file's next bytes to a check sum."""
+    while left:
+        part = file.read(min(CHUNK_BYTES, left))
+        digest.update(part)
+        left -= len(part)
 
 
 def sealed(content: bytes) -> bytes:

@@ -49,7 +49,8 @@ def main() -> int:
                 "arguments", f"--{name}", f"is {value:g}", f"give a number above 0{' and below 1' * (most == 1)}"
             )
     folder_to_write(arguments.out)
-    for one in steps(strings(arguments.run_dir), "string"):
+    scratch = next(folder for folder in (arguments.out, *arguments.out.absolute().parents) if folder.is_dir())
+    for one in steps(strings(arguments.run_dir, scratch), "string"):
         answers = ask(one, arguments.loss, arguments.drift_mm)
         content = record.lifespan(one, answers, arguments.level)
         write_text(arguments.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")

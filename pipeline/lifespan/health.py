@@ -11,8 +11,8 @@ from ..run.samples import geometry
 from ..string.history import Recorded, in_order
 from ..string.zero import Jump, jumps, offsets_mm
 from .anew import runs_anew
-from .indicators import REFERENCE, ends_mm, loop, model_errors
-from .readings import Stroke, readings
+from .indicators import REFERENCE, curves, ends_mm, loop, model_errors
+from .readings import Found, found
 from .stiffness import stiffness
 
 SAME_RANGE = 0.05  # of the reference's range by which a stroke's ends may differ from the reference's
@@ -36,16 +36,16 @@ class Health:
     anew: list[str] = field(default_factory=list)
 
 
-def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Stroke]:
+def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
     """Complete strokes of one string's runs, in order, which continue each other's numbers, without the jumps seen."""
     moved = frozenset(jump.run for jump in seen if not jump.may_be_wear)
-    done, found = 0, list[Stroke]()
+    done, every = 0, list[Found]()
     for one, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):
         assert one.run.string is not None
         done = max(done, one.run.string.strokes_before)
-        found += readings(one, done, offset_mm)
+        every += found(one, done, offset_mm)
         done += int(one.strokes["stroke"].max())
-    return found
+    return every
 
 
 def health(runs: list[Recorded]) -> Health:
@@ -69,12 +69,13 @@ def health(runs: list[Recorded]) -> Health:
     left_out = sorted({one.number for one in strokes} - {one.number for one in same})
     first = runs[0]
     nominal = np.nan_to_num(
-        geometry(first.run).contraction_mm(np.array([low, high]), float(first.samples["load_n"].median()))
+        geometry(first.run).contraction_mm(np.array([low, high]), float(first.rows.median("load_n")))
     )
-    rows = [
-        {"run": one.run, "stroke": one.number, **ends_mm(one, low, high, float(nominal[1] - nominal[0])),
-         **loop(one, low, high), **stiffness(one.moving), **error}
-        for one, error in zip(same, model_errors(same, low, high), strict=True)
-    ]  # fmt: skip
-    table = pd.DataFrame(rows)
+    rows, tables = [], []
+    for place in same:
+        stroke = place.read()  # no other stroke's readings are held
+        told = ends_mm(stroke, low, high, float(nominal[1] - nominal[0])) | loop(stroke, low, high)
+        rows.append({"run": place.run, "stroke": place.number, **told, **stiffness(stroke.moving)})
+        tables.append(curves(stroke, low, high))
+    table = pd.DataFrame([row | error for row, error in zip(rows, model_errors(tables), strict=True)])
     return Health(first.run.string_id, [one.run.run for one in runs], table, left_out, seen, runs_anew(table))

@@ -9,6 +9,7 @@ REFERENCE = 3  # first complete strokes: what later ones are compared with
 END_BAND = 0.04  # of the twist range: readings that tell the rest, or the top
 MIDDLE = (0.2, 0.8)  # of the twist range: where the loop is measured
 CELLS = 20  # of the twist range, for winding and for unwinding
+Curves = tuple[Array, Array]  # means in mm and their variances in mm², cell by cell
 
 
 def mean_error(values: Array) -> tuple[float, float]:
@@ -69,14 +70,18 @@ def loop(stroke: Stroke, low: float, high: float) -> dict[str, float]:
     return {"loop_mm": float((one - two)[used].mean()), "loop_mm_error": error}
 
 
-def model_errors(strokes: list[Stroke], low: float, high: float) -> list[dict[str, float]]:
-    """Root mean square over a stroke of its difference from the model calibrated on the first ones, and its error.
+def curves(stroke: Stroke, low: float, high: float) -> Curves:
+    """A stroke's mean over twist, winding and then unwinding, and its variance, each of shape (2 cells,)."""
+    (one, one_variance), (two, two_variance) = (cells(*part, low, high) for part in (stroke.winding, stroke.unwinding))
+    return np.concatenate([one, two]), np.concatenate([one_variance, two_variance])
+
+
+def model_errors(tables: list[Curves]) -> list[dict[str, float]]:
+    """Root mean square over each stroke of its difference from the model calibrated on the first ones, and its error.
 
     That model is the mean of the first REFERENCE strokes' own curves over twist, winding and unwinding apart: no law
     of mechanics fits them better, so that what it leaves later is what has changed. The noise's share is taken off.
     """
-    tables = [[np.concatenate(pair) for pair in zip(cells(*s.winding, low, high), cells(*s.unwinding, low, high),
-                                                    strict=True)] for s in strokes]  # fmt: skip
     first = np.array([mean for mean, _ in tables[:REFERENCE]])
     model, own = (
         first.mean(axis=0),

@@ -5,6 +5,7 @@ every change.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pandas as pd
@@ -13,6 +14,7 @@ from ..ground.kinematics import Array
 from ..run.samples import geometry
 from ..string.history import Recorded
 
+Spans = list[tuple[int, int]]  # first samples, and the first after each
 Readings = tuple[Array, Array]  # twist in turns, what the nominal model leaves in mm
 
 
@@ -23,47 +25,87 @@ class Stroke:
     `moving` has a row a sample of winding and unwinding: motor_turns, left_mm, load_n and direction (1, -1).
     """
 
-    run: str
-    number: int
     winding: Readings
     unwinding: Readings
     rest: Readings
     hold: Readings
     moving: pd.DataFrame
 
-    @property
+
+class Nominal:
+    """What a run reads beyond its nominal model under its median load, in any part of it."""
+
+    def __init__(self, recorded: Recorded, offset_mm: float) -> None:
+        self.rows, self.geometry, self.offset_mm = recorded.rows, geometry(recorded.run), offset_mm
+        self.load_n = recorded.rows.median("load_n")
+
+    @cached_property
+    def most_mm(self) -> float:
+        """The largest contraction of the model in the run."""
+        nominal = (self.geometry.contraction_mm(turns, self.load_n) for turns in self.rows.pieces("motor_turns"))
+        return float(np.nanmax([np.nanmax(piece) for piece in nominal if not np.isnan(piece).all()]))
+
+    def readings(self, first: int, stop: int) -> Readings:
+        """Twist and what the model leaves from sample `first` until `stop`; shape (stop - first,)."""
+        turns = self.rows.read("motor_turns", first, stop)
+        nominal_mm = self.geometry.contraction_mm(turns, self.load_n)
+        known = np.isfinite(nominal_mm)
+        if not known.all():  # a pair wound beyond its length
+            nominal_mm = np.where(known, nominal_mm, self.most_mm)
+        return turns, self.rows.read("displacement_mm", first, stop) + self.offset_mm - nominal_mm
+
+
+@dataclass(frozen=True)
+class Found:
+    """One complete stroke where it stands in its run: spans of samples by phase, `rest` that of the rest before it."""
+
+    run: str
+    number: int
+    of: Nominal
+    winding: Spans
+    unwinding: Spans
+    rest: Spans
+    hold: Spans
+
+    @cached_property
     def ends(self) -> tuple[float, float]:
         """Lowest and highest twist of the winding, in turns."""
-        return float(self.winding[0].min()), float(self.winding[0].max())
+        turns = [self.of.rows.read("motor_turns", *span) for span in self.winding]
+        return float(min(part.min() for part in turns)), float(max(part.max() for part in turns))
+
+    def _phase(self, spans: Spans) -> Readings:
+        parts = [self.of.readings(*span) for span in spans]
+        turns, left_mm = (np.concatenate([np.zeros(0), *(part[side] for part in parts)]) for side in (0, 1))
+        return turns, left_mm
+
+    def read(self) -> Stroke:
+        """The stroke with its readings, which are held."""
+        one, two, rest, hold = (self._phase(at) for at in (self.winding, self.unwinding, self.rest, self.hold))
+        load_n = [self.of.rows.read("load_n", *span) for span in (*self.winding, *self.unwinding)]
+        moving = pd.DataFrame(
+            {
+                "motor_turns": np.concatenate([one[0], two[0]]),
+                "left_mm": np.concatenate([one[1], two[1]]),
+                "load_n": np.concatenate(load_n),
+                "direction": np.repeat([1.0, -1.0], [len(one[0]), len(two[0])]),
+            }
+        )
+        return Stroke(one, two, rest, hold, moving)
 
 
-def readings(recorded: Recorded, before: int, offset_mm: float) -> list[Stroke]:
+def found(recorded: Recorded, before: int, offset_mm: float) -> list[Found]:
     """The complete strokes of a run; `before` strokes came earlier, `offset_mm` is the string's tare."""
-    samples = recorded.samples
-    turns, load_n = samples["motor_turns"].to_numpy(), samples["load_n"].to_numpy()
-    nominal_mm = geometry(recorded.run).contraction_mm(turns, float(np.median(load_n)))
-    nominal_mm = np.where(np.isfinite(nominal_mm), nominal_mm, np.nanmax(nominal_mm))  # a pair wound beyond its length
-    left_mm = samples["displacement_mm"].to_numpy() + offset_mm - nominal_mm
-    rows: dict[tuple[int, str], list[np.ndarray]] = {}
-    strokes = recorded.strokes
+    nominal, strokes = Nominal(recorded, offset_mm), recorded.strokes
+    places: dict[tuple[int, str], Spans] = {}
     for stroke, phase, first, last in zip(
         strokes["stroke"], strokes["phase"], strokes["first_sample"], strokes["last_sample"], strict=True
     ):
-        rows.setdefault((int(stroke), str(phase)), []).append(np.arange(first, last + 1))
-
-    def of(stroke: int, phase: str) -> np.ndarray:
-        return np.concatenate(rows.get((stroke, phase), [np.zeros(0, int)]))
-
-    found = []
-    for number in sorted(set(strokes.loc[strokes["complete"] & (strokes["stroke"] > 0), "stroke"].astype(int))):
-        wound, unwound = of(number, "winding"), of(number, "unwinding")
-        if not len(wound) or not len(unwound):
-            continue
-        moved = np.concatenate([wound, unwound])
-        direction = np.repeat([1.0, -1.0], [len(wound), len(unwound)])
-        moving = pd.DataFrame({"motor_turns": turns[moved], "left_mm": left_mm[moved], "load_n": load_n[moved]})
-        here = (wound, unwound, of(number - 1, "rest"), of(number, "hold"))
-        one, two, rest, hold = ((turns[at], left_mm[at]) for at in here)
-        moving["direction"] = direction
-        found.append(Stroke(recorded.run.run, number + before, one, two, rest, hold, moving))
-    return found
+        places.setdefault((int(stroke), str(phase)), []).append((int(first), int(last) + 1))
+    complete = sorted(set(strokes.loc[strokes["complete"] & (strokes["stroke"] > 0), "stroke"].astype(int)))
+    every = []
+    for number in complete:
+        phases = (number, "winding"), (number, "unwinding"), (number - 1, "rest"), (number, "hold")
+        wound, unwound, rest, hold = (places.get(phase, []) for phase in phases)
+        if wound and unwound:
+            every.append(Found(recorded.run.run, number + before, nominal, wound, unwound, rest, hold))
+    return every

@@ -2,6 +2,7 @@
 
 import hashlib
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pandas as pd
@@ -9,6 +10,7 @@ import pandas as pd
 from .. import wire
 from ..ground.command import command
 from ..ground.errors import BadInput
+from ..ground.files import sha256
 from .folder import capture_info
 
 
@@ -39,11 +41,17 @@ def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
     return pd.DataFrame({"time_s": recorded.time_s, **channels}), units
 
 
+def frame_pieces(path: Path) -> tuple[dict[str, str], Callable[[], Iterator[pd.DataFrame]]]:
+    """Each channel's unit, and what `read_frames` gives in pieces; raises BadInput as it does."""
+    table, units = read_frames(path)
+    return units, lambda: iter([table])
+
+
 def check_lines(path: Path) -> None:
     """Raise BadInput when a table that the capture program made of printed lines is not as it was made."""
     info = capture_info(path.parent)
     if (path.parent / "recording.lines").is_file() or "csv_sha256" in info:
-        if hashlib.sha256(path.read_bytes()).hexdigest() == info.get("csv_sha256"):
+        if sha256(path) == info.get("csv_sha256"):
             return
         again = f"run {command('capture')} --recover {path.parent}"
         problem = "its bytes are not those that capture.json was written for"

@@ -4,10 +4,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 
+from ..ground import order
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, Geometry
+from ..ground.rows import Rows
 from ..ground.units import conversion
 from .description import Channel, Run
 from .plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
@@ -38,14 +39,14 @@ class Guess:
 class Curve:
     """A recording's displacement over twist, held against the analytic model of its string."""
 
-    def __init__(self, samples: pd.DataFrame, base: Geometry) -> None:
+    def __init__(self, samples: Rows, base: Geometry) -> None:
         rows = np.unique(np.linspace(0, len(samples) - 1, POINTS).astype(int))
-        self.turns = samples["motor_turns"].to_numpy()[rows]
-        self.low, self.high = np.percentile(samples["motor_turns"], [1, 99])
-        low_mm, high_mm = np.percentile(samples["displacement_mm"], [1, 99])
-        self.measured_mm = np.clip(samples["displacement_mm"].to_numpy()[rows], low_mm, high_mm)
+        self.turns = samples.at("motor_turns", rows)
+        self.low, self.high = samples.percentiles("motor_turns", [1, 99])
+        low_mm, high_mm = samples.percentiles("displacement_mm", [1, 99])
+        self.measured_mm = np.clip(samples.at("displacement_mm", rows), low_mm, high_mm)
         self.span_mm = float(high_mm - low_mm)
-        self.base, self.load_n = base, np.float64(np.median(samples["load_n"]))
+        self.base, self.load_n = base, np.float64(samples.median("load_n"))
 
     def ratio(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
         """Recorded span over the simulated one, factors and offset applied; NaN where a pair cannot be wound so far."""
@@ -144,10 +145,9 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
     return BadInput(path, field, problem, mend)
 
 
-def check_string(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> None:
+def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
     """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
-    turns, measured_mm = samples["motor_turns"].to_numpy(), samples["displacement_mm"].to_numpy()
-    load_n = float(np.percentile(samples["load_n"], 50, method="lower"))
+    (load_n,) = order.ordered(lambda: samples.pieces("load_n"), len(samples), [(len(samples) - 1) // 2])
     if abs(load_n) > MOST_LOAD_N:
         raise BadInput(
             path, "load_n", f"is {load_n:.3g} N", "check channels.load_n, its unit and scale, and rig.load_n"
@@ -161,19 +161,19 @@ def check_string(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) ->
         raise BadInput(path, "motor_turns", "is negative throughout", "winding is positive: set its scale to -1")
     if curve.span_mm == 0:
         raise BadInput(path, "displacement_mm", "never changes while the motor turns", "check the sensor and its cable")
-    if np.corrcoef(turns, measured_mm)[0, 1] < -0.5:
+    if samples.correlation("motor_turns", "displacement_mm") < -0.5:
         mend = "contraction is positive: set its scale to -1"
         raise BadInput(path, "displacement_mm", "falls while the motor winds", mend)
     if not 1.0 / SPAN_RATIO <= curve.ratio() <= SPAN_RATIO:
         raise _span(run, curve, path)
 
 
-def doubts(run: Run, samples: pd.DataFrame, base: Geometry, path: Path) -> list[BadInput]:
+def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
     """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span."""
     curve = Curve(samples, base)
     questions = []
     if curve.far:
-        begins = float(np.median(samples["motor_turns"].iloc[:5]))
+        begins = float(np.median(samples.read("motor_turns", 0, 5)))
         problem = f"begins at {begins:.3g} turns and its lowest is {curve.low:.3g}, but 0 must be the untwisted string"
         questions.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:

@@ -1,20 +1,27 @@
 """Recording → samples: a run's channels in our units, checked at the door."""
 
 import sys
+from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
+from ..ground import schemas
 from ..ground.command import command
 from ..ground.errors import BadInput
+from ..ground.files import whole
 from ..ground.kinematics import Geometry
+from ..ground.rows import Rows, Stored, rows_of
+from ..ground.spans import Places
+from .clock import Clock
 from .description import STRING_ACTUATORS, Run
 from .folder import checked_info, read_run, recording_path
 from .plausible import check_string, doubts
-from .recording import read_recording
+from .recording import read_recording, recording_pieces
 from .strokes import segment
-from .wild_samples import without_wild
+from .wild_samples import wild_samples, without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
@@ -35,39 +42,46 @@ def geometry(run: Run) -> Geometry:
     )
 
 
-def check_finite(samples: pd.DataFrame, path: Path) -> None:
+def check_finite(samples: pd.DataFrame | Rows, path: Path) -> None:
     """Raise BadInput for a table too short to hold a stroke, a NaN or an infinity."""
-    if len(samples) < LEAST_SAMPLES:
-        problem = f"holds {len(samples)} samples, too few for a stroke"
+    rows = rows_of(samples)
+    if len(rows) < LEAST_SAMPLES:
+        problem = f"holds {len(rows)} samples, too few for a stroke"
         raise BadInput(path, "file", problem, "record at least one stroke at 10 Hz to 10 kHz")
-    for name in samples.columns:
-        bad = ~np.isfinite(samples[name].to_numpy())
-        if bad.any():
+    for name in rows.columns:
+        bad = [np.flatnonzero(~np.isfinite(piece)) for piece in rows.pieces(name)]
+        if count := sum(map(len, bad)):
+            first = next(
+                begin + int(places[0]) for (begin, _), places in zip(rows.spans, bad, strict=True) if len(places)
+            )
             mend = "remove the rows without a reading; missing rows are no harm"
-            problem = f"is not a number in {bad.sum()} rows, first in row {int(np.argmax(bad)) + 1}"
-            raise BadInput(path, name, problem, mend)
+            raise BadInput(path, name, f"is not a number in {count} rows, first in row {first + 1}", mend)
 
 
-def check_clock(samples: pd.DataFrame, path: Path, slowest_s: float = STEP_S[1]) -> None:
+def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STEP_S[1]) -> None:
     """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig of this kind has."""
-    with np.errstate(over="ignore"):
-        step_s = np.diff(samples["time_s"])
-    if (step_s <= 0).any():
-        row = int(np.argmax(step_s <= 0)) + 2
-        word = "runs backwards" if (step_s < 0).any() else "stands still"
+    clock = Clock.of(rows_of(samples))
+    if clock.wrong:
+        word = "runs backwards" if clock.least_s < 0 else "stands still"
         mend = f"{command('import_run')} mends repeated and backward time stamps and says so"
-        raise BadInput(path, "time_s", f"{word} at row {row} ({(step_s <= 0).sum()} times in all)", mend)
-    if step_s.max() > LONGEST_GAP_S:
-        row = int(np.argmax(step_s))
-        ends = (
-            f"{samples['time_s'].iloc[row]:.6g} s in row {row + 1} and {samples['time_s'].iloc[row + 1]:.6g} s after it"
-        )
+        raise BadInput(path, "time_s", f"{word} at row {clock.first_wrong + 2} ({clock.wrong} times in all)", mend)
+    if clock.most_s > LONGEST_GAP_S:
+        ends = f"{clock.leap_s[0]:.6g} s in row {clock.leap + 1} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
         raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
-    median_s = float(np.median(step_s))
-    if not STEP_S[0] <= median_s <= slowest_s:
+    if not STEP_S[0] <= clock.usual_s <= slowest_s:
         mend = f"set channels.time_s.unit (s, ms or us), or record a sample every {STEP_S[0]:g} to {slowest_s:g} s"
-        raise BadInput(path, "time_s", f"a sample every {median_s:g} s is no rate of a rig", mend)
+        raise BadInput(path, "time_s", f"a sample every {clock.usual_s:g} s is no rate of a rig", mend)
+
+
+def _sound(run: Run, samples: Rows, path: Path) -> None:
+    """Raise BadInput unless finite samples can be what their names say and hold a stroke."""
+    check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S)
+    if run.actuator not in STRING_ACTUATORS and len(set(samples.extremes(run.system.channel))) == 1:
+        raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
+    if run.actuator in STRING_ACTUATORS:
+        check_string(run, samples, geometry(run), path)
+    segment(samples, run.system.driver, path)
 
 
 def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
@@ -76,21 +90,20 @@ def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
     Raises BadInput unless they can be what their names say and hold a stroke.
     """
     check_finite(samples, path)
-    samples, wild_notes = without_wild(run, samples, path)
-    for sentence in wild_notes:
-        print(f"warning: {sentence}", file=sys.stderr)
-    check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S)
-    if run.actuator not in STRING_ACTUATORS and samples[run.system.channel].nunique() == 1:
-        raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
-    if run.actuator in STRING_ACTUATORS:
-        check_string(run, samples, geometry(run), path)
-    segment(samples, run.system.driver, path)
+    samples, said = without_wild(run, samples, path)
+    _warn(said)
+    _sound(run, rows_of(samples), path)
     return samples
 
 
-def questions(run: Run, samples: pd.DataFrame, path: Path) -> list[BadInput]:
+def _warn(said: list[str]) -> None:
+    for sentence in said:
+        print(f"warning: {sentence}", file=sys.stderr)
+
+
+def questions(run: Run, samples: pd.DataFrame | Rows, path: Path) -> list[BadInput]:
     """What of checked samples is possible, but more likely a mistake: nothing to refuse, all to be said."""
-    return doubts(run, samples, geometry(run), path) if run.actuator in STRING_ACTUATORS else []
+    return doubts(run, rows_of(samples), geometry(run), path) if run.actuator in STRING_ACTUATORS else []
 
 
 def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
@@ -101,3 +114,33 @@ def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     samples = read_recording(run, folder)
     path = recording_path(folder)
     return run, check(run, samples, path)
+
+
+def stored_samples(folder: Path, temporary: Path) -> tuple[Run, Stored]:
+    """A run and its samples as `read_samples` gives them, but in a file that is written and read by row groups.
+
+    However long the recording, no more than a few row groups are held. Raises BadInput.
+    """
+    run = read_run(folder)
+    checked_info(folder)
+    pieces = recording_pieces(run, folder)
+    path, first = recording_path(folder), next(pieces)
+    schema = schemas.samples(list(first.columns))
+    schemas.put(chain([first], pieces), schema, temporary)
+    samples = Stored(temporary)
+    check_finite(samples, path)
+    gone, said = wild_samples(run, samples, path)
+    _warn(said)
+    if said:
+        with whole(temporary) as other:
+            schemas.put(_without(samples, gone), schema, other)
+        samples = Stored(temporary)
+    _sound(run, samples, path)
+    return run, samples
+
+
+def _without(samples: Rows, gone: Places) -> Iterator[pd.DataFrame]:
+    """Samples without some rows, piece by piece."""
+    for first, stop in samples.spans:
+        one, last = np.searchsorted(gone, [first, stop])
+        yield samples.frame(first, stop).drop(index=gone[one:last] - first)

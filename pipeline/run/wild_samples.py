@@ -1,12 +1,17 @@
 """Lonely samples that no rig can have read: found by their neighbours, left out, and said."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from scipy.ndimage import median_filter
 
+from ..ground import order
 from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..ground.rows import Rows, rows_of
+from ..ground.spans import Places
 from .description import Run
 
 BESIDE = 5  # neighbours on either side, by whose median a sample is judged
@@ -16,40 +21,59 @@ MOST = 0.01  # of a recording's samples, and one in any case: what is wild more 
 LEAST_LOAD = 1.0  # in the load's unit: noise about a load of 0 is no range
 
 
-def _wild(values: np.ndarray, is_load: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Which values stand alone and impossibly far, and what their neighbours read; both of shape (samples,)."""
+def _beside(values: Rows, name: str, first: int, stop: int) -> Array:
+    """What the neighbours of samples `first` until `stop` read, in the channel's unit; shape (stop - first,)."""
     others = np.ones(2 * BESIDE + 1, bool)
     others[BESIDE] = False
-    beside = median_filter(values, footprint=others, mode="mirror")
-    low, high = np.percentile(beside, INSIDE)
-    with np.errstate(over="ignore"):
-        size = float(np.median(np.abs(beside)))
+    begin = max(first - BESIDE, 0)
+    about = values.read(name, begin, min(stop + BESIDE, len(values)))
+    return np.asarray(median_filter(about, footprint=others, mode="mirror")[first - begin : stop - begin])
+
+
+def _wild(samples: Rows, name: str, is_load: bool) -> Places:
+    """Samples whose value stands alone and impossibly far; shape (wild samples,)."""
+
+    def pieces() -> Iterator[Array]:
+        return (_beside(samples, name, *span) for span in samples.spans)
+
+    with np.errstate(over="ignore", invalid="ignore"):
+        low, high = order.percentiles(pieces, len(samples), INSIDE)
+        size = order.median(lambda: map(np.abs, pieces()), len(samples))
         reach = max(high - low, size, LEAST_LOAD) if is_load else (high - low) or size or 1.0
-        return np.abs(values - beside) > RANGES * reach, beside
+        found = [
+            first + np.flatnonzero(np.abs(samples.read(name, first, stop) - beside) > RANGES * reach)
+            for (first, stop), beside in zip(samples.spans, pieces(), strict=True)
+        ]
+    return np.concatenate(found)
 
 
-def without_wild(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Finite samples of a run without those that motion, reading or load make impossible; a sentence a channel.
+def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]]:
+    """Rows of finite samples that motion, reading or load make impossible, rising; and a sentence a channel.
 
     An ordinary outlier stays: a sample goes only where its value is further from its neighbours' median than three
     times the channel's whole range (of a load: or its size). Raises BadInput where that is over 1 % of all samples.
     """
-    gone, notes = np.zeros(len(samples), bool), []
+    gone, said = np.zeros(0, np.intp), []
     for name in (run.system.driver, run.system.channel, run.system.load):
         if name is None or name not in samples.columns:
             continue
-        values = samples[name].to_numpy()
-        wild, beside = _wild(values, name == run.system.load)
-        count = int(wild.sum())
-        if not count:
+        wild = _wild(samples, name, name == run.system.load)
+        if not len(wild):
             continue
-        row = int(np.argmax(wild))
-        reads = f"{name} reads {values[row]:.3g} in row {row + 1}, where its neighbours read {beside[row]:.3g}"
-        gone |= wild
-        if gone.sum() > max(1, MOST * len(samples)):
-            problem = f"{int(gone.sum())} of {len(samples)} samples are impossible, over 1 %: {reads}"
+        row, count = int(wild[0]), len(wild)
+        value, beside = samples.read(name, row, row + 1)[0], _beside(samples, name, row, row + 1)[0]
+        reads = f"{name} reads {value:.3g} in row {row + 1}, where its neighbours read {beside:.3g}"
+        gone = np.union1d(gone, wild)
+        if len(gone) > max(1, MOST * len(samples)):
+            problem = f"{len(gone)} of {len(samples)} samples are impossible, over 1 %: {reads}"
             raise BadInput(
                 path, name, problem, "check the sensor and its cable, then remove these rows or record again"
             )
-        notes.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
-    return (samples[~gone].reset_index(drop=True) if notes else samples), notes
+        said.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
+    return gone, said
+
+
+def without_wild(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFrame, list[str]]:
+    """Samples without those of `wild_samples`, and its sentences; raises BadInput as it does."""
+    gone, said = wild_samples(run, rows_of(samples), path)
+    return (samples.drop(index=samples.index[gone]).reset_index(drop=True) if said else samples), said

@@ -5,112 +5,80 @@
 """
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ..ground import schemas
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
-from ..ground.kinematics import TOLERANCE
+from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write
 from ..run.folder import checked_info
 from ..run.left_out import LeftOut, to_json
-from ..run.lossy import MOVING, all_lossy, moving_strokes, touched
+from ..run.lossy import all_lossy, moving_strokes, touched
 from ..string import jump_notes
 from ..string.history import Recorded, by_string, read_usable
 from ..string.zero import jumps, offsets_mm
+from .points import Piece, moving, points_of
+from .splits import HELD_OUT_POINTS, Mask, Split, blocks_from_top, held_out
 
-TRAINING_POINTS = 5000  # as in the paper
-HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes
-MOST_BLOCKS = 80  # into which a stroke's winding, or unwinding, is cut
-BLOCK_LEAST_SAMPLES = 10
-HOLD_OUT = 4  # one block in so many
-WHICH_OF_FOUR = np.array([0, 2, 1, 3])  # in the first group of four blocks, the second, …
 LATER_LEAST_STROKES = 4
 
-Numbers = NDArray[np.int64]
-Mask = NDArray[np.bool_]
+__all__ = ["HELD_OUT_POINTS", "Dataset", "blocks_from_top", "held_out", "make_dataset", "points_of", "touched"]
 
 
-def blocks_from_top(samples: int) -> Numbers:
-    """Block of each sample of one winding, counted from its top and given in order of rising twist."""
-    count = min(max(samples // BLOCK_LEAST_SAMPLES, 1), MOST_BLOCKS)
-    return (np.arange(samples) * count // max(samples, 1))[::-1].copy()
+class Dataset:
+    """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
 
-
-def held_out(block: Numbers, stroke: Numbers) -> Mask:
-    """Whether a block of a stroke is held out in the split `within`.
-
-    One block of every four, another one from group to group so that no part of the range is favoured, and shifted from
-    stroke to stroke so that over four strokes every twist is held out once. Strokes 1, 5 and 9, which the tables show,
-    hold out their very top.
+    Runs of the same string continue each other's stroke numbers and share its tare (`zero.offsets_mm`); of the runs
+    `without` the strokes count and no point is taken. What is held out is told from the strokes alone; points are read
+    and labelled piece by piece.
     """
-    first = WHICH_OF_FOUR[block // HOLD_OUT % len(WHICH_OF_FOUR)]
-    return np.asarray(block % HOLD_OUT == (first + stroke - 1) % HOLD_OUT)
 
+    def __init__(
+        self,
+        recorded: list[Recorded],
+        left_out: Mapping[str, frozenset[int]] | None = None,
+        without: frozenset[str] = frozenset(),
+    ) -> None:
+        self._moving: list[Piece] = []
+        for runs in by_string(recorded):
+            done = 0
+            for one, offset_mm in zip(runs, offsets_mm(runs), strict=True):
+                assert one.run.string is not None
+                done = max(done, one.run.string.strokes_before)
+                if one.run.run not in without:
+                    self._moving += moving(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset()))
+                done += int(one.strokes["stroke"].max())
+        strokes: dict[str, set[int]] = {}
+        for piece in self._moving:
+            strokes.setdefault(piece.recorded.run.string_id, set()).add(piece.number)
+        self._later = {  # the first stroke that each string holds out
+            string: sorted(numbers)[int(0.75 * len(numbers) + 0.5)]
+            for string, numbers in strokes.items()
+            if len(numbers) >= LATER_LEAST_STROKES
+        }
+        self.within = Split(map(self._held_within, self._moving))
+        self.later = Split(map(self._held_later, self._moving))
 
-def points_of(
-    recorded: Recorded, strokes_before: int, offset_mm: float, left_out: frozenset[int] = frozenset()
-) -> pd.DataFrame:
-    """The moving points of a run, with stroke number, phase, block and the string's dimensions.
+    @staticmethod
+    def _held_within(piece: Piece) -> tuple[Mask, Mask]:
+        block = piece.block
+        return held_out(block, np.full(len(block), piece.number)), np.ones(len(block), bool)
 
-    Raises BadInput when every stroke is left out.
-    """
-    run, samples = recorded.run, recorded.samples
-    assert run.string is not None
-    parts = []
-    stretches = recorded.strokes[recorded.strokes["phase"].isin(MOVING) & (recorded.strokes["stroke"] > 0)]
-    stretches = stretches[~stretches["stroke"].isin(left_out)]
-    if stretches.empty:
-        raise all_lossy(run.run)
-    for (stroke, phase), group in stretches.groupby(["stroke", "phase"], sort=True):
-        rows = np.concatenate(
-            [np.arange(a, b + 1) for a, b in zip(group["first_sample"], group["last_sample"], strict=True)]
-        )
-        block = blocks_from_top(len(rows))
-        part = samples.iloc[rows][["time_s", "motor_turns", "displacement_mm", "load_n"]].reset_index(drop=True)
-        part["displacement_mm"] += offset_mm
-        part["stroke"] = int(stroke) + strokes_before
-        part["phase"] = phase
-        part["direction"] = 1 if phase == "winding" else -1
-        part["block"] = block if phase == "winding" else block[::-1]
-        parts.append(part)
-    points = pd.concat(parts, ignore_index=True)
-    parts.clear()  # of a long recording they are as large as all of it
-    points = points.sort_values("time_s", ignore_index=True)
-    points["run"], points["string"], points["actuator"] = run.run, run.string_id, run.actuator
-    points["radius_mm"] = run.string.radius_mm
-    points["length_mm"] = run.string.length_mm
-    points["stiffness_n_per_mm"] = run.string.nominal_stiffness_n_per_mm
-    points["torsion_zone_mm"] = run.rig.get("torsion_zone_mm", np.nan)
-    points["separator_mm"] = run.rig.get("separator_mm", np.nan)
-    tolerance = {**TOLERANCE, **run.tolerance}
-    points["radius_tolerance"] = tolerance["radius"]
-    for name in ("length", "torsion_zone", "separator"):
-        points[f"{name}_tolerance_mm"] = tolerance[f"{name}_mm"]
-    return points
+    def _held_later(self, piece: Piece) -> tuple[Mask, Mask]:
+        first, points = self._later.get(piece.recorded.run.string_id), piece.stop - piece.first
+        return np.full(points, first is not None and piece.number >= first), np.full(points, first is not None)
 
-
-def _thinned(eligible: Mask, most: int) -> Mask:
-    """At most so many of the eligible rows, evenly spaced over them."""
-    rows = np.flatnonzero(eligible)
-    if len(rows) > most:
-        rows = rows[np.linspace(0, len(rows) - 1, most).round().astype(int)]
-    chosen = np.zeros(len(eligible), bool)
-    chosen[rows] = True
-    return chosen
-
-
-def _split(test: Mask, eligible: Mask) -> NDArray[np.object_]:
-    """Labels "train", "test" and "" of the points."""
-    labels = np.full(len(test), "", object)  # a pointer each: text side by side is as large as all channels
-    labels[_thinned(eligible & ~test, TRAINING_POINTS)] = "train"
-    labels[_thinned(test, HELD_OUT_POINTS)] = "test"
-    return labels
+    def pieces(self) -> Iterator[pd.DataFrame]:
+        """The points in their order, once."""
+        for piece in self._moving:
+            points = piece.points()
+            points["within"] = self.within.labels(*self._held_within(piece))
+            points["later"] = self.later.labels(*self._held_later(piece))
+            yield points[schemas.DATASET.names]
 
 
 def make_dataset(
@@ -118,33 +86,8 @@ def make_dataset(
     left_out: Mapping[str, frozenset[int]] | None = None,
     without: frozenset[str] = frozenset(),
 ) -> pd.DataFrame:
-    """Points of all runs of a material but for the strokes `left_out` of a run; columns of `schemas.DATASET`.
-
-    Runs of the same string continue each other's stroke numbers and share its tare (`zero.offsets_mm`); of the runs
-    `without` the strokes count and no point is taken.
-    """
-    parts = []
-    for runs in by_string(recorded):
-        done = 0
-        for one, offset_mm in zip(runs, offsets_mm(runs), strict=True):
-            assert one.run.string is not None
-            done = max(done, one.run.string.strokes_before)
-            if one.run.run not in without:
-                parts.append(points_of(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset())))
-            done += int(one.strokes["stroke"].max())
-    points = parts[0] if len(parts) == 1 else pd.concat(parts, ignore_index=True)
-    parts.clear()
-    everything = np.ones(len(points), bool)
-    points["within"] = _split(held_out(points["block"].to_numpy(), points["stroke"].to_numpy()), everything)
-    test, enough = ~everything, ~everything
-    for string, strokes in points.groupby("string")["stroke"].unique().items():
-        if len(strokes) >= LATER_LEAST_STROKES:
-            own = (points["string"] == string).to_numpy()
-            first = np.sort(strokes)[int(0.75 * len(strokes) + 0.5)]
-            enough |= own
-            test |= own & (points["stroke"].to_numpy() >= first)
-    points["later"] = _split(test, enough)
-    return points[schemas.DATASET.names]
+    """The points of a `Dataset`, all of them held."""
+    return pd.concat(Dataset(recorded, left_out, without).pieces(), ignore_index=True)
 
 
 @program
@@ -178,19 +121,19 @@ def main() -> None:
         raise all_lossy(", ".join(sorted(without)))
     jumped = [jump for runs in by_string(recorded) for jump in jumps(runs)]
     print("".join(f"{jump.advice}\n" for jump in jumped), end="")
-    dataset = make_dataset(recorded, strokes_left, without)
-    if not {"train", "test"} <= set(dataset["within"]):
+    dataset = Dataset(recorded, strokes_left, without)
+    if not dataset.within.train.count or not dataset.within.test.count:
         mend = "record more strokes, or more samples a stroke"
         raise BadInput(arguments.out, "within", "there are too few points to hold some out and learn from others", mend)
-    schemas.write(dataset, schemas.DATASET, arguments.out)
+    with whole(arguments.out) as temporary:
+        schemas.put(dataset.pieces(), schemas.DATASET, temporary)
     if arguments.out_left_out:
         write_text(arguments.out_left_out, to_json(refused) + "\n")
     if arguments.out_jumps:
         said = [jump.advice for jump in jumped if not jump.taken_off]
         write_text(arguments.out_jumps, jump_notes.to_json(said) + "\n")
-    for split in ("within", "later"):
-        counts = dataset[split].value_counts()
-        print(f"{split}: {counts.get('train', 0)} points to train on, {counts.get('test', 0)} held out")
+    for name, split in (("within", dataset.within), ("later", dataset.later)):
+        print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 
 
 if __name__ == "__main__":

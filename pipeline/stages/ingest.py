@@ -4,12 +4,14 @@ import argparse
 import sys
 from pathlib import Path
 
-from ..ground import schemas
+import numpy as np
+
 from ..ground.errors import program
+from ..ground.files import whole
 from ..ground.outputs import file_to_write
 from ..run.folder import recording_path
 from ..run.left_out import noted
-from ..run.samples import questions, read_samples
+from ..run.samples import questions, stored_samples
 
 
 @program
@@ -21,12 +23,12 @@ def main() -> None:
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
     file_to_write(arguments.out)
-    with noted(arguments.run_dir, arguments.out, arguments.note_refusals):
-        run, samples = read_samples(arguments.run_dir)
+    with noted(arguments.run_dir, arguments.out, arguments.note_refusals), whole(arguments.out) as temporary:
+        run, samples = stored_samples(arguments.run_dir, temporary)
         for question in questions(run, samples, recording_path(arguments.run_dir)):
             print(f"warning: {question}", file=sys.stderr)
-        schemas.write(samples, schemas.samples(list(samples.columns)), arguments.out)
-        print(f"{run.run}: {len(samples)} samples over {samples['time_s'].iloc[-1] - samples['time_s'].iloc[0]:.1f} s")
+        begin_s, end_s = samples.at("time_s", np.array([0, len(samples) - 1]))
+        print(f"{run.run}: {len(samples)} samples over {end_s - begin_s:.1f} s")
 
 
 if __name__ == "__main__":

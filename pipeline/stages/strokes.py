@@ -6,6 +6,7 @@ from pathlib import Path
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.outputs import file_to_write
+from ..ground.rows import Stored
 from ..run.left_out import noted
 from ..run.strokes import segment
 
@@ -20,7 +21,7 @@ def main() -> None:
     arguments = parser.parse_args()
     file_to_write(arguments.out, reads=[arguments.samples])
     with noted(arguments.samples, arguments.out, arguments.note_refusals):
-        samples = schemas.read(arguments.samples)
+        samples = Stored(arguments.samples)
         strokes = segment(samples, samples.columns[1], arguments.samples)
         schemas.write(strokes, schemas.STROKES, arguments.out)
         print(f"{arguments.samples.parent.name}: {strokes['stroke'].max()} strokes in {len(strokes)} stretches")

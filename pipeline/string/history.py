@@ -1,19 +1,26 @@
 """What one string went through: its runs as the stages before left them, in order, and their common tare."""
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
+from ..ground import order, schemas
 from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..ground.rows import Rows, opened, rows_of
+from ..ground.spans import blocks
 from ..run.description import Run
 from ..run.folder import capture_info, read_run
 from ..run.left_out import LeftOut
 from ..run.samples import geometry
+
+LEVEL = ("motor_turns", "load_n", "displacement_mm")
 
 
 @dataclass(frozen=True)
@@ -22,9 +29,31 @@ class Recorded:
 
     run: Run
     started_utc: str
-    samples: pd.DataFrame
+    samples: pd.DataFrame | Rows
     strokes: pd.DataFrame
     folder: Path = Path()
+
+    @cached_property
+    def rows(self) -> Rows:
+        """Its samples, however many."""
+        return rows_of(self.samples)
+
+    @property
+    def span_s(self) -> tuple[float, float]:
+        """Time stamps of its first and last sample."""
+        first, last = self.rows.at("time_s", np.array([0, len(self.rows) - 1])).tolist()
+        return first, last
+
+    def level_mm(self, first: int, stop: int) -> float:
+        """What the displacement reads more than the nominal model from a sample until another, the median."""
+        nominal = geometry(self.run)
+
+        def pieces() -> Iterator[Array]:
+            for part in blocks(first, stop, schemas.ROW_GROUP):
+                turns, load_n, there = (self.rows.read(name, *part) for name in LEVEL)
+                yield there - nominal.contraction_mm(turns, load_n)
+
+        return order.median(pieces, stop - first)
 
 
 def _strokes_before(recorded: Recorded) -> int | None:
@@ -45,17 +74,15 @@ def in_order(runs: list[Recorded]) -> list[Recorded]:
     as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
     names, 2 before 10.
     """
-    by_name = sorted(runs, key=lambda recorded: _natural(recorded.run.run))
-    if all(recorded.started_utc for recorded in runs):
-        return sorted(by_name, key=lambda recorded: recorded.started_utc)
-    spans = sorted((recorded.samples["time_s"].iloc[0], recorded.samples["time_s"].iloc[-1]) for recorded in runs)
+    by_name = sorted(runs, key=lambda one: _natural(one.run.run))
+    if all(one.started_utc for one in runs):
+        return sorted(by_name, key=lambda one: one.started_utc)
+    spans = sorted(one.span_s for one in runs)
     if all(before[1] <= after[0] for before, after in pairwise(spans)):
-        return sorted(by_name, key=lambda recorded: float(recorded.samples["time_s"].iloc[0]))
-    strokes_before = [_strokes_before(recorded) for recorded in by_name]
-    if None not in strokes_before:
-        return [
-            recorded for _, recorded in sorted(zip(strokes_before, by_name, strict=True), key=lambda pair: pair[0] or 0)
-        ]
+        return sorted(by_name, key=lambda one: one.span_s[0])
+    told = [_strokes_before(one) for one in by_name]
+    if None not in told:
+        return [one for _, one in sorted(zip(told, by_name, strict=True), key=lambda pair: pair[0] or 0)]
     return by_name
 
 
@@ -64,19 +91,16 @@ def tare_mm(first: Recorded) -> float:
 
     Without a rest there, its first sample serves. The median keeps outliers out.
     """
-    samples, strokes = first.samples, first.strokes
-    before = strokes[(strokes["stroke"] == 0) & (strokes["phase"] == "rest")]
-    rest = samples.iloc[:1]
-    if not before.empty:
-        rest = samples.iloc[before["first_sample"].iloc[-1] : before["last_sample"].iloc[-1] + 1]
-    expected_mm = geometry(first.run).contraction_mm(rest["motor_turns"].to_numpy(), rest["load_n"].to_numpy())
-    return float(np.median(expected_mm - rest["displacement_mm"].to_numpy()))
+    before = first.strokes[(first.strokes["stroke"] == 0) & (first.strokes["phase"] == "rest")]
+    if before.empty:
+        return -first.level_mm(0, 1)
+    return -first.level_mm(int(before["first_sample"].iloc[-1]), int(before["last_sample"].iloc[-1]) + 1)
 
 
 def read_recorded(run_dir: Path, processed: Path) -> Recorded:
     """One run from its folder and from what the earlier stages made of it; raises BadInput or Refused."""
     run = read_run(run_dir)
-    samples = schemas.read(processed / run.run / "samples.parquet")
+    samples = opened(processed / run.run / "samples.parquet")
     strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
     return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes, run_dir)
 

@@ -5,20 +5,24 @@ winds the string, so the rest before a run's first stroke should read what the l
 noise and for what a string does by itself. Where it does not, a clamp or the sensor was moved: a jump.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 import pandas as pd
 
+from ..ground import order, schemas
 from ..ground.kinematics import Array
-from ..run.samples import geometry
+from ..ground.spans import blocks
 from .history import Recorded, in_order, tare_mm
 
 FLOORS = 6.0  # noise floors that a jump is larger than
 STROKES = 3.0  # times the usual change of the rest from stroke to stroke, that it is larger than too
 SAME_TWIST, SAME_LOAD = 0.05, 0.05  # of the range of twist, and of the load, within which two rests compare
 LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
+Rest = tuple[int, int]  # its first sample, and the first after it
 
 
 @dataclass(frozen=True)
@@ -111,47 +115,54 @@ def _change_mm(before: Recorded, after: Recorded) -> float | None:
     rests = [_rests(before)[-1:], _rests(after)[:1]]
     if not all(rests):
         return None
-    (rest_before,), (rest_after,) = rests
-    both = ((before, rest_before), (after, rest_after))
-    turns, load_n = (
-        [float(run.samples[name].iloc[rows].median()) for run, rows in both] for name in ("motor_turns", "load_n")
-    )
-    span = float(np.ptp(before.samples["motor_turns"]))
+    (one,), (two,) = rests
+    turns, load_n = ([_middle(run, name, rest) for run, rest in ((before, one), (after, two))]
+                     for name in ("motor_turns", "load_n"))  # fmt: skip
+    span = float(np.ptp(before.rows.extremes("motor_turns")))
     if abs(turns[1] - turns[0]) > SAME_TWIST * span or abs(load_n[1] - load_n[0]) > SAME_LOAD * max(map(abs, load_n)):
         return None
-    return _level_mm(after, rest_after) - _level_mm(before, rest_before)
+    return after.level_mm(*two) - before.level_mm(*one)
 
 
-def _rests(recorded: Recorded) -> list[Array]:
-    """Rows of the rest before the first stroke, without one the first sample, and of each rest after a stroke."""
+def _rests(recorded: Recorded) -> list[Rest]:
+    """The rest before the first stroke, without one the first sample, and each rest after a stroke."""
     table = recorded.strokes[recorded.strokes["phase"] == "rest"]
     first, later = table[table["stroke"] == 0][-1:], table[table["stroke"] > 0]
     both = pd.concat([first, later])
-    rests = [np.arange(a, b + 1) for a, b in zip(both["first_sample"], both["last_sample"], strict=True)]
-    return rests if len(first) else [np.zeros(1, int), *rests]
+    found = [(int(a), int(b) + 1) for a, b in zip(both["first_sample"], both["last_sample"], strict=True)]
+    return found if len(first) else [(0, 1), *found]
 
 
-def _level_mm(recorded: Recorded, rows: Array) -> float:
-    """What the displacement reads more than the nominal model at some rows, their median."""
-    samples = recorded.samples.iloc[rows]
-    expected = geometry(recorded.run).contraction_mm(samples["motor_turns"].to_numpy(), samples["load_n"].to_numpy())
-    return float(np.median(samples["displacement_mm"].to_numpy() - expected))
+def _read(recorded: Recorded, name: str, rest: Rest) -> Iterator[Array]:
+    """A channel in a rest, piece by piece."""
+    return (recorded.rows.read(name, *part) for part in blocks(*rest, schemas.ROW_GROUP))
+
+
+def _middle(recorded: Recorded, name: str, rest: Rest) -> float:
+    """Median of a channel in a rest."""
+    return order.median(partial(_read, recorded, name, rest), rest[1] - rest[0])
 
 
 def _usual_mm(*runs: Recorded) -> float:
     """How much the rest changes from one stroke to the next, the median over runs; 0 where none has two strokes."""
-    changes = [np.diff([_level_mm(recorded, rows) for rows in _rests(recorded)]) for recorded in runs]
+    changes = [np.diff([one.level_mm(*rest) for rest in _rests(one)]) for one in runs]
     every = np.abs(np.concatenate(changes))
     return float(np.median(every)) if len(every) else 0.0
 
 
 def noise_mm(recorded: Recorded) -> float:
     """Noise floor of a run's displacement in mm: the spread of what is not smooth, and of its rests if that is more."""
-    measured = recorded.samples["displacement_mm"].to_numpy()
-    rough = 1.4826 * float(np.median(np.abs(np.diff(measured, 2)))) / np.sqrt(6.0)
-    spreads = []
-    for rows in _rests(recorded):
-        rest = measured[rows]
-        if len(rest) > 2:
-            spreads.append(1.4826 * float(np.median(np.abs(rest - np.median(rest)))))
-    return max(rough, float(np.median(spreads)) if spreads else 0.0)
+    rows, name = recorded.rows, "displacement_mm"
+    last = len(rows) - 2
+    spans = [(first, min(stop, last)) for first, stop in rows.spans if first < last]
+    rough = order.median(lambda: (np.abs(np.diff(rows.read(name, first, stop + 2), 2)) for first, stop in spans), last)
+    spreads = [_spread_mm(recorded, rest) for rest in _rests(recorded) if rest[1] - rest[0] > 2]
+    return max(1.4826 * rough / np.sqrt(6.0), float(np.median(spreads)) if spreads else 0.0)
+
+
+def _spread_mm(recorded: Recorded, rest: Rest) -> float:
+    """How far the displacement of a rest scatters about its median, robustly."""
+    name = "displacement_mm"
+    middle = _middle(recorded, name, rest)
+    off = order.median(lambda: (np.abs(part - middle) for part in _read(recorded, name, rest)), rest[1] - rest[0])
+    return 1.4826 * off
