@@ -1,19 +1,9 @@
 """What a long recording costs: memory and seconds of each stage, beside pandas alone that reads the same file.
 
-    python benchmarks/long_recordings.py [--minutes 120]
+    python benchmarks/long_recordings.py [--minutes 120] [--stages ingest strokes ...]
 
 makes a recording at 1 kHz (a twisted pair that creeps, a stroke a minute), takes it through each stage in a process of
-its own, and prints what each needed at most. Two hours, 7.2 million rows, on two cores with other work beside it:
-
-| stage | peak memory (MB) | times pandas' | seconds | times pandas' |
-|---|---|---|---|---|
-| pandas reads it | 798 | 1.0 | 1.8 | 1.0 |
-| ingest | 1035 | 1.3 | 9.8 | 5.5 |
-| strokes | 969 | 1.2 | 5.0 | 2.8 |
-| dataset | 2040 | 2.6 | 27.6 | 15.4 |
-| lifespan | 1153 | 1.4 | 20.2 | 11.3 |
-| diagnose | 1714 | 2.1 | 59.9 | 33.4 |
-| simulate | 3789 | 4.7 | 34.7 | 19.4 |
+its own, and prints what each needed at most. What was measured stands in docs/scale.md.
 """
 
 import argparse
@@ -70,7 +60,9 @@ def main() -> None:
     """Make the recording, and print what each stage needs."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--minutes", type=float, default=120.0)
-    minutes = parser.parse_args().minutes
+    parser.add_argument("--stages", nargs="+", help="only these; default: all")
+    arguments = parser.parse_args()
+    minutes = arguments.minutes
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         run, stored = folder / "raw" / "long-01", folder / "processed"
@@ -91,10 +83,12 @@ def main() -> None:
                          str(folder / "simulated.parquet")],
         }  # fmt: skip
         print("| stage | peak memory (MB) | times pandas' | seconds | times pandas' |\n|---|---|---|---|---|")
-        alone: tuple[float, float] | None = None
+        alone = (float("nan"), float("nan"))  # where pandas is not among the stages
         for stage, command in commands.items():
+            if arguments.stages and stage not in arguments.stages:
+                continue
             found = cost([sys.executable, *command], folder / "log")
-            alone = alone or found
+            alone = found if stage == "pandas reads it" else alone
             ratios = [one / other for one, other in zip(found, alone, strict=True)]
             print(f"| {stage} | {found[0]:.0f} | {ratios[0]:.1f} | {found[1]:.1f} | {ratios[1]:.1f} |", flush=True)
 
