@@ -53,9 +53,9 @@ def calibrate(
     few = (motor_turns[thin], load_n[thin], displacement_mm[thin])
     weight = np.sqrt(len(motor_turns) / len(few[0])) / noise_mm
 
-    def asked(sigmas: Array) -> Array:
+    def misfit(sigmas: Array) -> Array:
         return np.concatenate([weight * _left(sigmas, measured, *few), sigmas])
 
-    solution = least_squares(asked, np.zeros(len(FREE)), bounds=(-MOST_SIGMA, MOST_SIGMA), x_scale="jac")
+    solution = least_squares(misfit, np.zeros(len(FREE)), bounds=(-MOST_SIGMA, MOST_SIGMA), x_scale="jac")
     residual_mm = _left(solution.x, measured, motor_turns, load_n, displacement_mm)
     return Calibrated(dict(zip(FREE, solution.x.tolist(), strict=True)), residual_mm)

@@ -28,9 +28,9 @@ def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> pd.Da
     table, system = read_table(path, TextFile.model_validate({})), run.system
     lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
     if lacking:
-        there = ", ".join(map(str, table.columns[:12]))
+        columns_there = ", ".join(map(str, table.columns[:12]))
         mend = f"give a table with time_s, {system.driver}{f', {system.load}' if system.load else ''} in these units"
-        raise BadInput(path, lacking[0], f"there is no such column, only {there}", mend)
+        raise BadInput(path, lacking[0], f"there is no such column, only {columns_there}", mend)
     kept = [name for name in system.columns if name in table.columns and name != system.channel]
     samples = table[kept].apply(pd.to_numeric, errors="coerce").astype(float)
     if system.load and system.load not in samples:
@@ -69,20 +69,20 @@ def beyond(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame) -> str:
 
     Nothing where it stays inside; a share `ROOM` of what was recorded is no leaving.
     """
-    driver, said = run.system.driver, []
+    driver, ranges = run.system.driver, []
     kept = [name for name in samples.columns if name not in ("time_s", run.system.channel) and name in recorded]
     for name in kept:
         least, most = float(recorded[name].min()), float(recorded[name].max())
         room = ROOM * max(most - least, abs(most) * ROOM)
         low, high = float(samples[name].min()), float(samples[name].max())
         if low < least - room or high > most + room:
-            said.append(f"{name} of {low:.4g} to {high:.4g} ({least:.4g} to {most:.4g} were recorded)")
+            ranges.append(f"{name} of {low:.4g} to {high:.4g} ({least:.4g} to {most:.4g} were recorded)")
     planned_speed, recorded_speed = _fastest(samples, driver), _fastest(recorded, driver)
     if planned_speed > (1.0 + ROOM) * recorded_speed:
-        said.append(
+        ranges.append(
             f"{driver} that change by {planned_speed:.3g} a second (at most {recorded_speed:.3g} were recorded)"
         )
-    return f"it asks for {'; '.join(said)}" if said else ""
+    return f"it asks for {'; '.join(ranges)}" if ranges else ""
 
 
 def _fastest(samples: pd.DataFrame, driver: str) -> float:

@@ -13,11 +13,11 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
 
     `samples` are the table with a column a channel, as `to_samples` gives it.
     """
-    said = []
+    sentences = []
     for name in samples.columns:
         channel = run.channels.get(name)
         column = key_name(channel.column) if channel and channel.column is not None else name
         whence = f" from {column}" if column != name else ""
         whence += f" in {channel.unit}" if channel and channel.unit else ""
-        said.append(f"{name}{whence} {samples[name].min():.4g} to {samples[name].max():.4g}")
-    return f"{path.name} has {len(samples)} samples: {'; '.join(said)}"
+        sentences.append(f"{name}{whence} {samples[name].min():.4g} to {samples[name].max():.4g}")
+    return f"{path.name} has {len(samples)} samples: {'; '.join(sentences)}"

@@ -33,5 +33,5 @@ def before(step: Step) -> list[str]:
     """What to hang before the motion begins, or that a recording needs a column of the load where that changes."""
     if len(step.loads_n) == 1:
         return [f"Before it, hang {step.loads_n[0]:g} N, and leave it there."]
-    said = "The load changes on the way: record it as load_n too, for run.yaml can give one load only."
-    return [said] if step.loads_n else []
+    sentence = "The load changes on the way: record it as load_n too, for run.yaml can give one load only."
+    return [sentence] if step.loads_n else []
