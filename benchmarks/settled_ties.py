@@ -19,11 +19,11 @@ import pandas as pd
 from scipy.stats import binomtest
 
 from pipeline.diagnosis.foretold import foretold, rivals
+from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.outcome import Study
 from pipeline.diagnosis.protocol import CANDIDATES, Rig
 from pipeline.diagnosis.protocol import Leg as Part
-from pipeline.diagnosis.whole import diagnosed
 from pipeline.proof import addon
 from pipeline.proof.case import performed
 from pipeline.proof.conceal_batch import drawn

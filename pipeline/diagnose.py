@@ -12,9 +12,9 @@ from .diagnosis import library
 from .diagnosis.adopt import adoptions, block
 from .diagnosis.content import Verdict
 from .diagnosis.foretold import foretold
+from .diagnosis.in_memory import diagnosed, optional
 from .diagnosis.judge import judge
 from .diagnosis.outcome import Study
-from .diagnosis.whole import diagnosed, optional
 from .diagnosis.words.details import details_text
 from .diagnosis.words.verdict import verdict_text
 from .ground.alone import each_alone

@@ -5,9 +5,9 @@ import time
 from ..wire import Event, Frame, Hello, Kind
 from ..wire.belief import LATE, Numbers
 from ..wire.frames import EVENT
-from .left import Left
+from .remaining_time import Left
+from .sample_faults import Watch
 from .screen import Screen, clock
-from .watch import Watch
 
 PACE_AFTER_S, PACE_DIFFERS = 5.0, 0.1  # from when, and by which share, a device's clock goes at another pace
 SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from .gauss_newton import Steps
 from .interface import Nonlinear
 from .library import mechanisms
 from .linear import Key, Linear
 from .noise import Noise, white
 from .problem import Act, Problem, State
 from .record import wild
-from .step import Steps
 
 ITERATIONS = 4
 MOST_STEPS = 25  # where whole ones lead astray

@@ -16,9 +16,9 @@ from matplotlib.figure import Figure
 
 from ..diagnosis import figures
 from ..diagnosis.content import Verdict
+from ..diagnosis.in_memory import diagnosed
 from ..diagnosis.outcome import Study
 from ..diagnosis.simulation import read_diagnosis
-from ..diagnosis.whole import diagnosed
 from ..diagnosis.words.details import details_text
 from ..diagnosis.words.verdict import verdict_text
 from ..ground.errors import BadInput

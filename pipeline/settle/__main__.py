@@ -7,11 +7,11 @@ from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
 from ..run.folder import read_run
-from .alone import alone
 from .approve import UNATTENDED, WAYS
 from .choose import Budget
 from .limits import EXAMPLE, Allowed
 from .loop import Loop
+from .loop_lock import alone
 from .motor import Motor
 from .step import Place
 

@@ -5,9 +5,9 @@ from typing import Any
 
 from ..ground.errors import BadInput
 from ..run.description import RUN_NAME
-from ..settle.alone import at_work
 from ..settle.answers import Answers
 from ..settle.ending import NAME as SETTLED
+from ..settle.loop_lock import at_work
 from ..settle.step import Place, Step
 
 SHOWN = ("proposed", "approved", "recorded")  # while what is foretold is of interest

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pipeline.capture import screen
-from pipeline.capture.left import Left
+from pipeline.capture.remaining_time import Left
 from pipeline.capture.screen import CLEAR, Screen, clock
 
 

@@ -9,7 +9,7 @@ from faults.scripted_device import received
 
 from pipeline.capture.guess import guess
 from pipeline.capture.progress import Progress
-from pipeline.capture.watch import Watch
+from pipeline.capture.sample_faults import Watch
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
 from pipeline.wire import Channel, Frame, Hello, Kind, encode

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import tanks
 
-from pipeline.diagnosis import calibrate, step
+from pipeline.diagnosis import calibrate, gauss_newton
 from pipeline.diagnosis.engine import make_problem
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import rms
@@ -33,7 +33,7 @@ def test_a_step_that_raises_the_misfit_is_made_shorter_and_one_that_cannot_be_is
     problem = make_problem([run], [samples])
     noise = white(1.0)
     good = calibrate.calibrate(problem, noise)
-    assert step.misfit_of(problem, noise, good) < step.misfit_of(problem, noise, problem.nominal())
-    own, real = problem.nominal().values, step.misfit_of
-    monkeypatch.setattr(step, "misfit_of", lambda *it: real(*it) if (it[2].values == own).all() else np.inf)
+    assert gauss_newton.misfit_of(problem, noise, good) < gauss_newton.misfit_of(problem, noise, problem.nominal())
+    own, real = problem.nominal().values, gauss_newton.misfit_of
+    monkeypatch.setattr(gauss_newton, "misfit_of", lambda *it: real(*it) if (it[2].values == own).all() else np.inf)
     assert (calibrate.calibrate(problem, noise).values == own).all()

@@ -20,9 +20,9 @@ from PIL import Image
 from pipeline import diagnose
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.noise import resolution
 from pipeline.diagnosis.simulation import read_diagnosis, state_of
-from pipeline.diagnosis.whole import described
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_samples
 

@@ -4,7 +4,7 @@ import pandas as pd
 import pytest
 
 from pipeline.proof.score import intervals
-from pipeline.proof.score.judge import outcome
+from pipeline.proof.score.against_truth import outcome
 from pipeline.proof.score.metrics import scores
 from pipeline.proof.score.overlap import overlap
 

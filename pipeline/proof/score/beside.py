@@ -7,7 +7,7 @@ from typing import Any
 
 import pandas as pd
 
-from .judge import outcome
+from .against_truth import outcome
 from .metrics import CHANCE, COLUMNS, LARGE, Score, middle, share
 
 OWN = "diagnosis"

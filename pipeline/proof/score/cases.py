@@ -7,7 +7,7 @@ from typing import Any
 
 import pandas as pd
 
-from .judge import RIGHT, outcome, said, sets_of
+from .against_truth import RIGHT, outcome, said, sets_of
 from .overlap import overlap
 
 TIE = 0.2  # noise floors: what copies the truth to less than this cannot be told from it

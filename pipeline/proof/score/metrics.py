@@ -6,7 +6,7 @@ import pandas as pd
 
 from ...rig import effects
 from . import intervals
-from .judge import RIGHT
+from .against_truth import RIGHT
 
 LARGE = 0.5  # noise floors from which on an effect must be named
 CHANCE = tuple(name for name in effects.names() if effects.concealed(name).by_chance)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pandas as pd
 
-from .judge import RIGHT
+from .against_truth import RIGHT
 
 LARGE_RICH, POOR = "single, rich, kappa at least 0.5", "single, poor, kappa at least 0.5"
 GOALS = (
