@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,8 @@ from whole_strokes import segment as segment_whole
 
 from pipeline.ground import order, schemas
 from pipeline.ground.errors import BadInput
-from pipeline.ground.rows import Stored
+from pipeline.ground.rows import Held, Stored
+from pipeline.run import wild_samples
 from pipeline.run.samples import read_samples, stored_samples
 from pipeline.run.strokes import label, segment
 from pipeline.string.from_raw import read, read_long
@@ -93,6 +95,14 @@ def test_damaged_samples_at_the_border_of_two_groups_are_left_out_and_said(
     assert stored.frame(0, len(stored)).equals(recording(12).drop(index=rows).reset_index(drop=True))
     count = f"{len(rows)} sample{'s' * (len(rows) > 1)} left out"
     assert f"{count}: displacement_mm reads 1e+06 in row {min(rows) + 1}" in capsys.readouterr().err
+
+
+def test_what_the_neighbours_read_is_the_same_at_the_border_of_two_groups():
+    rows = Held(recording(3))
+    whole = wild_samples._beside(rows, "displacement_mm", 0, len(rows))
+    borders = [*range(0, len(rows), GROUP), len(rows)]
+    parts = [wild_samples._beside(rows, "displacement_mm", *span) for span in pairwise(borders)]
+    assert np.array_equal(np.concatenate(parts), whole)
 
 
 @pytest.mark.parametrize(
