@@ -413,3 +413,18 @@ def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_ol
     assert shlex.split(record)[2:] == ["pipeline.capture", "PORT", str(new)]
     both = [str(folder), str(new), "--together", "--out", str(folder.parent / "out-next")]
     assert shlex.split(diagnose)[2:] == ["pipeline.diagnose", *both]
+
+
+def test_adopting_says_what_unseen_strokes_are_missed_by_and_repeats_a_warning(folder: Path, diagnosis: Path) -> None:
+    content = judged(diagnosis, "explained", [])
+    heldout = {"calibrated_mm": 0.4, "explained_mm": 0.034}
+    diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout}}))
+    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
+    assert "On unseen ones the verdict says 0.034 mm, and 0.40 mm without the effects." in said
+    assert "adopt nothing" not in said
+    programs.run("pipeline.adopt", "--remove", folder)
+    diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout | {"explained_mm": 4.3}}}))
+    assert "So the verdict says: adopt nothing." in flat(programs.run("pipeline.adopt", diagnosis, folder))
+    programs.run("pipeline.adopt", "--remove", folder)
+    diagnosis.write_text(json.dumps(content | {"fit": {"heldout": {"calibrated_mm": "x"}}}))
+    assert "On unseen ones" not in flat(programs.run("pipeline.adopt", diagnosis, folder))
