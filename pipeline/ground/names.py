@@ -18,8 +18,9 @@ SYNTHETIC = "synthetic"  # the material of the runs that the synthetic rig makes
 SYNTHETIC_DEVICE = "twistbench synthetic rig"  # what its hello calls itself
 # Folders and files under reports/ and processed/ that are made for something else than a material or a run.
 TAKEN = {"blind", "campaign", "diagnosis", "docs", "index", "leak", "lifespan", "logs", "metrics", "processed", "proof"}
-TAKEN |= {"pages", "raw", "readme", "real", "recordings", "reports", "together"}
+TAKEN |= {"pages", "raw", "readme", "real", "recordings", "reports", "settle", "site", "together"}
 DEVICES = frozenset(["con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))])
+PERIODIC = re.compile(r"(.+?)\1{19,}\Z")  # an end that Snakemake takes for that of a rule which feeds itself
 NOT_IN_TEXT = frozenset('/\\:*?"<>|$`{}')  # no file name on some system, or something to a shell or a rule
 
 
@@ -33,6 +34,10 @@ def _folder_name(name: str, form: re.Pattern[str], mend: str) -> str:
     _short(name)
     if not form.fullmatch(name):
         raise ValueError(f"is {name!r}; {mend}")
+    if repeated := PERIODIC.search(name):
+        raise ValueError(
+            f"ends with {repeated[1]!r} 20 times or more, which Snakemake plans no job for; use a shorter end"
+        )
     _free(name)
     return name
 

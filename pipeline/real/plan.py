@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
+from ..ground.names import PERIODIC
 from .rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2
@@ -81,9 +82,9 @@ class RealPlan:
 
 
 def slug(text: str) -> str:
-    """A text in the letters that a run's name may have, never empty, and cut where a file's name would be too long."""
+    """A text in the letters that a run's name may have, never empty; too long, or too often the same, it is cut."""
     plain = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
-    if plain and len(plain) <= LONGEST_SLUG:
+    if plain and len(plain) <= LONGEST_SLUG and not PERIODIC.search(f"-{plain}"):
         return plain
     told_apart = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:8]
     return f"{plain[: LONGEST_SLUG - 9].strip('-') or 'unnamed'}-{told_apart}"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
-from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, run_name
+from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, checked, run_name
 from ..ground.regular_file import read_regular
 from ..ground.strict_yaml import LARGEST, read_yaml
 from ..run.description import STRING_ACTUATORS
@@ -100,10 +100,12 @@ def _place(plan: Plan, folder: Path) -> None:
 def make_plan(raw: Path, synthetic: list[str]) -> Plan:
     """Plan for the runs in a folder and the ones that the pipeline records itself; one bad folder costs itself alone.
 
-    Raises BadInput when a name of the latter belongs to a real recording, which must never be made again.
+    Raises BadInput when a name of the latter is none that a run can have, or belongs to a real recording, which must
+    never be made again.
     """
     plan = Plan()
     for run in synthetic:
+        checked(run_name, run, "configuration", "synthetic")
         info = capture_info(raw / run)
         hello = info.get("hello")
         if (raw / run).exists() and info and (not hello or hello.get("device") != SYNTHETIC_DEVICE):

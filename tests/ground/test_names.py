@@ -1,9 +1,15 @@
 """Names that become part of a path, a rule or a page are checked at one door."""
 
+import re
+from pathlib import Path
+
 import pytest
+from snakemake.io import PeriodicityDetector
 
 from pipeline.ground import names
 from pipeline.ground.errors import BadInput
+
+ROOT = Path(__file__).parents[2]
 
 HOSTILE = [
     "", ".", "..", "../../x", "/etc/passwd", "a/b", "a\\b", "..\\x", "-rf", ".hidden", "a\0b", "a\nb", "a\rb", "a\tb",
@@ -32,9 +38,9 @@ def test_what_a_lab_would_write_passes():
         "O'Neil & Co. 50 %",
     ):
         assert names.string_id(name) == name
-    for name in ("uhmwpe-20261121-01", "a", "0", "x" * 100):
+    for name in ("uhmwpe-20261121-01", "a", "0", "x" * 99 + "y"):
         assert names.run_name(name) == name
-    for name in ("UHMWPE", "nylon_6-6", "x" * 100, "synthetic"):
+    for name in ("UHMWPE", "nylon_6-6", "x" * 99 + "y", "synthetic"):
         assert names.material(name) == name
 
 
@@ -49,6 +55,35 @@ def test_folders_of_the_reports_are_no_material_and_no_run(name):
     for check in (names.material, names.run_name):
         with pytest.raises(ValueError):
             check(name)
+
+
+EXAMPLES = {"mine", "nylon"}  # that documents give to what a user names
+
+
+def test_every_folder_that_rules_and_documents_name_is_reserved():
+    written = [*(ROOT / "pipeline" / "rules").glob("*.smk"), *(ROOT / "docs").glob("*.*"), ROOT / "Snakefile"]
+    text = "\n".join(path.read_text(encoding="utf-8") for path in written if path.suffix in (".smk", ".md", ".py", ""))
+    named = set(re.findall(r"\b(?:reports|processed)/([A-Za-z_][\w-]*)(?=[/`\s])", text)) - EXAMPLES
+    assert {"proof", "site", "settle", "diagnosis"} < named
+    for name in named - {"synthetic"}:
+        with pytest.raises(ValueError, match="use for something else"):
+            names.material(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["0" * 20, "run-" + "0" * 60, "ab" * 20, "spool" + "-3" * 25, "x" * 19, "ab" * 19, "a" * 30 + "b", "1" * 99]
+)
+def test_a_name_passes_where_snakemake_can_plan_it(name):
+    told = names.PERIODIC.search(name)
+    assert (told is None) == (PeriodicityDetector().is_periodic(name) is None)
+    for check in (names.run_name, names.material):
+        if told:
+            with pytest.raises(
+                ValueError, match="20 times or more, which Snakemake plans no job for; use a shorter end"
+            ):
+                check(name)
+        else:
+            assert check(name) == name
 
 
 def test_the_synthetic_rigs_material_is_its_own():

@@ -80,6 +80,7 @@ def test_the_names_of_the_surgical_tools_repository_are_known_as_they_stand(down
 def test_a_name_without_letters_or_without_end_becomes_a_runs_name(downloaded):
     names = ["$(touch PWNED).csv", "it's {x}.csv", "!!!.csv", "é" * 120 + ".csv"]
     names += [f"{'a' * 240}{number}.csv" for number in (1, 2)]
+    names += ["0" * 40 + ".csv", "ab" * 25 + ".csv", "a" + "-a" * 19 + ".csv"]  # Snakemake plans no such repetition
     plan = make_real_plan(downloaded(*names), read_rigs())
     assert len({one.run for one in plan.recordings}) == 3 * len(names)
     for one in plan.recordings:

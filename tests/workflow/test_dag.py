@@ -33,7 +33,19 @@ def test_plan_sorts_runs_by_material(make_run, tmp_path):
     assert [one.run for one in plan.unfinished] == ["cut-01", "cut-02"] and "--recover" in plan.unfinished[0].why
 
 
-HOSTILE = ["$(touch PWNED)", "nylon-1 (copy)", "it's", "a{b}c", "two\nlines", "-rf", "ä", "x" * 200, "campaign", "A-1"]
+HOSTILE = [
+    "$(touch PWNED)",
+    "nylon-1 (copy)",
+    "it's",
+    "a{b}c",
+    "two\nlines",
+    "-rf",
+    "ä",
+    "x" * 200,
+    "campaign",
+    "A-1",
+    "n" + "-0" * 20,
+]
 
 
 def test_a_folder_that_can_be_no_run_is_left_out_with_the_mend(make_run, tmp_path):
@@ -49,6 +61,12 @@ def test_a_folder_that_can_be_no_run_is_left_out_with_the_mend(make_run, tmp_pat
         assert "rename the folder" in one.why and one.why.isprintable() and one.field == "its name"
 
 
+@pytest.mark.parametrize("name", ["diagnosis", "r" * 20, "x" * 101])
+def test_a_synthetic_run_has_a_name_as_any_run_has(tmp_path, name):
+    with pytest.raises(BadInput, match="configuration: synthetic"):
+        make_plan(tmp_path / "raw", [name])
+
+
 BAD = {
     "deep": "a: " + "[" * 3000 + "]" * 3000,
     "unknown": "run: bad-01\nstring: {material: nylon, raduis_mm: 1}\n",
@@ -58,7 +76,7 @@ BAD = {
     "empty": "",
     **{taken: f"run: bad-01\nstring: {{material: {taken}, radius_mm: 0.4, length_mm: 400, stiffness_n_per_mm: 15}}\n"
        "rig: {torsion_zone_mm: 150, separator_mm: 8}\n"
-       for taken in ("diagnosis", "real", "proof", "campaign", "blind", "logs", "synthetic")},
+       for taken in ("diagnosis", "real", "proof", "campaign", "blind", "logs", "site", "synthetic")},
 }  # fmt: skip
 
 
