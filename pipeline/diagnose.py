@@ -7,6 +7,7 @@ import sys
 import time
 import traceback
 from pathlib import Path
+from typing import Any
 
 from .diagnosis import library
 from .diagnosis.adopt import adoptions, block
@@ -95,6 +96,12 @@ def write_block(content: Verdict, out: Path) -> None:
         path.unlink(missing_ok=True)  # of an earlier diagnosis
 
 
+def _timed(folder: Path, *options: Any) -> tuple[str, bool | None, float]:
+    """As `_one`, and the CPU seconds that it took of this process."""
+    began_s = time.process_time()
+    return *_one(folder, *options), time.process_time() - began_s
+
+
 def _one(
     folder: Path, out: Path, without: frozenset[str], note: bool, by: Path | None = None
 ) -> tuple[str, bool | None]:
@@ -111,6 +118,17 @@ def _one(
         return f"error: {error}", note
     except Exception:  # a fault of ours in one run must not cost the others
         return f"error: {folder}: the diagnosis failed, please report it:\n{traceback.format_exc()}", None
+
+
+def _names(folders: list[Path]) -> list[str]:
+    """Runs, as the folders of their diagnoses are named."""
+    return [Path(os.path.realpath(folder)).name for folder in folders]
+
+
+def _write_seconds(path: Path | None, seconds: dict[str, float]) -> None:
+    """Write what was asked for of CPU seconds."""
+    if path is not None:
+        write_text(path, json.dumps({run: round(taken, 2) for run, taken in seconds.items()}) + "\n")
 
 
 @program
@@ -130,6 +148,12 @@ def main() -> int:
     parser.add_argument(
         "--note-refusals", action="store_true", help="write why a run is refused as its verdict.txt, and exit with 0"
     )
+    parser.add_argument(
+        "--cpu-seconds",
+        type=Path,
+        metavar="FILE",
+        help="write what each diagnosis took, starting apart, as JSON by run",
+    )
     arguments = parser.parse_args()
     folder_to_write(arguments.out)
     folders: list[Path] = [folder if folder.name else folder.resolve() for folder in arguments.run_dir]
@@ -138,12 +162,16 @@ def main() -> int:
         raise BadInput("arguments", "--without", f"{id_} is no mechanism", f"use {', '.join(library.mechanisms())}")
     options = (arguments.out, without, arguments.note_refusals, arguments.judge)
     if arguments.together:
+        began_s = time.process_time()
         print(diagnose(folders, arguments.out, together=True, without=without, judge_file=arguments.judge))
+        _write_seconds(arguments.cpu_seconds, {"+".join(_names(folders)): time.process_time() - began_s})
         return 0
-    outcomes = each_alone(_one, folders, *options, jobs=arguments.jobs, preload=MODULES)
-    for text, fine in outcomes:
+    outcomes = each_alone(_timed, folders, *options, jobs=arguments.jobs, preload=MODULES)
+    for text, fine, _ in outcomes:
         print(text, file=sys.stdout if fine else sys.stderr)
-    return 1 if any(fine is None for _, fine in outcomes) else 0 if all(fine for _, fine in outcomes) else 2
+    taken_s = [seconds for *_, seconds in outcomes]
+    _write_seconds(arguments.cpu_seconds, dict(zip(_names(folders), taken_s, strict=True)))
+    return 1 if any(fine is None for _, fine, _ in outcomes) else 0 if all(fine for _, fine, _ in outcomes) else 2
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TypedDict
 
 from ..ground.errors import program
@@ -17,10 +18,9 @@ REFUSED = 2  # exit status of the diagnosis when some run cannot be decided; the
 
 
 class Asked(TypedDict):
-    """How asking went, as asked.json holds it: the runs' names, CPU time in s, the diagnosis' exit status."""
+    """How asking went, as asked.json holds it: CPU time in s of each diagnosis, by run, and the exit status."""
 
-    runs: list[str]
-    seconds: float
+    seconds: dict[str, float]
     status: int
 
 
@@ -30,14 +30,14 @@ def ask(runs: list[Path], out: Path, without: str = "", together: bool = False, 
     command += ["--without", without] if without else []
     command += ["--together"] if together else []
     command += ["--judge", str(judge)] if judge else []
-    before = os.times()
-    # it must end when this process does, not when Snakemake does
-    done = subprocess.run(command, env={**os.environ, "TWISTBENCH_PARENT": str(os.getpid())})
-    after = os.times()
-    if done.returncode not in (0, REFUSED):
-        raise RuntimeError(f"the diagnosis ended with status {done.returncode}: {' '.join(command)}")
-    seconds = after.children_user - before.children_user + after.children_system - before.children_system
-    return {"runs": [run.name for run in runs], "seconds": round(seconds, 2), "status": done.returncode}
+    with TemporaryDirectory() as place:
+        seconds = Path(place) / "seconds.json"
+        # it must end when this process does, not when Snakemake does
+        environment = {**os.environ, "TWISTBENCH_PARENT": str(os.getpid())}
+        done = subprocess.run([*command, "--cpu-seconds", str(seconds)], env=environment)
+        if done.returncode not in (0, REFUSED):
+            raise RuntimeError(f"the diagnosis ended with status {done.returncode}: {' '.join(command)}")
+        return {"seconds": json.loads(seconds.read_text(encoding="utf-8")), "status": done.returncode}
 
 
 @program
@@ -51,9 +51,7 @@ def main() -> None:
     arguments = parser.parse_args()
     runs = list(find_runs(arguments.runs))
     judge = JUDGES / f"without_{arguments.untaught_by}.json" if arguments.untaught_by else None
-    question: Asked = (
-        ask(runs, arguments.out, arguments.without, judge=judge) if runs else {"runs": [], "seconds": 0.0, "status": 0}
-    )
+    question: Asked = ask(runs, arguments.out, arguments.without, judge=judge) if runs else {"seconds": {}, "status": 0}
     write_text(arguments.out / "asked.json", json.dumps(question) + "\n")
 
 

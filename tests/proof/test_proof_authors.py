@@ -80,7 +80,7 @@ def test_an_authors_case_is_written_and_answered_like_the_rigs_own(tmp_path, aut
     assert (tmp_path / "recordings" / "b" / planned.run / "recording.parquet").is_file()
     said = {"verdict": "explained", "code": "c0de", "alternatives": [], "parameters": {}, "fit": {"heldout": None}}
     said["mechanisms"] = [{"id": "creep", "rms_mm": {"value": 1.0, "low": 0.0, "high": 1e9}}]
-    files = {"sealed/b.json": [answer], "verdicts/b/asked.json": {"runs": [planned.run], "seconds": 1.0}}
+    files = {"sealed/b.json": [answer], "verdicts/b/asked.json": {"seconds": {planned.run: 1.0}, "status": 0}}
     files[f"verdicts/b/{planned.run}/diagnosis.json"] = said
     for name, content in files.items():
         path = tmp_path / name

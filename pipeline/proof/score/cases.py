@@ -101,7 +101,7 @@ def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
         run = answer["run"]
         if not row["skipped"]:
             verdict = _json(place / "verdicts" / batch / run / "diagnosis.json")
-            row |= {"seconds": question["seconds"] / len(question["runs"])}
+            row |= {"seconds": question["seconds"][run]}
             row |= _judged(answer, verdict, left.get(run, {}))
             if verdict is not None:
                 row |= _measured(answer, verdict, place / "recordings" / batch / run)
