@@ -2,8 +2,14 @@ def settings(wildcards):
     return json.dumps(config["models"][wildcards.model]["settings"], sort_keys=True)
 
 
+# Once a model, not once a fit: of a thousand runs there are two thousand fits, and a fingerprint reads some sixty files.
+@cache
+def code_of_training(model):
+    return fingerprint("pipeline.stages.train", f"pipeline.models.{model}")
+
+
 def code_of_model(wildcards):
-    return fingerprint("pipeline.stages.train", f"pipeline.models.{wildcards.model}")
+    return code_of_training(wildcards.model)
 
 
 rule train:
