@@ -30,6 +30,7 @@ from .run.recording import asked_columns, to_samples
 from .run.samples import check, check_finite, questions
 from .systems import systems
 
+PROJECT = Path(__file__).resolve().parents[1]
 TAKEN = "choose another --run; runs are never overwritten"
 
 
@@ -43,9 +44,13 @@ def read_mapping(path: Path) -> dict[str, Any]:
 
 
 def origin(file: Path, mapping: Path) -> str:
-    """Where a run came from, as comments of YAML: both files by name and check sum."""
+    """Where a run came from, as comments of YAML: both files and their check sums; the project's by its place in it."""
     origins = (("imported from", file), ("through the mapping", mapping))
-    return "".join(f"# {what} {str(path)!a}, sha256 {sha256(path)}\n" for what, path in origins)
+    return "".join(f"# {what} {str(_shown(path))!a}, sha256 {sha256(path)}\n" for what, path in origins)
+
+
+def _shown(path: Path) -> Path:
+    return path.relative_to(PROJECT) if path.is_relative_to(PROJECT) else path
 
 
 def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came_from: str) -> None:

@@ -14,5 +14,7 @@ def write_page(figure: Figure, path: Path) -> None:
     with whole(path.with_name(f"{path.name}.png")) as temporary:  # each canvas draws once, savefig twice
         FigureCanvasAgg(figure).print_png(temporary, metadata={"Software": None})
     figure.set_layout_engine("none")  # what is laid out stays as it is
+    for part in figure.subfigs:
+        part.patch.set_visible(False)  # white on white, its corner at 0 or -0, by chance
     with whole(path.with_name(f"{path.name}.pdf")) as temporary:
         FigureCanvasPdf(figure).print_pdf(temporary, metadata={"CreationDate": None})

@@ -10,7 +10,7 @@ from made_recording import content, recording
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.names import run_name
-from pipeline.import_run import read_mapping
+from pipeline.import_run import origin, read_mapping
 from pipeline.real.ask import ask
 from pipeline.real.bring import REFUSED, bring, usable
 from pipeline.real.plan import RealPlan, make_real_plan, plan_of
@@ -147,6 +147,12 @@ def test_a_file_that_cannot_be_imported_leaves_a_reason_in_place_of_a_verdict(im
     words = ask([folder], tmp_path / "verdict")
     assert "bad.csv.gz: not imported" in words and not (tmp_path / "verdict" / "diagnosis.json").exists()
     assert (tmp_path / "verdict" / "verdict.txt").read_text().strip() == words
+
+
+def test_a_mapping_of_the_project_is_named_by_its_place_in_it_wherever_the_project_lies(tmp_path):
+    (tmp_path / "log.csv").write_text("1,2\n")
+    first, second = origin(tmp_path / "log.csv", MAPPINGS / "emps.yaml").splitlines()
+    assert str(tmp_path) in first and "'pipeline/mappings/emps.yaml', sha256" in second
 
 
 def test_a_run_that_cannot_be_decided_and_runs_too_few_to_go_together_say_why(imported, tmp_path):

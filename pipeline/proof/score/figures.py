@@ -15,6 +15,7 @@ from . import intervals
 
 COLOURS = ("#0072b2", "#009e73", "#d55e00", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 RATIOS = (0.1, 0.2, 0.5, 0.8, 1.0, 1.25, 2.0, 5.0, 10.0)  # ticks
+UNDATED = {"png": {"Software": None}, "pdf": {"CreationDate": None}}  # the same bytes each time
 OTHER = ("several", "tie, truth in it", "tie, truth not in it", "unknown", "nothing missing", "refused")
 SPOKEN = {
     "tie with the truth": "tie, truth in it",
@@ -149,5 +150,5 @@ def draw(cases: pd.DataFrame, sizes: pd.DataFrame, out: Path) -> None:
     for name, figure in figures.items():
         for suffix in ("png", "pdf") if name != "sizes" else ("png",):
             with whole(out / f"{name}.{suffix}") as temporary:
-                figure.savefig(temporary, dpi=200)
+                figure.savefig(temporary, dpi=200, metadata=UNDATED[suffix])
         plt.close(figure)
