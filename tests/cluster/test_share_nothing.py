@@ -39,11 +39,11 @@ def is_cache(name):
 def test_a_job_opens_what_its_rule_declares_and_no_more(local):
     folder, jobs = local
     of_rules = declared(folder)
-    assert {job["log"] for job in jobs} == set(of_rules) and len(jobs) > 20
+    assert {job["log"] for job in jobs} == set(of_rules) and len(jobs) > 40
     for job in jobs:
         inputs, outputs = of_rules[job["log"]]
         read, written = ([name for name in job[kind].split("|") if name] for kind in ("read", "written"))
         written = [name for name in written if not is_cache(name)]
         assert written and not beyond(written, [*outputs, job["log"]]), job
         assert not beyond(read, [*inputs, *outputs, *WITH_THE_CODE]), job
-        assert job["log"].endswith("record-synthetic-01.log") or [name for name in read if name in inputs], job
+        assert not inputs or len(beyond(read, inputs)) < len(read), job
