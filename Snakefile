@@ -3,7 +3,6 @@
 import json
 import shlex
 import sys
-from functools import cache
 from pathlib import Path
 
 from snakemake.utils import min_version, validate

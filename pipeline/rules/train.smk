@@ -1,3 +1,6 @@
+from functools import cache
+
+
 def settings(wildcards):
     return json.dumps(config["models"][wildcards.model]["settings"], sort_keys=True)
 
