@@ -53,7 +53,7 @@ def of_plan(arguments: argparse.Namespace) -> tuple[Run, pd.DataFrame]:
 def write(table: pd.DataFrame, path: Path) -> None:
     """Write what was simulated, whole or not at all: as text where the name ends like that, else as Parquet."""
     if path.suffix.lower() == ".csv":
-        write_text(path, table.to_csv(index=False))
+        write_text(path, table.to_csv(index=False, float_format="%.9g"))
     else:
         schemas.write(table, schemas.samples(list(table.columns)), path)
 
@@ -100,6 +100,9 @@ def main() -> None:
         as_there = has_zero(content, problem.system, run.run)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         print(f"its zero is {zero}; the string is taken to be as it was before its first stroke")
+    tied = run.adopted[-1].tied if run.adopted and not arguments.simulation else content.get("alternatives", [])
+    if isinstance(tied, list) and tied:
+        print(f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here")
     if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
         where = "as it was fitted" if has_zero(content, problem.system, run.run) else "set in the first second"
         zero = f", its zero {where}" if problem.system.free_zero else ""

@@ -11,6 +11,7 @@ from ..ground.text_file import TextFile
 from .description import STRING_ACTUATORS, Run
 from .samples import check_clock, check_finite
 
+LONGER = 2.0  # times the longest hold that was recorded: what is slow goes on in a longer one
 ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
 SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
@@ -82,7 +83,22 @@ def beyond(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame) -> str:
         ranges.append(
             f"{driver} that change by {planned_speed:.3g} a second (at most {recorded_speed:.3g} were recorded)"
         )
+    stands_s, stood_s = _longest_stand(samples, driver), _longest_stand(recorded, driver)
+    if stands_s > LONGER * stood_s:
+        ranges.append(f"a hold of {stands_s:.3g} s (at most {stood_s:.3g} s were recorded)")
     return f"it asks for {'; '.join(ranges)}" if ranges else ""
+
+
+def _longest_stand(samples: pd.DataFrame, driver: str) -> float:
+    """The longest time, in s, for which a motion keeps within a hundredth of its range of where it began to stand."""
+    time_s, way = samples["time_s"].to_numpy(), samples[driver].to_numpy()
+    near, begin, longest_s = 0.01 * max(float(np.ptp(way)), 1e-9), 0, 0.0
+    while begin < len(way):
+        left = np.flatnonzero(np.abs(way[begin + 1 :] - way[begin]) > near)
+        end = begin + 1 + int(left[0]) if len(left) else len(way)
+        longest_s = max(longest_s, float(time_s[end - 1] - time_s[begin]))
+        begin = end
+    return longest_s
 
 
 def _fastest(samples: pd.DataFrame, driver: str) -> float:

@@ -234,7 +234,7 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     means = programs.run("pipeline.adopt", "--explain", folder).stdout
     assert means.startswith("What the numbers under simulation mean, for who looks")
     assert f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
-    assert "straight_mm: in mm, add to the" in means
+    assert re.search(r"straight_mm = -?[0-9.]+: in mm, add to the", means)
 
 
 def test_a_diagnosis_of_other_dimensions_than_run_yaml_has_now_is_not_adopted(folder: Path, diagnosis: Path) -> None:
@@ -339,6 +339,8 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     text = (folder / "run.yaml").read_text()
     assert yaml.safe_load(text)["adopted"] == [first] and "# measured by hand" in text
     assert "holds sensor_drift already" in programs.run("pipeline.adopt", diagnosis, folder).stdout
+    beware = "beware: sensor_drift is one of 3 likely explanations, and another may say otherwise here"
+    assert beware in programs.run("pipeline.simulate", folder, "--out", folder.parent / "it.csv").stdout
     out = folder.parent / "out"
     done = programs.run("pipeline.diagnose", folder, "--out", out)
     assert done.returncode == 0, done.stderr

@@ -51,7 +51,13 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
     most = samples["motor_turns"].max()
     far = simulated(folder, diagnosis, tmp_path / "far.csv", "--motion", plan).stderr
     assert f"to {1.5 * most:.4g} (" in far and "Nothing says how well the simulator does there" in far
-    assert "load_n of 40 to 40" in far and "a second (at most" in far
+    assert "load_n of 40 to 40" in far and "a second (at most" in far and "a hold" not in far
+    top = samples["motor_turns"].max()
+    pd.DataFrame({"time_s": [0, 20, 140, 160], "motor_turns": [0, 0.9 * top, 0.9 * top, 0], "load_n": 15.0}).to_csv(
+        plan, index=False
+    )
+    held = simulated(folder, diagnosis, tmp_path / "held.csv", "--motion", plan).stderr
+    assert "it asks for a hold of 120 s (at most" in held
 
 
 def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosis, tmp_path):

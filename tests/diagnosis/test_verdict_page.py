@@ -89,7 +89,7 @@ def test_every_dimension_of_a_string_says_how_it_is_measured():
 @pytest.mark.parametrize(
     ("then", "said"),
     [
-        (5330.0, "2. Make the run that can decide which is at work: creep or thermal."),
+        (5330.0, "2. Make the run that can decide which is at work: creep or thermal, if you need to know."),
         (7.0, "2. Only if you need to know which is at work: creep or thermal: try the run that parts them most."),
         (5.02, "2. Make no other run: none that was tried decides which is at work: creep or thermal."),
     ],
@@ -129,7 +129,7 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     )
     near = content(evidence__moved_sigma=NEAR)
     assert "You can report: - 0.44 mm rms is missing after calibration; - on the unseen strokes" in steps(near)
-    fitted = "Do not report calibrated dimensions, nor the numbers under `simulation`: they are fitted, not measured."
+    fitted = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
     assert steps(near).endswith(fitted)
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "Do not report how much creep does alone." in steps(near)
@@ -217,7 +217,7 @@ def test_a_single_explanation_is_reported_with_its_probability():
     best = "- the recording agrees best with friction_hysteresis + creep"
     said = f"{best} (73 %); not excluded are friction_hysteresis + sensor_drift (6 %) and physics that the library la"
     assert said in steps(made) and "named; the explanation has a probability of 73 %" in page(made)
-    tied = f"{best} (52 %); not excluded are friction_hysteresis + thermal (31 %) and physics that the library la"
+    tied = f"{best} (52 %); not excluded are friction_hysteresis + thermal (31 %), others of the library (13 % tog"
     assert tied in steps(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
     assert "agrees best" not in steps(), "no probability is known"
 
@@ -233,7 +233,7 @@ def test_the_page_tells_how_probable_each_explanation_is_and_on_which_tolerances
         ["other", "explanations", "of", "the", "library", "7", "%"],
         ["physics", "that", "the", "library", "lacks", "4", "%"],
     ], "together they are everything"
-    assert rows[5].strip().startswith("All this stands on these tolerances: radius 0.004 mm (0.727 %). If one of them")
+    assert rows[5].strip().startswith("All this stands on these tolerances: radius 0.004 mm (0.727 %). If you know one")
     made["evidence"]["moved_sigma"] = {"radius_mm": 0.9}
     assert "stands on these tolerances" not in page(made)
     assert "How probable each explanation is" not in page(), "no probability is known"
@@ -264,6 +264,7 @@ def test_after_adopting_what_tied_is_decided_after_measuring_again():
     said = steps(made)
     assert said.startswith("1. Measure again what calibration moved far:")
     assert "4. Decide between what was adopted and what was likely as well" in said
+    assert "Take out what was adopted first, for it is not weighed again: python -m pipeline.adopt --remove" in said
 
 
 def test_a_scale_that_run_yaml_gives_is_not_called_assumed_and_the_next_one_is_reckoned():
@@ -284,20 +285,11 @@ def test_after_adopting_the_table_says_what_the_adopted_simulator_errs_by():
     assert "as adopted" not in page(made)
     made["evidence"]["adopted_mm"] = 0.033
     rows = under("How far the simulator is off, rms", page(made))
-    assert rows[2].split() == [
-        "as",
-        "adopted:",
-        "effects",
-        "and",
-        "dimensions",
-        "0.033",
-        "mm",
-        "(1.1",
-        "times",
-        "the",
-        "noise)",
-        "–",
-    ]
+    assert " ".join(rows[1].split()) == "as adopted: effects and dimensions 0.033 mm (1.1 times the noise) –"
+    assert not any(row.strip().startswith("nominal") for row in rows), "nobody simulates with that"
+    made["evidence"]["adopted_mm"] = 0.2
+    rows = under("How far the simulator is off, rms", page(made))
+    assert [row.split()[0] for row in rows[1:]] == ["nominal:", "as", "calibrated:", "as", "noise:"]
 
 
 ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}

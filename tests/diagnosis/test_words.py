@@ -183,7 +183,7 @@ def first_lines(**held):
 def test_what_must_be_known_first_stands_first():
     assert first_lines() == [
         "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations.",
-        "  Size: 0.44 mm rms is missing after calibration. Each effect's own size is known within a factor of 2, if "
+        "  Size: 0.44 mm rms is missing after calibration. Each effect's own size is known to 10 % or better, if "
         "this explanation is right.",
     ]
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
@@ -1125,7 +1125,7 @@ def test_a_tolerance_is_a_share_exactly_where_a_rig_takes_it_for_one(name):
 @pytest.mark.parametrize(
     ("low", "high", "said"),
     [
-        (0.35, 0.44, "Each effect's own size is known within a factor of 2, if"),
+        (0.35, 0.44, "Each effect's own size is known to 11 % or better, if"),
         (0.0, 0.9, "Poorly known is how much creep (0 to 0.90 mm) does alone, if this explanation is right."),
     ],
 )

@@ -6,7 +6,7 @@ from ..bounds import at_bound
 from ..library import mechanisms
 from . import probability, rivals
 from .dimensions import name_of
-from .quantity import duration, listing, number, percent, size
+from .quantity import duration, listing, percent, size
 from .vocabulary import Vocabulary
 
 SURE, PROBABLE = 0.8, 0.5
@@ -99,8 +99,13 @@ def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
     own = f"Poorly known is how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone" if poorly else ""
     if not poorly and all(known["high"] > known["low"] for known in found.values()):
         own = "Each effect's own size is known" if len(found) > 1 else "The effect's own size is known"
-        own += f" within a factor of {number(WIDE)}"
+        own += f" to {percent(max(_half(known) for known in found.values()))} or better"
     return [f"Size: {missing} rms is missing after calibration.{f' {own}, if this explanation is right.' * bool(own)}"]
+
+
+def _half(known: dict[str, float]) -> float:
+    """Half of an interval, as a share of the value."""
+    return 0.5 * (known["high"] - known["low"]) / known["value"] if known["value"] else 0.0
 
 
 def poorly_known(content: dict[str, Any], words: Vocabulary) -> dict[str, tuple[float, float]]:

@@ -5,10 +5,13 @@ from typing import Any
 from . import probability, rivals, tolerances
 from .dimensions import name_of
 from .error_table import aligned
-from .quantity import listing, percent
+from .quantity import listing, percent, quantity
 from .vocabulary import Vocabulary
 
 HEADING = "How probable each explanation is"
+KNOWS_BETTER = (
+    "If you know one better or less well, write that into run.yaml (`tolerance`) and diagnose again: names can change."
+)
 KEPT = 5  # of them by name; the others are counted
 WORTH = 0.05  # a probability from which on the next best is named
 OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
@@ -37,10 +40,19 @@ def _stands_on(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
     moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > 1.0}
     known = {name: tolerances.said(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
-    said = [f"{name_of(name)} {tolerance}" for name, tolerance in known.items() if tolerance]
-    if not said:
-        return []
-    return [f"All this stands on these tolerances: {listing(said)}. If one of them is another, names can change."]
+    said = []
+    for name, tolerance in known.items():
+        if tolerances.is_default(content, name, words):
+            tolerance = (
+                f"{tolerance.removesuffix(')')}, default)" if tolerance.endswith(")") else f"{tolerance} (default)"
+            )
+        said += [f"{name_of(name)} {tolerance}"] if tolerance else []
+    lines = [f"All this stands on these tolerances: {listing(said)}. {KNOWS_BETTER}"] if said else []
+    stiffness = content["parameters"].get("stiffness_n_per_mm")
+    if stiffness:
+        guess = quantity(stiffness["nominal"], "N/mm", 3)
+        lines.append(f"The stiffness of {guess} is assumed: run.yaml gives none.")
+    return lines
 
 
 def kept_shares(content: dict[str, Any]) -> list[tuple[str, float]]:

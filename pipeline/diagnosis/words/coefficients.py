@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from ..drivers import Drivers
 from ..library import mechanisms
 from ..problem import Act
-from .quantity import listing, said_unit
+from .quantity import listing, number, said_unit
 from .vocabulary import Vocabulary
 
 HEAD = (
@@ -14,7 +14,7 @@ HEAD = (
     "docs/physics.md."
 )
 BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
-CHOSEN = "numbers in the equation that the search chose, and then held"
+CHOSEN = "numbers in the equation itself, chosen by the search or fitted"
 DOES = {
     "twist": "act on the {motion}",
     "radius": "change the radius, as a share of it",
@@ -45,21 +45,26 @@ def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]
 def _block(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
     mechanism = mechanisms()[act.id]
     said = [f"  {act.id}: {mechanism.equation}"]
-    groups: dict[str, list[str]] = {}
+    groups: dict[str, dict[str, float]] = {}
     values = iter(act.coefficients)
     for shape in act.shapes:
         for term in mechanism.terms(drivers, shape):
-            if next(values):
-                unit = said_unit(drivers.units.unit(term.unit)) or "a share"
-                does = f"in {unit}, {DOES[term.port].format(motion=words.motion, string=words.string)}"
-                groups.setdefault(does, []).append(drivers.units.name(term.name))
-    said += [f"    {listing(list(dict.fromkeys(names)))}: {does}" for does, names in groups.items()]
-    held = [name for names in groups.values() for name in names]
+            value = next(values)
+            if value:
+                unit = said_unit(drivers.units.unit(term.unit))
+                what = DOES[term.port].format(motion=words.motion, string=words.string)
+                does = f"in {unit}, {what}" if unit else f"as shares, {what}"
+                groups.setdefault(does, {})[drivers.units.name(term.name)] = value
+    for does, strengths in groups.items():
+        each = [f"{name} = {number(value, 3)}" for name, value in strengths.items()]
+        said.append(f"    {listing(each)}: {does}")
+    held = [name for strengths in groups.values() for name in strengths]
     said += multiplied(mechanism.names, held)
     branch = next((found[1] for name in held if (found := BRANCH.search(name))), None)
     said += (
         [f"    {branch}_s in a name: of the branch with a time constant of {branch} s; so for others"] if branch else []
     )
-    fixed = dict.fromkeys(drivers.units.name(name) for shape in act.shapes for name in shape)
-    said += [f"    {listing(list(fixed))}: {CHOSEN}"] if fixed else []
+    fixed = {drivers.units.name(name): value for shape in act.shapes for name, value in shape.items()}
+    each = [f"{name} = {number(value, 3)}" for name, value in fixed.items()]
+    said += [f"    {listing(each)}: {CHOSEN}"] if fixed else []
     return said

@@ -12,7 +12,10 @@ HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 NO_SIZE = "–"  # of an effect that the best explanation has not
 POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
-UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of it."
+UNSURE_SIZE = (
+    "Poorly known: dimensions or other effects can take over much of it. How sure an effect is says that it is there, "
+    "not how large it is."
+)
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )

@@ -5,6 +5,7 @@ from typing import Any
 
 from ...ground.command import program_name
 from . import rivals, sight, unseen
+from .headline import kept_times
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
 
@@ -57,6 +58,8 @@ def _rows(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
 def short(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The table with its rows said in words, and no remarks; the details have those."""
     rows, held = _rows(content, words), unseen.errors(content, words)
+    if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
+        rows = [row for row in rows if row[0] != "nominal"]
     named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
     first = "adopted effects, dimensions of run.yaml" if sight.included(content) else "nominal: dimensions of run.yaml"
     moved = "calibrated anew: dimensions moved" if sight.included(content) else "calibrated: dimensions moved"

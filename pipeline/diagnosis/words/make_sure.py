@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from ..library import mechanisms
-from . import certainty, commands, seen, unseen
+from . import certainty, commands, unseen
 from .quantity import duration, number, quantity
 from .vocabulary import Vocabulary
 
@@ -22,7 +22,6 @@ def of_what_is_missing(
             [
                 "Leave what is still missing, unless it is too much for your use. No effect of the library is named "
                 "for it. Other speeds and loads, diagnosed together, show more of it.",
-                *seen.remains(content, words),
             ]
         ]
     again = commands.lines(folders, out, [""])

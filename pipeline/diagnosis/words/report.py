@@ -2,13 +2,14 @@
 
 from typing import Any
 
-from . import certainty, chances, effects, probability, sight, unseen
+from . import certainty, chances, effects, probability, rivals, sight, unseen
 from .dimensions import far_moved
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
 
+LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
-FITTED = "Do not report calibrated dimensions, nor the numbers under `simulation`: they are fitted, not measured."
+FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 
 def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
@@ -51,11 +52,13 @@ def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """That sizes and constants can be reported, where one explanation stands on dimensions that did not move far."""
     poorly = certainty.poorly_known(content, words)
     known = [entry["id"] for entry in content["mechanisms"] if entry["id"] not in poorly]
-    if far_moved(content) or content["alternatives"] or not known:
+    if far_moved(content) or not known:
         return []
     constants = any(effects.has_constants(entry) for entry in content["mechanisms"] if entry["id"] in known)
     also = " and its constants" if constants and len(known) == 1 else " and their constants" if constants else ""
-    return [f"the size of {listing(known)}{also} as the table above gives them, with 90 % intervals"]
+    best = rivals.called([entry["id"] for entry in content["mechanisms"]])
+    provided = f", if {best} is right" if content["alternatives"] else ""
+    return [f"the size of {listing(known)}{also} as the table above gives them, with 90 % intervals{provided}"]
 
 
 def _best(content: dict[str, Any]) -> list[str]:
@@ -67,7 +70,10 @@ def _best(content: dict[str, Any]) -> list[str]:
     (name, share), *others = kept
     following = chances.next_best(content)
     rest = [*others[:NAMED], *([following] if following and not others else [])]
-    also = [f"{one} ({percent(its)})" for one, its in rest] + [f"physics that the library lacks ({percent(none)})"]
+    left = max(1.0 - none - share - sum(its for _, its in rest), 0.0)
+    also = [f"{one} ({percent(its)})" for one, its in rest]
+    also += [f"others of the library ({percent(left)} together)"] if left >= LEAST else []
+    also += [f"physics that the library lacks ({percent(none)})"]
     return [f"the recording agrees best with {name} ({percent(share)}); not excluded are {listing(also)}"]
 
 

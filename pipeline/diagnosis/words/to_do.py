@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ...ground.command import command
-from . import experiment, make_sure, report, sight, still, to_measure, unseen, worth
+from . import experiment, make_sure, report, sight, signs, still, to_measure, unseen, worth
 from .adoption import dimensions_came, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
@@ -75,19 +75,27 @@ def _run(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
         return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
     where = f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(run, words)}."
     if worth.decides(run):
-        return [[f"Make the run that can decide {worth.question(content)}. {where}"]]
+        need = f"Make the run that can decide {worth.question(content)}, if you need to know. {where}"
+        return [[" ".join(part for part in (need, worth.care(content, words)) if part), *_else(content)]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {worth.question(content)}{hard}: try the run that parts them most."
-        return [[f"{need} About half of such runs decided in tests. {where}"]]
+        return [[f"{need} About half of such runs decided in tests. {where}", *_else(content)]]
     return [[f"Make no other run: none that was tried decides {worth.question(content)}."]]
 
 
 def _asks(run: dict[str, Any], words: Vocabulary) -> str:
     """What a run asks of the rig: other loads, other speeds."""
     title = experiment.title(run, words)
-    asked = [f"another {what}" for what in ("speed", "load") if what in title]
+    hung = list(dict.fromkeys(part.load for part in experiment.parts(run, words, 1.0) if part.load))
+    loads = f"another load ({listing(hung)})" if hung else "another load"
+    asked = ["another speed"] * ("speed" in title) + [loads] * ("load" in title)
     return f", and ask for {listing(asked)}" if asked else ""
+
+
+def _else(content: dict[str, Any]) -> list[str]:
+    """Where to find what tells the open effects apart without that run."""
+    return [f"Each open effect's own test at the rig stands in {DETAILS} too, under {signs.HEADING}."]
 
 
 def _use(content: dict[str, Any], folders: list[Path], out: Path | None) -> list[list[str]]:
@@ -131,7 +139,8 @@ def _unnamed(content: dict[str, Any], words: Vocabulary, folders: list[Path]) ->
             *_anew(content, words, folders),
             [
                 "Decide between what was adopted and what was likely as well, if you need to know: the run is in "
-                f"{DETAILS} under {RUN}."
+                f"{DETAILS} under {RUN}. Take out what was adopted first, for it is not weighed again:",
+                *(f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders),
             ],
         ]
     if unseen.left_over(content, words):

@@ -6,9 +6,22 @@ from typing import Any
 
 from ...systems import System
 from ..interface import physics
-from . import adoption, beaten, certainty, chances, effect_table, error_table, level, sight, to_do, tolerances, unseen
+from . import (
+    adoption,
+    beaten,
+    certainty,
+    chances,
+    effect_table,
+    error_table,
+    level,
+    seen,
+    sight,
+    to_do,
+    tolerances,
+    unseen,
+)
 from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
-from .headline import UNNAMED, headline
+from .headline import UNNAMED, headline, kept_times
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
 from .sections import text
@@ -33,13 +46,19 @@ def verdict_text(
         (headline(content, words), []),
         (
             DOUBTS,
-            [*doubts, *adoption.cautions(content), *unseen.cautions(content, words), *_provisional(content, words)],
+            [
+                *doubts,
+                *adoption.cautions(content),
+                *unseen.cautions(content, words),
+                *(seen.remains(content, words) if unseen.partly(content, words) else []),
+                *_provisional(content, words),
+            ],
         ),
         (effect_table.HEADING, effect_table.lines(content, words)),
         (chances.HEADING, chances.lines(content, words)),
         ("What is missing", _unknown(content, words)),
         (error_table.SHORT, error_table.short(content, words)),
-        ("Dimensions", corrected(content, words)),
+        ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
         (to_do.HEADING, to_do.lines(content, words, folders, out)),
         ("What would have been seen", _would(content, words)),
     ]
@@ -65,7 +84,11 @@ def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
             "What was adopted fitted with other dimensions (`adopted` in run.yaml): dimensions take each other's "
             "place, so these need not be the wrong ones."
         )
-    if adopted_fit(content) and any(abs(sigma) > LEAVES for sigma in content["evidence"]["moved_sigma"].values()):
+    if (
+        adopted_fit(content)
+        and not kept_times(content, words)
+        and any(abs(sigma) > LEAVES for sigma in content["evidence"]["moved_sigma"].values())
+    ):
         lines.append(
             "Fitted anew, dimensions moved far. That is no reason to measure them again: the dimensions that were "
             "adopted lie within their tolerances, and fit this rig as well."
