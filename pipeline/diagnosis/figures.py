@@ -7,12 +7,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..ground.kinematics import Array
 from ..ground.page import write_page
 from . import panels
 from .content import Verdict
 from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
+from .simulation import simulated
 from .words.dimensions import name_of
 from .words.headline import unfit
 from .words.quantity import listing
@@ -24,6 +26,12 @@ from .words.vocabulary import Vocabulary
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
 MOST = 6  # panels of drivers
+STYLES = {
+    "nominal": {"color": "0.7", "lw": 0.8},
+    "calibrated": {"color": "#2166ac", "lw": 0.8, "ls": ":"},
+    "as diagnosed": {"color": AFTER, "lw": 0.8},
+    "as adopted": {"color": AFTER, "lw": 0.8},
+}  # of the simulators over time
 WIDE = 100  # characters of a line of the title
 
 
@@ -65,16 +73,34 @@ def page(study: Study, content: Verdict, path: Path) -> None:
     write_page(drawn(study, content), path)
 
 
+def as_adopted(study: Study, verdict: Verdict) -> Array | None:
+    """What the simulator reads as it was adopted, with the zero of the reading at its best; None where none was so.
+
+    Shape (samples,), in the reading's unit.
+    """
+    problem = study.problem
+    came = [adoption["dimensions"] for adoption in verdict.get("adopted", []) if adoption.get("dimensions")][-1:]
+    if not came or f"adopted_{problem.system.channel.rpartition('_')[2]}" not in verdict["evidence"]:
+        return None
+    held = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
+    run = str(verdict["run"])
+    values = simulated(problem, {"parameters": held, "simulation": verdict["simulation"]}, Path("run.yaml"), run)
+    return values + float(np.median(problem.measured - values)) if problem.system.free_zero else values
+
+
 def drawn(study: Study, verdict: Verdict) -> Figure:
     """The page as a figure of matplotlib, known to no window and no notebook."""
     content: dict[str, Any] = dict(verdict)
     problem, drivers, floor = study.problem, study.problem.drivers, study.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     states = {"nominal": study.nominal, "calibrated": study.base, "as diagnosed": study.state}
-    simulated = {name: problem.simulate(state) for name, state in states.items()}
-    if np.array_equal(simulated["as diagnosed"], simulated["calibrated"]):  # nothing is named: draw nothing twice
-        del simulated["as diagnosed"]
-    residuals = {name: problem.measured - values for name, values in list(simulated.items())[-2:]}
+    simulations = {name: problem.simulate(state) for name, state in states.items()}
+    if np.array_equal(simulations["as diagnosed"], simulations["calibrated"]):  # nothing is named: draw nothing twice
+        del simulations["as diagnosed"]
+        adopted = as_adopted(study, verdict)
+        if adopted is not None:  # nobody simulates with adopted effects and the dimensions of run.yaml
+            simulations = {"calibrated": simulations["calibrated"], "as adopted": adopted}
+    residuals = {name: problem.measured - values for name, values in list(simulations.items())[-2:]}
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
     vocabulary = Vocabulary.of(problem.system)
@@ -82,11 +108,10 @@ def drawn(study: Study, verdict: Verdict) -> Figure:
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
-    styles = ({"color": "0.7", "lw": 0.8}, {"color": "#2166ac", "lw": 0.8, "ls": ":"}, {"color": AFTER, "lw": 0.8})
     if warned:
         top.suptitle(warned, fontsize=8.5, color=AFTER)
     lines = {"recording": (problem.measured, {"color": "k", "lw": 2.4})}
-    lines |= {name: (values, style) for (name, values), style in zip(simulated.items(), styles, strict=False)}
+    lines |= {name: (values, STYLES[name]) for name, values in simulations.items()}
     panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
     left = {name: (values, {"color": SHADES[name], "lw": 0.6}) for name, values in residuals.items()}
     panels.over_time(under, drivers, left, f"residual ({unit})")
@@ -99,7 +124,8 @@ def drawn(study: Study, verdict: Verdict) -> Figure:
     compared, single = noises(content, vocabulary)
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
-    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content))
+    skip = int("as adopted" in simulations)
+    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip)
     followed = list(panels.listeners(drivers).items())[:MOST]
     grid = panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):

@@ -19,7 +19,7 @@ from .words.sight import included
 
 BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
-SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER}  # of the simulators
+SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
 TITLE_WIDE = 34  # characters
@@ -116,7 +116,7 @@ def plain(axis: Axis) -> None:
 
 def held_out(
     axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str, noise: str = "noise",
-    title: str = "Error on unseen strokes",
+    title: str = "Error on unseen strokes", skip: int = 0,
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys."""
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
@@ -125,8 +125,8 @@ def held_out(
         axes.set(xticks=[], yticks=[])
         return
     values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
-    names = list(SHADES)[: 2 if values[2] == values[1] else 3]  # what is the same is drawn once
-    values, places = values[: len(names)], range(len(names))
+    names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
+    values, places = values[skip : skip + len(names)], range(len(names))
     colours = [SHADES[name] for name in names]
     axes.vlines(places, floor, values, colors=colours, lw=2.5)
     axes.scatter(places, values, c=colours, s=55, zorder=2.5)

@@ -11,6 +11,7 @@ from ..ground.text_file import TextFile
 from .description import STRING_ACTUATORS, Run
 from .samples import check_clock, check_finite
 
+STANDS, UNWOUND, SHORT_S = 0.02, 0.05, 1.0  # of the highest speed: slower stands; of the range; not worth a word
 LONGER = 2.0  # times the longest hold that was recorded: what is slow goes on in a longer one
 ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
@@ -83,22 +84,24 @@ def beyond(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame) -> str:
         ranges.append(
             f"{driver} that change by {planned_speed:.3g} a second (at most {recorded_speed:.3g} were recorded)"
         )
-    stands_s, stood_s = _longest_stand(samples, driver), _longest_stand(recorded, driver)
-    if stands_s > LONGER * stood_s:
-        ranges.append(f"a hold of {stands_s:.3g} s (at most {stood_s:.3g} s were recorded)")
+    for name, wound in (("hold", True), ("rest", False)):
+        stands_s, stood_s = (_longest_stand(table, driver, wound) for table in (samples, recorded))
+        if stands_s > LONGER * stood_s and stands_s > SHORT_S:
+            ranges.append(f"a {name} of {stands_s:.3g} s (at most {stood_s:.3g} s were recorded)")
     return f"it asks for {'; '.join(ranges)}" if ranges else ""
 
 
-def _longest_stand(samples: pd.DataFrame, driver: str) -> float:
-    """The longest time, in s, for which a motion keeps within a hundredth of its range of where it began to stand."""
+def _longest_stand(samples: pd.DataFrame, driver: str, wound: bool) -> float:
+    """The longest time, in s, that a motion stands `wound`, or unwound: within a part of its range of its lowest."""
     time_s, way = samples["time_s"].to_numpy(), samples[driver].to_numpy()
-    near, begin, longest_s = 0.01 * max(float(np.ptp(way)), 1e-9), 0, 0.0
-    while begin < len(way):
-        left = np.flatnonzero(np.abs(way[begin + 1 :] - way[begin]) > near)
-        end = begin + 1 + int(left[0]) if len(left) else len(way)
-        longest_s = max(longest_s, float(time_s[end - 1] - time_s[begin]))
-        begin = end
-    return longest_s
+    step_s = np.diff(time_s)
+    speed = np.abs(np.diff(way)) / step_s
+    high = way[:-1] > way.min() + UNWOUND * np.ptp(way)
+    stands = (speed < STANDS * max(float(np.percentile(speed, 99.0)), 1e-9)) & (high == wound)
+    edges = np.flatnonzero(np.diff(stands)) + 1
+    spans = np.split(step_s, edges)
+    first = [0, *edges]
+    return max((float(span.sum()) for span, at in zip(spans, first, strict=True) if stands[at]), default=0.0)
 
 
 def _fastest(samples: pd.DataFrame, driver: str) -> float:

@@ -5,17 +5,21 @@ from dataclasses import replace
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 
 from pipeline.diagnosis import figures, panels
+from pipeline.diagnosis.adopt import adoptions
 from pipeline.diagnosis.bounds import BOUND
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.diagnosis.words.quantity import percent
 from pipeline.diagnosis.words.sight import heading
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.run.description import Adopted
 from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
@@ -227,3 +231,20 @@ def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_abov
     assert second == "calibration moved radius far: measure it again first (verdict.txt)"
     content["evidence"]["nominal_mm"] = 0.03
     assert figures.warning(content, words) == second
+
+
+def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_that_nobody_uses(conceal) -> None:
+    folder = conceal("creep")[0]
+    run, samples = read_samples(folder)
+    first, _ = diagnosed([run], [samples], [folder])
+    adopted = [Adopted.model_validate(one) for one in adoptions(first, "a.json", run.run)]
+    again = run.model_copy(update={"simulation": first["simulation"], "adopted": adopted})
+    verdict, studied = diagnosed([again], [samples], [folder])
+    assert verdict["verdict"] in ("consistent", "parameters")
+    kept = figures.as_adopted(studied, verdict)
+    assert kept is not None
+    left = studied.problem.measured - kept
+    assert np.sqrt(np.mean(left**2)) == pytest.approx(verdict["evidence"]["adopted_mm"], rel=1e-3)
+    top = figures.drawn(studied, verdict).axes[0]
+    assert [text.get_text() for text in top.get_legend().get_texts()] == ["recording", "calibrated", "as adopted"]
+    assert figures.as_adopted(studied, {**verdict, "adopted": []}) is None

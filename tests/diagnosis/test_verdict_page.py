@@ -128,7 +128,10 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
         in said
     )
     near = content(evidence__moved_sigma=NEAR)
-    assert "You can report: - 0.44 mm rms is missing after calibration; - on the unseen strokes" in steps(near)
+    assert (
+        "You can report: - 0.44 mm rms is missing after calibration, noise taken off; - on the unseen strokes"
+        in steps(near)
+    )
     fitted = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
     assert steps(near).endswith(fitted)
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
@@ -244,6 +247,8 @@ def test_an_effect_larger_than_what_is_missing_says_where_the_rest_is():
     assert "artly hidden" not in page(made)
     made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
     assert "0.60 mm (0.55 to 0.65 mm), partly hidden" in page(made)
+    made["evidence"]["moved_sigma"] = NEAR
+    assert "Do not report how much creep does alone." in steps(made)
     assert "it is more than the 0.44 mm that is missing" in page(made)
 
 
@@ -323,12 +328,12 @@ def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_record
 
 def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_intervals():
     firm = content(**ALONE, evidence__moved_sigma=NEAR)
-    said = "- the size of friction_hysteresis and creep and their constants as the table above gives them, with 90 %"
+    said = "- the size of friction_hysteresis and creep and their constants as the table above says, with 90 % interv"
     assert said in steps(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in page(firm)
     firm["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     only = steps(firm)
-    assert "- the size of creep as the table above gives them" in only and "constants" not in only
-    assert "as the table above gives them" not in steps(content(**ALONE)), "a dimension moved far"
+    assert "- the size of creep as the table above says" in only and "constants" not in only
+    assert "as the table above says" not in steps(content(**ALONE)), "a dimension moved far"
 
 
 def test_an_effect_that_is_surer_than_its_explanation_says_why():

@@ -1125,7 +1125,7 @@ def test_a_tolerance_is_a_share_exactly_where_a_rig_takes_it_for_one(name):
 @pytest.mark.parametrize(
     ("low", "high", "said"),
     [
-        (0.35, 0.44, "Each effect's own size is known to 11 % or better, if"),
+        (0.35, 0.44, "Each effect's own size is known to 15 % or better, if"),
         (0.0, 0.9, "Poorly known is how much creep (0 to 0.90 mm) does alone, if this explanation is right."),
     ],
 )

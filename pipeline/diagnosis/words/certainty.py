@@ -104,8 +104,9 @@ def sizes(content: dict[str, Any], words: Vocabulary) -> list[str]:
 
 
 def _half(known: dict[str, float]) -> float:
-    """Half of an interval, as a share of the value."""
-    return 0.5 * (known["high"] - known["low"]) / known["value"] if known["value"] else 0.0
+    """The longer half of an interval, as a share of the value."""
+    longer = max(known["high"] - known["value"], known["value"] - known["low"])
+    return longer / known["value"] if known["value"] else 0.0
 
 
 def poorly_known(content: dict[str, Any], words: Vocabulary) -> dict[str, tuple[float, float]]:
@@ -116,6 +117,13 @@ def poorly_known(content: dict[str, Any], words: Vocabulary) -> dict[str, tuple[
         for id_, known in found.items()
         if wide(known) or hidden(known["value"], content, words)
     }
+
+
+def partly_hidden(content: dict[str, Any], words: Vocabulary) -> list[str]:
+    """The effects that are larger than what is missing, so that moved dimensions must take some of each back."""
+    key = f"rms_{words.ending}"
+    limit = rivals.MORE * content["mismatch"][key] if content["mismatch"] else float("inf")
+    return [entry["id"] for entry in content["mechanisms"] if entry[key]["value"] > limit]
 
 
 def wide(known: dict[str, float]) -> bool:

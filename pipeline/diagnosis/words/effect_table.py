@@ -96,6 +96,6 @@ def own_size(entry: dict[str, Any], content: dict[str, Any], words: Vocabulary) 
         return size(known["value"], words.unit)
     within = certainty.span(known["low"], known["high"], words)
     much = content["mismatch"] and certainty.hidden(known["value"], content, words)
-    some = content["mismatch"] and known["value"] > rivals.MORE * content["mismatch"][f"rms_{words.ending}"]
+    some = entry["id"] in certainty.partly_hidden(content, words)
     doubt = HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if some else ""
     return f"{size(known['value'], words.unit)} ({within}){doubt}"

@@ -67,7 +67,7 @@ def short(content: dict[str, Any], words: Vocabulary) -> list[str]:
     said |= {
         "as adopted": "as adopted: effects and dimensions",
         "as diagnosed": named,
-        "noise": "noise: none comes below it",
+        "noise": "noise: about the least possible",
     }
     found = aligned([[said.get(first, first), *rest] for first, *rest in rows])
     return found if held else [*found, TOO_FEW]

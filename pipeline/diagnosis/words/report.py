@@ -16,7 +16,8 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
     if not content["mismatch"]:
         return []
-    missing = f"{size(content['mismatch'][f'rms_{words.ending}'], words.unit)} rms is missing after calibration"
+    left = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
+    missing = f"{left} rms is missing after calibration, noise taken off"
     nominal = content["evidence"].get(f"nominal_{words.ending}")
     if far_moved(content) and nominal is not None:
         missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
@@ -51,14 +52,15 @@ def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
 def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """That sizes and constants can be reported, where one explanation stands on dimensions that did not move far."""
     poorly = certainty.poorly_known(content, words)
-    known = [entry["id"] for entry in content["mechanisms"] if entry["id"] not in poorly]
+    not_alone = {*poorly, *certainty.partly_hidden(content, words)}
+    known = [entry["id"] for entry in content["mechanisms"] if entry["id"] not in not_alone]
     if far_moved(content) or not known:
         return []
     constants = any(effects.has_constants(entry) for entry in content["mechanisms"] if entry["id"] in known)
     also = " and its constants" if constants and len(known) == 1 else " and their constants" if constants else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
-    return [f"the size of {listing(known)}{also} as the table above gives them, with 90 % intervals{provided}"]
+    return [f"the size of {listing(known)}{also} as the table above says, with 90 % intervals{provided}"]
 
 
 def _best(content: dict[str, Any]) -> list[str]:
@@ -84,7 +86,7 @@ def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
             "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions: "
             "dimensions that moved so far can have taken a part of it."
         ]
-    poorly = list(certainty.poorly_known(content, words))
+    poorly = list(dict.fromkeys([*certainty.poorly_known(content, words), *certainty.partly_hidden(content, words)]))
     if not poorly:
         return [FITTED] if content["mechanisms"] else []
     return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone. {FITTED}"]

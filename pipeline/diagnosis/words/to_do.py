@@ -44,10 +44,10 @@ def _named(content: dict[str, Any], words: Vocabulary, folders: list[Path], out:
     return [
         *_measure(content, words),
         *_run(content, words),
+        *make_sure.of_names(content, words),
+        *make_sure.of_what_is_missing(content, words, folders, out),
         *_use(content, folders, out),
         *_adopt(content, folders, out),
-        *make_sure.of_what_is_missing(content, words, folders, out),
-        *make_sure.of_names(content, words),
         *_report(content, words),
     ]
 

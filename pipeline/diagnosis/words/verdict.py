@@ -29,9 +29,10 @@ from .vocabulary import Vocabulary
 
 DOUBTS = "What to know first"
 MORE = (
-    "More: details.txt (every number with its reason, the run to make step by step, all tolerances, the words), "
-    "diagnosis.pdf (figures), diagnosis.json (for programs)."
+    "More: details.txt (every number with its reason,{run} all tolerances, the words), diagnosis.pdf (figures), "
+    "diagnosis.json (for programs)."
 )
+RUN = " the run to make step by step,"
 
 
 def verdict_text(
@@ -62,7 +63,7 @@ def verdict_text(
         (to_do.HEADING, to_do.lines(content, words, folders, out)),
         ("What would have been seen", _would(content, words)),
     ]
-    return text(sections, last=(MORE, []))
+    return text(sections, last=(MORE.format(run=RUN if content["next_run"] else ""), []))
 
 
 def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
