@@ -132,7 +132,7 @@ def test_adopting_changes_run_yaml_alone_and_once(folder: Path, diagnosis: Path)
     assert stat.S_IMODE((folder / "run.yaml").stat().st_mode) == 0o640
     assert sorted(path.name for path in folder.iterdir()) == ["recording.parquet", "run.yaml"]
     again = programs.run("pipeline.adopt", diagnosis, folder)
-    assert again.returncode == 0 and "holds sensor_drift already" in again.stdout
+    assert again.returncode == 0 and "holds sensor_drift already" in flat(again)
     assert (folder / "run.yaml").read_text() == after
     content = json.loads(diagnosis.read_text())
     diagnosis.write_text(json.dumps({**content, "verdict": "parameters", "mechanisms": [], "adopted": []}))
@@ -338,9 +338,9 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     first |= {"diagnosis": str(diagnosis), "next_experiment": NEXT}
     text = (folder / "run.yaml").read_text()
     assert yaml.safe_load(text)["adopted"] == [first] and "# measured by hand" in text
-    assert "holds sensor_drift already" in programs.run("pipeline.adopt", diagnosis, folder).stdout
+    assert "holds sensor_drift already" in flat(programs.run("pipeline.adopt", diagnosis, folder))
     beware = "beware: sensor_drift is one of 3 likely explanations, and another may say otherwise here"
-    assert beware in programs.run("pipeline.simulate", folder, "--out", folder.parent / "it.csv").stdout
+    assert beware in flat(programs.run("pipeline.simulate", folder, "--out", folder.parent / "it.csv"))
     out = folder.parent / "out"
     done = programs.run("pipeline.diagnose", folder, "--out", out)
     assert done.returncode == 0, done.stderr
