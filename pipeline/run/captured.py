@@ -1,6 +1,5 @@
 """What the capture program recorded, checked against what it wrote down in capture.json."""
 
-import hashlib
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,17 +13,16 @@ from ..ground.files import sha256
 from .folder import capture_info
 
 
-def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
-    """Samples of the capture program's recording as the device named and scaled them, and each channel's unit.
+def frame_pieces(path: Path) -> tuple[dict[str, str], Callable[[], Iterator[pd.DataFrame]]]:
+    """Each channel's unit, and samples of the capture program's recording in pieces, as the device scaled them.
 
     A few time stamps that cannot be are mended, which is said. Raises BadInput when the bytes are not those that were
     captured, no hello says what they mean, or the device's clock stands or runs backwards throughout.
     """
-    content, info = path.read_bytes(), capture_info(path.parent)
-    if hashlib.sha256(content).hexdigest() != info.get("sha256"):
+    if sha256(path) != capture_info(path.parent).get("sha256"):
         mend = "restore it from a copy; a recording is never edited"
         raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
-    recorded = wire.read_recording(content)
+    recorded = wire.read_pieces(lambda: _chunks(path))
     if recorded.hello is None:
         raise BadInput(path, "hello", "no frame says what the channels are", "record again; see docs/protocol.md")
     account = recorded.account
@@ -35,16 +33,29 @@ def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
     if recorded.mended:
         rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in recorded.mended.items())
         print(f"{path}: mended {rules}", file=sys.stderr)
-    names = {name: "device_time_s" if name == "time_s" else name for name in recorded.channels}  # t_us is the clock
+    names = {channel.name: channel.name for channel in recorded.hello.channels}
+    if "time_s" in names:
+        names["time_s"] = "device_time_s"  # t_us is the clock
     units = {names[channel.name]: channel.unit for channel in recorded.hello.channels}
-    channels = {names[name]: values for name, values in recorded.channels.items()}
-    return pd.DataFrame({"time_s": recorded.time_s, **channels}), units
+
+    def pieces() -> Iterator[pd.DataFrame]:
+        for time_s, channels, _ in recorded.samples():
+            yield pd.DataFrame({"time_s": time_s, **{names[name]: values for name, values in channels.items()}})
+
+    return units, pieces
 
 
-def frame_pieces(path: Path) -> tuple[dict[str, str], Callable[[], Iterator[pd.DataFrame]]]:
-    """Each channel's unit, and what `read_frames` gives in pieces; raises BadInput as it does."""
-    table, units = read_frames(path)
-    return units, lambda: iter([table])
+def _chunks(path: Path) -> Iterator[bytes]:
+    """Bytes of a recording, piece by piece."""
+    with open(path, "rb") as file:
+        while piece := file.read(wire.PIECE):
+            yield piece
+
+
+def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
+    """Samples of the capture program's recording, and each channel's unit, as `frame_pieces` has them."""
+    units, pieces = frame_pieces(path)
+    return pd.concat(pieces(), ignore_index=True), units
 
 
 def check_lines(path: Path) -> None:

@@ -5,9 +5,10 @@ from .check import PROTOCOL
 from .frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
 from .hello import Channel, Hello
 from .ledger import Ledger
-from .recording import Recording, read_account, read_recording
+from .recording import PIECE, Pieces, Recording, read_account, read_pieces, read_recording
 
 __all__ = [
+    "PIECE",
     "PROTOCOL",
     "Account",
     "Channel",
@@ -20,9 +21,11 @@ __all__ = [
     "Hello",
     "Kind",
     "Ledger",
+    "Pieces",
     "Reason",
     "Recording",
     "encode",
     "read_account",
+    "read_pieces",
     "read_recording",
 ]

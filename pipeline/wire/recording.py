@@ -1,15 +1,19 @@
 """A recording's bytes as samples, with the account of every frame: what came, what is lost, and where."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .account import Account, Event
 from .counters import Whole
 from .hello import Hello
+from .in_order import Part, in_order, joined
 from .ledger import Ledger
-from .stamps import Array, mend, unwrap_us
+from .mending import Mending, Steps, steps_between
+from .stamps import Array
 
 PIECE = 1 << 20  # bytes that are decoded at once
 
@@ -23,12 +27,69 @@ class Recording:
     channels: dict[str, Array]  # by the HELLO's names, in its units, each (samples,)
     seq: Whole  # of every sample's frame
     account: Account
-    mended: dict[str, int] = field(default_factory=dict)  # how often each rule of stamps.mend was needed
+    mended: dict[str, int] = field(default_factory=dict)  # how often each rule of Mending was needed
 
     @property
     def events(self) -> tuple[Event, ...]:
         """EVENT frames."""
         return self.account.events
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """What a byte log holds, piece by piece: in memory that goes by what went wrong in it, not by its length.
+
+    The log is decoded anew for `mended`, and each time that its samples are asked for.
+    """
+
+    hello: Hello | None
+    account: Account
+    _parts: Callable[[], Iterator[Part]]  # samples as they came
+    _firsts: Whole  # number of the first sample of each part, (parts,)
+
+    def _in_order(self) -> Iterator[Part]:
+        return in_order(self._parts(), self._firsts, self.account.sent)
+
+    def _steps(self) -> Iterator[Steps]:
+        return steps_between((numbers, samples["t_us"]) for numbers, samples in self._in_order())
+
+    @cached_property
+    def _mending(self) -> Mending:
+        return Mending.of(self._steps)
+
+    @property
+    def mended(self) -> dict[str, int]:
+        """How often each rule of Mending is needed."""
+        return self._mending.counted
+
+    def samples(self) -> Iterator[tuple[Array, dict[str, Array], Whole]]:
+        """Times, channels and numbers of samples as Recording has them, from at least one piece.
+
+        Shape (samples,) each, in s and the channels' units; without a HELLO there is no piece.
+        """
+        if self.hello is None:
+            return
+        held: list[Part] = [(np.zeros(0, np.int64), np.zeros(0, self.hello.sample_type))]
+
+        def passing() -> Iterator[tuple[Whole, NDArray[np.uint32]]]:
+            for part in self._in_order():
+                held.append(part)
+                yield part[0], part[1]["t_us"]
+
+        empty = True
+        for time_us in self._mending.stamps(steps_between(passing())):  # mended stamps come after their samples
+            numbers, raw = joined(held)
+            held[:] = [(numbers[len(time_us) :], raw[len(time_us) :])]
+            empty = False
+            yield self._piece(self.hello, time_us, numbers[: len(time_us)], raw[: len(time_us)])
+        if empty:
+            yield self._piece(self.hello, np.zeros(0), *held[0])
+
+    @staticmethod
+    def _piece(
+        hello: Hello, time_us: Array, numbers: Whole, raw: NDArray[np.void]
+    ) -> tuple[Array, dict[str, Array], Whole]:
+        return time_us * 1e-6, {c.name: raw[c.name] * c.scale + c.offset for c in hello.channels}, numbers
 
 
 def read_account(chunks: Iterable[bytes]) -> tuple[Hello | None, Account]:
@@ -39,6 +100,21 @@ def read_account(chunks: Iterable[bytes]) -> tuple[Hello | None, Account]:
     return ledger.hello, ledger.account()
 
 
+def _parts(ledger: Ledger, chunks: Iterable[bytes]) -> Iterator[Part]:
+    """Samples of a byte log as they come, entered into a ledger."""
+    for chunk in chunks:
+        part = ledger.feed(chunk)
+        if part is not None and len(part[0]):
+            yield part
+
+
+def read_pieces(chunks: Callable[[], Iterable[bytes]]) -> Pieces:
+    """What a byte log holds that comes in chunks, the same ones each time; as `read_recording` reads it."""
+    ledger = Ledger()
+    firsts = np.array([numbers[0] for numbers, _ in _parts(ledger, chunks())], np.int64)
+    return Pieces(ledger.hello, ledger.account(), lambda: _parts(Ledger(counts_only=True), chunks()), firsts)
+
+
 def read_recording(data: bytes) -> Recording:
     """Samples, events and account of a byte log; never raises, whatever the bytes.
 
@@ -46,18 +122,12 @@ def read_recording(data: bytes) -> Recording:
     those that came in the wrong order are put right by their numbers.
     """
     ledger = Ledger()
-    pieces = [ledger.feed(data[at : at + PIECE]) for at in range(0, len(data), PIECE)]
-    account, hello = ledger.account(), ledger.hello
-    if hello is None:
-        return Recording(None, np.zeros(0), {}, np.zeros(0, np.int64), account)
-    parts = [piece for piece in pieces if piece is not None]
-    numbers = np.concatenate([np.zeros(0, np.int64), *(part[0] for part in parts)])
-    raw = np.concatenate([np.zeros(0, hello.sample_type), *(part[1] for part in parts)])
-    if (np.diff(numbers) < 0).any():
-        order = np.argsort(numbers, kind="stable")
-        numbers, raw = numbers[order], raw[order]
-    received = int(np.searchsorted(numbers, account.sent))
-    numbers, raw = numbers[:received], raw[:received]
-    time_us, mended = mend(unwrap_us(raw["t_us"], int(raw["t_us"][0]) if len(raw) else 0), numbers)
-    channels = {c.name: raw[c.name] * c.scale + c.offset for c in hello.channels}
-    return Recording(hello, time_us * 1e-6, channels, numbers, account, mended)
+    parts = list(_parts(ledger, (data[at : at + PIECE] for at in range(0, len(data), PIECE))))
+    firsts = np.array([numbers[0] for numbers, _ in parts], np.int64)
+    pieces = Pieces(ledger.hello, ledger.account(), lambda: iter(parts), firsts)
+    if pieces.hello is None:
+        return Recording(None, np.zeros(0), {}, np.zeros(0, np.int64), pieces.account)
+    times, channels, numbers = zip(*pieces.samples(), strict=True)
+    named = {name: np.concatenate([piece[name] for piece in channels]) for name in channels[0]}
+    time_s, seq = np.concatenate(times), np.concatenate(numbers)
+    return Recording(pieces.hello, time_s, named, seq, pieces.account, pieces.mended)

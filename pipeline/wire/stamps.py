@@ -1,9 +1,7 @@
-"""A device's time stamps, unwrapped, and mended where a few of them cannot be: the numbers say which sample is next."""
+"""A device's time stamps: what is put in place of one that cannot be, and when there is no clock at all."""
 
 import numpy as np
 from numpy.typing import NDArray
-
-from .counters import Whole, steps_of
 
 Array = NDArray[np.float64]
 
@@ -12,58 +10,17 @@ LEAP = 10.0  # usual steps: a first or last stamp that stands apart by more was 
 FEW, MOST = 0.1, 0.9  # of all steps: more that fall back, or that stand, and there is no clock
 
 
-def unwrap_us(t_us: NDArray[np.uint32], first_us: int) -> Whole:
-    """Microseconds since `first_us` of a 32-bit clock that wraps every 71.6 min, for stamps < 35 min apart.
-
-    Shape (stamps,), in us.
-    """
-    return np.cumsum(steps_of(t_us, first_us))
-
-
 def no_clock(samples: int, backward: int, repeated: int) -> bool:
     """Whether the stamps of so many samples stand or fall back throughout, so that nothing can be mended."""
     steps = samples - 1
     return steps > 1 and (backward > FEW * steps or repeated > MOST * steps)
 
 
-def mend(time_us: Whole, numbers: Whole) -> tuple[Array, dict[str, int]]:
-    """Stamps in us that rise strictly, by the numbers of their frames, and how often each rule was needed.
+def mend_one(steps: Array, expected: Array, at: int) -> None:
+    """Spread the steps about one that stands or falls back, over the fewest samples that rise in all.
 
-    `backward_time_stamps`: stamps that fall back, or leap ahead and fall back to where they should be, are put between
-    the neighbours that are right; where the clock falls back for good, what follows is moved to a usual step after
-    the sample before. `repeated_time_stamps`: samples that share a stamp are spread up to the next.
-    `leaping_time_stamps`: a first or last stamp that stands apart by ten usual steps. No sample is dropped. Where
-    there is no clock at all the stamps stay as they are. Both given have the shape (samples,).
+    Both given are in us and have the shape (steps,).
     """
-    steps = np.diff(time_us).astype(np.float64)
-    backward, repeated = int((steps < 0).sum()), int((steps == 0).sum())
-    stamps = time_us.astype(np.float64)
-    if len(steps) < 2 or not (steps > 0).any() or no_clock(len(stamps), backward, repeated):
-        return stamps, {}
-    apart = np.diff(numbers).astype(np.float64)
-    apart[apart <= 2] = 1.0  # an EVENT between two samples takes a number and no time
-    rising = steps > 0  # a clock that ticks at every fifth sample has steps five times too long
-    usual_us = float(np.median(steps[rising] / apart[rising])) * rising.sum() / (rising.sum() + repeated)
-    expected = usual_us * apart
-    for at in np.flatnonzero(steps <= 0).tolist():
-        if steps[at] <= 0:  # else it was mended with the one before
-            _mend_one(steps, expected, at)
-    leaping = 0
-    for end in (0, -1) if len(steps) > 2 else ():
-        if steps[end] > max(LEAP * expected[end], *np.delete(steps, end)):
-            steps[end] = expected[end]
-            leaping += 1
-    counted = {
-        "backward_time_stamps": backward,
-        "repeated_time_stamps": repeated,
-        "leaping_time_stamps": leaping,
-    }
-    mended = {rule: times for rule, times in counted.items() if times}
-    return (stamps[0] + np.append(0.0, np.cumsum(steps)) if mended else stamps), mended
-
-
-def _mend_one(steps: Array, expected: Array, at: int) -> None:
-    """Spread the steps about one that stands or falls back, over the fewest samples that rise in all."""
     positions = []
     ahead = np.cumsum(steps[at : at + BURST])
     behind = np.cumsum(steps[max(0, at + 1 - BURST) : at + 1][::-1])

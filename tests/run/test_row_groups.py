@@ -1,5 +1,6 @@
 """A recording of many row groups gives what it gives when it is held whole, and needs no more memory when longer."""
 
+import importlib
 import subprocess
 import sys
 from itertools import pairwise
@@ -13,6 +14,8 @@ from made_recording import content, motion, recording
 from whole_strokes import label as label_whole
 from whole_strokes import segment as segment_whole
 
+from pipeline import wire
+from pipeline.capture.commit import recover
 from pipeline.ground import order, schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.rows import Held, Stored
@@ -150,6 +153,51 @@ def peak_mb(module, *words):
     done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return int(done.stdout.rpartition("VmHWM:")[2].split()[0]) / 1024.0
+
+
+@pytest.fixture(scope="module")
+def long_recordings():
+    """The benchmark of long recordings, which makes them."""
+    sys.path.insert(0, str(ROOT / "benchmarks"))
+    try:
+        return importlib.import_module("long_recordings")
+    finally:
+        sys.path.remove(str(ROOT / "benchmarks"))
+
+
+def test_a_captured_run_in_pieces_is_the_one_that_is_read_whole(tmp_path, monkeypatch, long_recordings):
+    """Its second and third pieces begin amid damaged frames."""
+    folder, size = tmp_path / "a-01", 1 << 16
+    long_recordings.record(folder, 0.6, True)
+    path = folder / "recording.frames"
+    data = bytearray(path.read_bytes())
+    for at in (size, 2 * size - 1, 2 * size):
+        data[at] ^= 0x55
+    path.write_bytes(data)
+    info = recover(folder)
+    assert info["frames"]["lost"] in (2, 3) and info["samples"]["received"] == 36_000 - info["frames"]["lost"]
+    made = []
+    for piece in (1 << 30, size):
+        monkeypatch.setattr(wire, "PIECE", piece)
+        run, _ = stored_samples(folder, tmp_path / f"{piece}.parquet")
+        made.append((tmp_path / f"{piece}.parquet").read_bytes())
+    assert made[0] == made[1] and len(data) > 10 * size and run.run == "a-01"
+    _, samples = read_samples(folder)
+    assert len(samples) == info["samples"]["received"]
+    _, turns, *_ = long_recordings.motion(0, 36_000, np.random.default_rng(1))
+    truth = np.round(turns * 4096.0) / 4096.0
+    assert np.array_equal(samples["motor_turns"], truth[np.round(samples["time_s"] * 1000.0).astype(int)])
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="nothing tells what a process took")
+def test_a_captured_run_four_times_as_long_needs_no_more_memory(tmp_path, long_recordings):
+    peaks = []
+    for minutes in (10, 40):
+        folder = tmp_path / f"a-{minutes}"
+        long_recordings.record(folder, minutes, True)
+        recover(folder)
+        peaks.append(peak_mb("pipeline.stages.ingest", folder, "--out", tmp_path / folder.name / "samples.parquet"))
+    assert peaks[1] < 1.3 * peaks[0], peaks
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="nothing tells what a process took")

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from pipeline.wire import Channel, Event, Hello, Kind, Reason, encode, read_recording
 from pipeline.wire.frames import END, EVENT
-from pipeline.wire.stamps import mend
+from pipeline.wire.mending import Mending, usual_steps
 
 CHANNELS = (Channel("motor_turns", "turns", "i32", 0.25), Channel("displacement_mm", "mm", "i16", 0.02))
 HELLO = Hello("a rig", "1.0", "00000001", 50.0, 2, CHANNELS)
@@ -84,6 +84,13 @@ def test_an_end_after_a_great_loss_is_believed_by_its_count_of_samples():
 def test_an_end_before_what_has_come_is_none():
     recording = read_recording(b"".join([*log(3_000), end(5, 4), sample(3_001, 3_001 * STEP_US), end(3_002, 3_001)]))
     assert recording.account.end.seq == 3_002 and len(recording.time_s) == 3_001
+
+
+def mend(time_us: np.ndarray, numbers: np.ndarray) -> tuple[np.ndarray, dict[str, int]]:
+    """Mended stamps since the first, and how often each rule was needed."""
+    steps = (np.diff(time_us).astype(float), usual_steps(np.diff(numbers)))
+    mending = Mending.of(lambda: iter([steps]))
+    return time_us[0] + np.concatenate(list(mending.stamps([steps]))), mending.counted
 
 
 def stamped(t_us: list[int]) -> bytes:

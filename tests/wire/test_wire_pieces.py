@@ -1,0 +1,101 @@
+"""A recording that is read in pieces gives what it gives when it is held whole, wherever the pieces end."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from faults.scripted_device import STEP_US, frames
+from hypothesis import given
+from hypothesis import strategies as st
+from whole_stamps import mend as mend_whole
+
+from pipeline.wire import Kind, encode, read_pieces, read_recording
+from pipeline.wire.mending import Mending, usual_steps
+from pipeline.wire.stamps import BURST
+
+
+def in_pieces(data, size):
+    """What `read_recording` gives, from chunks of some bytes: times, channels, numbers, and what they came in."""
+    pieces = read_pieces(lambda: (data[at : at + size] for at in range(0, len(data), size)))
+    times, channels, numbers = zip(*pieces.samples(), strict=True)
+    joined = {name: np.concatenate([one[name] for one in channels]) for name in channels[0]}
+    return np.concatenate(times), joined, np.concatenate(numbers), pieces, len(times)
+
+
+def agree(data, size):
+    whole, (time_s, channels, numbers, pieces, count) = read_recording(data), in_pieces(data, size)
+    assert pieces.hello == whole.hello and pieces.account == whole.account and pieces.mended == whole.mended
+    assert np.array_equal(time_s, whole.time_s) and np.array_equal(numbers, whole.seq)
+    assert list(channels) == list(whole.channels)
+    assert all(np.array_equal(channels[name], whole.channels[name]) for name in channels)
+    return whole, count
+
+
+@pytest.mark.parametrize("at", range(-2, 24))
+def test_a_damaged_frame_at_the_border_of_two_pieces_is_one_that_is_lost(at):
+    said = frames(1500)
+    data, size = bytearray(b"".join(said)), 4096
+    data[2 * size + at] ^= 0x55
+    whole, count = agree(bytes(data), size)
+    ends = np.cumsum([len(frame) for frame in said])
+    hit = int(np.searchsorted(ends, 2 * size + at, side="right"))
+    assert whole.account.received + whole.account.lost == len(said) and whole.account.lost in (1, 2)
+    assert hit not in whole.seq and count > 5
+    assert len(whole.time_s) == 1500 - whole.account.lost
+
+
+@pytest.mark.parametrize(("at", "to"), [(100, 900), (900, 100), (1, 1400), (600, 601)])
+def test_a_frame_that_comes_many_pieces_late_or_early_is_put_where_it_belongs(at, to):
+    said = frames(1500)
+    right = read_recording(b"".join(said))
+    said.insert(to, said.pop(at))
+    whole, _ = agree(b"".join(said), 700)
+    assert whole.account.out_of_order >= 1
+    assert np.array_equal(whole.time_s, right.time_s) and np.array_equal(whole.seq, right.seq)
+
+
+def test_samples_after_the_end_are_left_out_of_every_piece():
+    said = frames(300)
+    late = [encode(Kind.SAMPLE, len(said) + number, b"1234567890") for number in range(200)]
+    whole, _ = agree(b"".join([*said, *late]), 500)
+    assert len(whole.time_s) == 300 and whole.account.repeated == 200
+
+
+def test_a_log_without_a_sample_is_one_piece_without_rows():
+    time_s, channels, _, _, count = in_pieces(b"".join(frames(0)), 64)
+    assert (len(time_s), count) == (0, 1) and list(channels) == ["motor_turns", "displacement_mm"]
+
+
+def cut(steps, borders):
+    return [(steps[0][one:other], steps[1][one:other]) for one, other in pairwise([0, *borders, len(steps[0])])]
+
+
+@given(
+    st.integers(2, 700),
+    st.lists(st.tuples(st.integers(0, 699), st.sampled_from([-65_536, 65_536, -25_000, -STEP_US, 2**20, -(2**24)]))),
+    st.sets(st.integers(1, 698), max_size=20),
+    st.sampled_from([1, 1, 1, 5, 200]),
+    st.sets(st.integers(0, 698), max_size=12),
+)
+def test_stamps_are_mended_as_when_they_are_held_whole(count, bad, lost, ticks, borders):
+    stamps = np.arange(700, dtype=np.int64) // ticks * ticks * STEP_US
+    for at, error in bad:
+        stamps[at] += error
+    there = np.array([at for at in range(count) if at not in lost])
+    steps = (np.diff(stamps[there]).astype(float), usual_steps(np.diff(there)))
+    pieces = cut(steps, sorted(min(border, len(steps[0])) for border in borders))
+    mending = Mending.of(lambda: iter(pieces))
+    found = np.concatenate(list(mending.stamps(pieces)))
+    right, counted = mend_whole(stamps[there] - stamps[there][0], there)
+    assert np.array_equal(found, right) and mending.counted == counted
+
+
+def test_a_burst_of_bad_stamps_across_a_border_is_mended_as_a_whole():
+    stamps = np.arange(1000, dtype=np.int64) * STEP_US
+    stamps[480 : 480 + BURST - 10] += 5_000_000
+    steps = (np.diff(stamps).astype(float), np.ones(999))
+    for border in range(400, 600):
+        pieces = cut(steps, [border])
+        found = np.concatenate(list(Mending.of(lambda pieces=pieces: iter(pieces)).stamps(pieces)))
+        assert np.array_equal(found, mend_whole(stamps, np.arange(1000))[0])
+        np.testing.assert_allclose(found, np.arange(1000) * STEP_US)
