@@ -82,7 +82,7 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
     assert status == 0, said
     most = samples["theta"].max() / 360
     assert told.startswith(f"log.csv has {len(samples)} samples: time_s 0 to ")
-    assert f"; motor_turns from theta in deg 0 to {most:.4g}; displacement_mm " in told, "ranges in our units"
+    assert f"; motor_turns 0 to {most:.4g} (from theta in deg); displacement_mm " in told, "ranges in our units"
     written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")
     assert (
         written["channels"] == {"motor_turns": {"column": "theta", "unit": "deg"}} and written["file"]["comment"] == "%"

@@ -17,7 +17,8 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
     for name in samples.columns:
         channel = run.channels.get(name)
         column = key_name(channel.column) if channel and channel.column is not None else name
-        whence = f" from {column}" if column != name else ""
-        whence += f" in {channel.unit}" if channel and channel.unit else ""
-        sentences.append(f"{name}{whence} {samples[name].min():.4g} to {samples[name].max():.4g}")
+        parts = [f"from {column}"] if column != name else []
+        parts += [f"in {channel.unit}"] if channel and channel.unit else []
+        whence = f" ({' '.join(parts)})" if parts else ""
+        sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
     return f"{path.name} has {len(samples)} samples: {'; '.join(sentences)}"

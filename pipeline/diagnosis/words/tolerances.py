@@ -97,7 +97,7 @@ def doubts(content: dict[str, Any], words: Vocabulary) -> list[str]:
         given = number(part, 4)
         lines.append(
             f"run.yaml says `tolerance: {{{key}: {given}}}`. That is a share: {percent(part)} of {number(nominal, 4)} "
-            f"mm, or {quantity(part * nominal, 'mm')}, which is less than a caliper shows. If {given} mm was meant, "
+            f"mm, or {quantity(part * nominal, 'mm')}, which takes care to measure by hand. If {given} mm was meant, "
             f"write {key}: {number(part / nominal, 3)} and diagnose again. If the share is right, change nothing."
         )
     return lines
