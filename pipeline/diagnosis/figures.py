@@ -10,11 +10,11 @@ from matplotlib.patches import Patch
 from ..ground.kinematics import Array
 from ..ground.page import write_page
 from . import panels
-from .content import Verdict
+from .content import Simulated, Verdict
 from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
-from .simulation import simulated
+from .simulation import at_its_best_zero
 from .words.dimensions import name_of
 from .words.headline import unfit
 from .words.quantity import listing
@@ -84,8 +84,8 @@ def as_adopted(study: Study, verdict: Verdict) -> Array | None:
         return None
     held = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
     run = str(verdict["run"])
-    values = simulated(problem, {"parameters": held, "simulation": verdict["simulation"]}, Path("run.yaml"), run)
-    return values + float(np.median(problem.measured - values)) if problem.system.free_zero else values
+    content: Simulated = {"parameters": held, "simulation": verdict["simulation"]}
+    return at_its_best_zero(problem, content, Path("run.yaml"), run)
 
 
 def drawn(study: Study, verdict: Verdict) -> Figure:

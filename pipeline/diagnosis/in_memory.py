@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-import numpy as np
 import pandas as pd
 
 from ..ground.errors import BadInput
@@ -15,7 +14,7 @@ from . import engine, faint, heldout, own_rate, verdict
 from .content import Adoption, Verdict
 from .judge import Judge
 from .outcome import Study, rms
-from .simulation import of_run, simulated
+from .simulation import at_its_best_zero, of_run
 
 Result = TypeVar("Result")
 Say = Callable[[str], None]
@@ -68,9 +67,8 @@ def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:
         known["scale_given"] = scale
     adopted = of_run(runs[0])
     if len(runs) == 1 and adopted["parameters"]:
-        residual = problem.measured - simulated(problem, adopted, Path("run.yaml"), runs[0].run)
-        free = float(np.median(residual)) if problem.system.free_zero else 0.0
-        known[f"adopted_{channel.rpartition('_')[2]}"] = rms(residual - free)
+        predicted = at_its_best_zero(problem, adopted, Path("run.yaml"), runs[0].run)
+        known[f"adopted_{channel.rpartition('_')[2]}"] = rms(problem.measured - predicted)
     return known
 
 

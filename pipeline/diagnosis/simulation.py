@@ -139,6 +139,15 @@ def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
     )
 
 
+def at_its_best_zero(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
+    """What a diagnosis simulates for a run, with the zero that fits its reading best; raises BadInput as `simulated`.
+
+    Shape (samples,), in the channel's unit.
+    """
+    predicted = simulated(problem, content, path, run)
+    return predicted + float(np.median(problem.measured - predicted)) if problem.system.free_zero else predicted
+
+
 def off(measured: Array, predicted: Array) -> tuple[float, float]:
     """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and about its median.
 

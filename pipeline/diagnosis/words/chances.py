@@ -39,14 +39,8 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
 def _stands_on(content: dict[str, Any], words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
     moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > 1.0}
-    known = {name: tolerances.said(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
-    said = []
-    for name, tolerance in known.items():
-        if tolerances.is_default(content, name, words):
-            tolerance = (
-                f"{tolerance.removesuffix(')')}, default)" if tolerance.endswith(")") else f"{tolerance} (default)"
-            )
-        said += [f"{name_of(name)} {tolerance}"] if tolerance else []
+    known = {name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
+    said = [f"{name_of(name)} {tolerance}" for name, tolerance in known.items() if tolerance]
     lines = [f"All this stands on these tolerances: {listing(said)}. {KNOWS_BETTER}"] if said else []
     stiffness = content["parameters"].get("stiffness_n_per_mm")
     if stiffness:

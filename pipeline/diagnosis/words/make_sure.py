@@ -66,6 +66,6 @@ def held(content: dict[str, Any], words: Vocabulary) -> list[str]:
     stands = (
         f"holds of up to {duration(known['longest_hold_s'])} and rests of up to {duration(known['longest_rest_s'])}"
     )
-    under = f" under {quantity(least, words.load_unit, 3)} or more" if words.load is not None and least > 0.0 else ""
-    under = under if content["evidence"]["loaded"] else under.removesuffix(" or more")
+    more = " or more" if content["evidence"]["loaded"] else ""
+    under = f" under {quantity(least, words.load_unit, 3)}{more}" if words.load is not None and least > 0.0 else ""
     return [f"This one has {loads}, {speeds}, and {stands}{under}."]

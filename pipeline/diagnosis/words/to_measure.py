@@ -26,9 +26,7 @@ def table(content: dict[str, Any], words: Vocabulary) -> list[str]:
     for name in names:
         nominal, value = from_to(content, name)
         said = f"{nominal} ({whence(content, name)})" if assumed(name) else nominal
-        known = tolerances.said(content, name, words) or "–"
-        if tolerances.is_default(content, name, words):
-            known = f"{known.removesuffix(')')}, default)" if known.endswith(")") else f"{known} (default)"
+        known = tolerances.marked(content, name, words) or "–"
         rows.append([name_of(name), said, known, value, f"{exactness(content, name)} or better"])
     head, *lines = aligned([HEAD, *rows])
     found = [head]

@@ -52,6 +52,14 @@ def is_default(content: dict[str, Any], name: str, words: Vocabulary) -> bool:
     return bool(sigma and usual) and math.isclose(sigma if part is None else part, usual or 0.0, rel_tol=1e-6)
 
 
+def marked(content: dict[str, Any], name: str, words: Vocabulary) -> str:
+    """The tolerance of a dimension as `said`, with `default` beside one that nobody gave."""
+    known = said(content, name, words)
+    if not known or not is_default(content, name, words):
+        return known
+    return f"{known.removesuffix(')')}, default)" if known.endswith(")") else f"{known} (default)"
+
+
 def percent(part: float) -> str:
     """A share as run.yaml gives it, in per cent: 3 %, 0.5 %, 1.25 %."""
     return f"{number(100.0 * part, 3)} %"
