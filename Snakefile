@@ -30,7 +30,7 @@ TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", 
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
 PAGES += ["croissant.json"]
-STAGES = "marks record ingest strokes dataset train floor evaluate leak report diagnose proof real campaign known said"
+STAGES = "marks record ingest dataset train floor evaluate leak report diagnose proof real campaign known said"
 
 # Jobs end with this Snakemake, and say at once what they say. How many threads one has is the package's own rule.
 PREFIX = f"{TO_COPY}export PYTHONPATH={shlex.quote(workflow.basedir)} PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"

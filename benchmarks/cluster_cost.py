@@ -15,7 +15,7 @@ EVALUATE_S = 3.4  # Snakemake starts, imports and evaluates the Snakefile on a n
 START_S = 2.5  # from the end of a submission to the start of the next one on its node, of 9: 1.9 to 2.8
 CHECK_S = 16.0  # until the end of a submission of a minute is noticed, mean of 14: 4 to 42
 LONG_CHECK_S = 90.0  # the same of a long one: half of the 180 s that checks come to be apart; not measured
-RUN_S = {"ingest": 1.7, "strokes": 0.8, "diagnose": 14.2}
+RUN_S = {"ingest": 1.7, "diagnose": 14.2}
 # one fit of one run's points, and how many fits the default configuration asks for
 FITS = {
     "inn": (38.0, 10),
@@ -43,7 +43,7 @@ CHAIN = ("run", "material", "fits", "pages", "last")  # submissions that follow 
 
 def longest_s(queue_s: float) -> float:
     """Seconds that no number of nodes shortens: one submission after the other, the longest of each kind."""
-    short = BUNDLES["run"] * (RUN_S["ingest"] + RUN_S["strokes"] + 2 * EVALUATE_S)
+    short = BUNDLES["run"] * (RUN_S["ingest"] + EVALUATE_S)
     short += sum(PAGES_S.values()) + len(PAGES_S) * EVALUATE_S
     fits = BUNDLES["fits"] * (RUNS_A_MATERIAL * FITS["inn"][0] + EVALUATE_S) + LONG_CHECK_S
     return short + fits + len(CHAIN) * (queue_s + START_S + EVALUATE_S) + (len(CHAIN) - 1) * CHECK_S

@@ -16,11 +16,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from pipeline.diagnosis import engine, judged, outcome, search
 from pipeline.diagnosis.judge import judge
-from pipeline.proof.ask import JUDGES
-from pipeline.proof.teach.lesson import PROTOCOLS
+from pipeline.proof.teach.lesson import PROTOCOLS, recorded
+from pipeline.proof.verdicts import JUDGES
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.interface import Asked, OutOfReach
-from pipeline.run.description import parse_run
 
 CHANGES: dict[str, tuple[Any, str, tuple[float, float]]] = {
     "judged.HELD": (judged, "HELD", (0.7, 0.9)),
@@ -105,8 +104,8 @@ def main() -> None:
                 made = authors()[author].make(asked)
             except OutOfReach:
                 continue
-            run = parse_run({"run": "case", **made.content}, Path("case/run.yaml"))
-            problem = engine.make_problem([run], [made.table], by=judge(JUDGES / f"without_{author}.json"))
+            case = recorded({"run": "case", **made.content}, made.table)
+            problem = engine.make_problem([case], by=judge(JUDGES / f"without_{author}.json"))
             with mock.patch.object(engine, "decide", wraps=outcome.decide) as end:
                 found = engine.study(problem)
             table.setdefault("as it is", Counter())[score(asked, found)] += 1

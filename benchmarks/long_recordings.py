@@ -1,10 +1,10 @@
 """What a long recording costs: memory and seconds of each stage, beside pandas alone that reads the same file.
 
-    python benchmarks/long_recordings.py [--minutes 120] [--frames] [--stages ingest strokes ...]
+    python benchmarks/long_recordings.py [--minutes 120] [--as parquet|csv|frames] [--stages ingest dataset ...]
 
 makes a recording at 1 kHz (a twisted pair that creeps, a stroke a minute), takes it through each stage in a process of
-its own, and prints what each needed at most. With --frames it is one of the wire's frames, which is committed first, as
-at the end of a capture. What was measured stands in docs/scale.md.
+its own, and prints what each needed at most. As frames it is one of the wire, which is committed first, as at the end
+of a capture. What was measured stands in docs/scale.md.
 """
 
 import argparse
@@ -14,10 +14,12 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.csv
 import pyarrow.parquet as pq
 import yaml
 
@@ -32,9 +34,8 @@ from pipeline.wire.frames import END, EVENT  # noqa: E402
 RATE_HZ, STROKE_S = 1000.0, 60.0
 PIECE = 1 << 20  # samples
 STRING = {"material": "Z", "radius_mm": 0.4, "length_mm": 300.0, "stiffness_n_per_mm": 50.0}
-
-
 NAMES = ("time_s", "motor_turns", "displacement_mm", "load_n")
+SCHEMA = pa.schema([(name, pa.float64()) for name in NAMES])
 CHANNELS = (
     Channel("motor_turns", "turns", "i32", 1.0 / 4096.0),
     Channel("displacement_mm", "mm", "i32", 1e-4),
@@ -54,22 +55,35 @@ def motion(first: int, stop: int, generator: np.random.Generator) -> list[np.nda
     return [time_s, turns, contraction_mm - creep_mm + 0.02 * noise[0], 20.0 + 0.05 * noise[1]]
 
 
-def record(folder: Path, minutes: float, frames: bool) -> None:
-    """A run folder with a recording of so many minutes, which is written piece by piece."""
+def record(folder: Path, minutes: float, form: str) -> None:
+    """A run folder with a recording of so many minutes in one of FORMS, which is written piece by piece."""
     folder.mkdir(parents=True)
-    (record_frames if frames else record_parquet)(folder, round(60.0 * minutes * RATE_HZ))
+    FORMS[form](folder, round(60.0 * minutes * RATE_HZ))
     content = {"run": folder.name, "actuator": "twisted_pair", "string": STRING, "rig": {}}
     (folder / "run.yaml").write_text(yaml.safe_dump(content))
 
 
+def tables(samples: int, decimals: int | None = None) -> Iterator[pa.Table]:
+    """A recording of so many samples, a table for each piece; rounded as a logger prints it, where asked."""
+    generator = np.random.default_rng(1)
+    for first in range(0, samples, PIECE):
+        columns = motion(first, min(first + PIECE, samples), generator)
+        rounded = columns if decimals is None else [np.round(column, decimals) for column in columns]
+        yield pa.Table.from_arrays([pa.array(column) for column in rounded], schema=SCHEMA)
+
+
 def record_parquet(folder: Path, samples: int) -> None:
     """A recording.parquet of so many samples."""
-    schema = pa.schema([(name, pa.float64()) for name in NAMES])
-    generator = np.random.default_rng(1)
-    with pq.ParquetWriter(folder / "recording.parquet", schema) as to_file:
-        for first in range(0, samples, PIECE):
-            columns = motion(first, min(first + PIECE, samples), generator)
-            to_file.write_table(pa.Table.from_arrays([pa.array(one) for one in columns], schema=schema))
+    with pq.ParquetWriter(folder / "recording.parquet", SCHEMA) as to_file:
+        for table in tables(samples):
+            to_file.write_table(table)
+
+
+def record_csv(folder: Path, samples: int) -> None:
+    """A recording.csv of so many samples, each number with at most four decimals."""
+    with pyarrow.csv.CSVWriter(folder / "recording.csv", SCHEMA) as to_file:
+        for table in tables(samples, decimals=4):
+            to_file.write_table(table)
 
 
 def record_frames(folder: Path, samples: int) -> None:
@@ -92,6 +106,9 @@ def record_frames(folder: Path, samples: int) -> None:
             to_file.write(encode(Kind.EVENT, seq + 1 + len(rows), end))
             seq += len(rows) + 2
         to_file.write(encode(Kind.END, seq, END.pack(samples, Reason.COMPLETE)))
+
+
+FORMS = {"parquet": record_parquet, "csv": record_csv, "frames": record_frames}
 
 
 def encode_samples(seq: int, rows: np.ndarray) -> bytes:
@@ -129,27 +146,27 @@ def main() -> None:
     """Make the recording, and print what each stage needs."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--minutes", type=float, default=120.0)
-    parser.add_argument("--frames", action="store_true", help="a recording of the wire's frames, and its commit")
+    parser.add_argument("--as", dest="form", choices=FORMS, default="parquet", help="frames: with their commit")
     parser.add_argument("--stages", nargs="+", help="only these; default: all")
     arguments = parser.parse_args()
     minutes = arguments.minutes
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         run, stored = folder / "raw" / "long-01", folder / "processed"
-        maker = multiprocessing.Process(target=record, args=(run, minutes, arguments.frames))  # its memory is its own
+        maker = multiprocessing.Process(target=record, args=(run, minutes, arguments.form))  # its memory is its own
         maker.start()
         maker.join()
         (stored / run.name).mkdir(parents=True)
         samples, strokes = (str(stored / run.name / f"{what}.parquet") for what in ("samples", "strokes"))
-        reading = f"import pandas; pandas.read_parquet({str(run / 'recording.parquet')!r})"
+        recording = run / f"recording.{arguments.form}"
+        reader = "read_csv" if arguments.form == "csv" else "read_parquet"
         verdict = str(folder / "out" / run.name / "diagnosis.json")
-        first = {"pandas reads it": ["-c", reading]}
-        if arguments.frames:
+        first = {"pandas reads it": ["-c", f"import pandas; pandas.{reader}({str(recording)!r})"]}
+        if arguments.form == "frames":
             first = {"commit": ["-m", "pipeline.capture", "--recover", str(run)]}
         commands = {
             **first,
-            "ingest": ["-m", "pipeline.stages.ingest", str(run), "--out", samples],
-            "strokes": ["-m", "pipeline.stages.strokes", samples, "--out", strokes],
+            "ingest": ["-m", "pipeline.stages.ingest", str(run), "--out", samples, "--out-strokes", strokes],
             "dataset": ["-m", "pipeline.stages.dataset", str(run), "--processed", str(stored), "--out",
                         str(folder / "dataset.parquet")],
             "lifespan": ["-m", "pipeline.lifespan", str(run), "--out", str(folder / "lifespan")],

@@ -23,6 +23,10 @@ TARGETS = {
         "tests/stages/test_dataset.py tests/stages/test_dataset_losses.py",
     ),
     "wire": ({"wire/frames.py", "wire/cobs.py", "wire/hello.py", "wire/ledger.py", "wire/stamps.py"}, WIRE),
+    "pieces": (
+        {"wire/mending.py", "wire/in_order.py", "wire/recording.py"},
+        "tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
+    ),
     "decision": ({"diagnosis/judged.py", "diagnosis/disguise.py"}, DECISION),
 }
 TYPES = "ReplaceBinaryOperator_BitOr_"  # `int | None` in a signature: no fault that a program could have

@@ -21,10 +21,11 @@ from scipy.stats import binomtest
 from pipeline.diagnosis.foretold import foretold, rivals
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.judge import judge
+from pipeline.diagnosis.legs import CANDIDATES, Rig
+from pipeline.diagnosis.legs import Leg as Part
 from pipeline.diagnosis.outcome import Study
-from pipeline.diagnosis.protocol import CANDIDATES, Rig
-from pipeline.diagnosis.protocol import Leg as Part
-from pipeline.proof import addon
+from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.proof import carry_on
 from pipeline.proof.case import performed
 from pipeline.proof.conceal_batch import drawn
 from pipeline.proof.plan import Planned, effect_names
@@ -32,6 +33,7 @@ from pipeline.proof.size import OutOfReach as NotOnRig
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, Leg, OutOfReach
 from pipeline.run.description import Run, parse_run
+from pipeline.run.recording import to_samples
 from pipeline.settle.choose import Budget, chosen, firm
 
 RIG = "rig"  # the project's own, which has no judge of its own
@@ -94,9 +96,9 @@ def by_rig(case: Case, runs: Sequence[Sequence[Part]]) -> list[Recording]:
     content = {key: value for key, value in concealed.bench.described("case", False).items() if key != "run"}
     found: list[Recording] = [(content, performed(concealed).table)]
     if runs:
-        legs = [addon.Leg(*leg) for run in runs for leg in run]
+        legs = [carry_on.Leg(*leg) for run in runs for leg in run]
         begins_s = float(concealed.protocol.told.time_s[-1])
-        found += cut(content, addon.gone_on(concealed, legs, 3).table, runs, begins_s)[1:]
+        found += cut(content, carry_on.gone_on(concealed, legs, 3).table, runs, begins_s)[1:]
     return found
 
 
@@ -117,13 +119,13 @@ def asked(case: Case, made: Sequence[Recording]) -> tuple[dict[str, Any], Study,
     runs, before = [], 0
     for number, (content, table) in enumerate(made):
         string = content["string"] | {"id": "one", "strokes_before": before}
-        run = parse_run({**content, "run": f"run-{number}", "string": string}, Path(f"run-{number}/run.yaml"))
-        runs.append(run)
+        path = Path(f"run-{number}/run.yaml")
+        run = parse_run({**content, "run": f"run-{number}", "string": string}, path)
+        runs.append(RecordedRun(run, to_samples(run, table, path, path)))
         before += strokes(table["motor_turns"].to_numpy())
     by = None if case.author == RIG else judge(JUDGES / f"without_{case.author}.json")
-    folders = [Path(run.run) for run in runs]
-    content, found = diagnosed(runs, [table for _, table in made], folders, by=by)
-    return content, found, runs[0]
+    content, found = diagnosed(runs, by=by)
+    return content, found, runs[0].run
 
 
 def strokes(turns: Any) -> int:

@@ -6,6 +6,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import pandas as pd
 from pydantic import ValidationError
 
 from .adoption import before_after
@@ -13,8 +14,11 @@ from .adoption.block import KEY, ORIGIN, adopted, bare
 from .diagnosis.adopt import acts_from, adoptions, checked
 from .diagnosis.content import Verdict
 from .diagnosis.own_rate import at_own_rate
+from .diagnosis.problem import Problem
+from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.simulation import of_run, read_diagnosis
 from .diagnosis.words import coefficients
+from .diagnosis.words.adoption import adopted_predictions
 from .diagnosis.words.quantity import listing
 from .diagnosis.words.sections import wrapped
 from .diagnosis.words.vocabulary import Vocabulary
@@ -26,8 +30,8 @@ from .ground.names import SYNTHETIC
 from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
 from .run.description import Adopted, Run
-from .run.folder import RECORDINGS, read_run
-from .run.samples import read_samples
+from .run.folder import has_recording, read_run
+from .run.samples import read_strokes
 
 MOST = 5  # explanations that are named
 
@@ -39,23 +43,29 @@ def check(content: Verdict, source: Path, folder: Path) -> list[str]:
     """
     for number, entry in enumerate(content["simulation"]):
         checked(entry, f"{KEY}[{number}]", str(source))
-    if not any((folder / name).exists() for name in RECORDINGS):
+    if not has_recording(folder):
         return []
-    run, samples = read_samples(folder)
-    bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
+    run, samples, strokes = read_strokes(folder)
+    bare = without_effects(run, samples, strokes)
     acts_from(content["simulation"], bare.drivers, str(source))
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
-    said = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
+    errors = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
     own = before_after.on_unseen(content, bare.drivers.units.reading) if before_after.is_of(content, run.run) else []
-    return [*said, *own, *before_after.dimensions(content)]
+    return [*errors, *own, *before_after.dimensions(content)]
+
+
+def without_effects(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> Problem:
+    """The problem of a recording, as if its run.yaml had adopted nothing."""
+    recorded = RecordedRun(run.model_copy(update={KEY: []}), samples, strokes)
+    return at_own_rate([recorded], thin=run.system.differentiates)
 
 
 def explained(folder: Path) -> list[str]:
     """What the numbers mean that a run's `run.yaml` has adopted. Raises BadInput."""
-    run, samples = read_samples(folder)
+    run, samples, strokes = read_strokes(folder)
     if not run.simulation:
         return [f"{folder / 'run.yaml'} holds nothing that was adopted"]
-    bare = at_own_rate([run.model_copy(update={KEY: []})], [samples], thin=run.system.differentiates)
+    bare = without_effects(run, samples, strokes)
     acts = acts_from(run.simulation, bare.drivers, str(folder / "run.yaml"))
     return coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
 
@@ -63,7 +73,7 @@ def explained(folder: Path) -> list[str]:
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
     """What a run.yaml says of where its effects are from, once it has adopted a diagnosis. Raises BadInput."""
     try:
-        return [Adopted.model_validate(one) for one in adoptions(content, str(source), run.run)]
+        return [Adopted.model_validate(adoption) for adoption in adoptions(content, str(source), run.run)]
     except ValidationError as error:
         problem = f"is not what adopting wrote ({short(error.errors()[0]['msg'])})"
         raise BadInput(source, ORIGIN, problem, "give a diagnosis.json as it was made") from None
@@ -72,8 +82,8 @@ def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
 def sentences(content: Verdict) -> list[str]:
     """What each effect does, in the words of the verdict that named it, a line each."""
     named = content.get("mechanisms")
-    found = [entry for entry in named if isinstance(entry, dict)] if isinstance(named, list) else []
-    return [f"  {entry['id']}: {entry['sentence']}" for entry in found if isinstance(entry.get("sentence"), str)]
+    entries = [entry for entry in named if isinstance(entry, dict)] if isinstance(named, list) else []
+    return [f"  {entry['id']}: {entry['sentence']}" for entry in entries if isinstance(entry.get("sentence"), str)]
 
 
 def taken_out(folder: Path) -> str:
@@ -139,7 +149,8 @@ def adopt(source: Path, folder: Path) -> None:
     run, content = read_run(folder), read_diagnosis(source)
     path = (folder / "run.yaml").resolve()
     acting = [entry for entry in content["simulation"] if isinstance(entry, dict)]
-    names = listing(list(dict.fromkeys(str(entry.get("id")) for entry in acting)))
+    ids = list(dict.fromkeys(str(entry.get("id")) for entry in acting))
+    names = listing(ids)
     if not content["simulation"]:
         print(f"{source} names no mechanism: there is nothing to adopt, and {folder / 'run.yaml'} stays as it is")
         return
@@ -152,8 +163,10 @@ def adopt(source: Path, folder: Path) -> None:
             "beware: the main job records this run anew, and then its run.yaml holds nothing adopted", file=sys.stderr
         )
     if not own:
-        said = f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
-        print(f"beware: {said}", file=sys.stderr)
+        caution = (
+            f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
+        )
+        print(f"beware: {caution}", file=sys.stderr)
     origin = adoptions(content, str(source), run.run)
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
     made = adopted(text, content["simulation"], path, origin)
@@ -164,15 +177,17 @@ def adopt(source: Path, folder: Path) -> None:
         print("\n".join(wrapped(f"{same}{'' if named else nothing}", "")))
         return
     write(path, made)
-    told = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
-    told += sentences(content)
+    report = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
+    report += sentences(content)
     others = origin[-1]["tied"] if origin else []
     if others:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
-        told.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
+        report.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
+    predict = adopted_predictions(folder, run.system.driver, run.system.load, ids)
     meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
-    show([*told, *errors, before_after.NEXT, *meant, "To take all of it out of run.yaml again:", taken_out(folder)])
+    out = ["To take all of it out of run.yaml again:", taken_out(folder)]
+    show([*report, *errors, before_after.NEXT, *predict, *meant, *out])
 
 
 def show(lines: list[str]) -> None:

@@ -15,6 +15,7 @@ import pandas as pd
 from .foreign.axes import each_axis
 from .foreign.clock import check_mended, mend_time
 from .foreign.draft import draft
+from .foreign.folder_files import OPTION, files_in
 from .formats import read_foreign
 from .ground import schemas
 from .ground.command import HOUSE, command
@@ -28,6 +29,7 @@ from .run.named_units import in_its_unit
 from .run.next_command import following
 from .run.recording import asked_columns, to_samples
 from .run.samples import check, check_finite, questions
+from .run.tolerances_given import read_back, tolerance_questions
 from .systems import systems
 
 PROJECT = Path(__file__).resolve().parents[1]
@@ -88,8 +90,8 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     time_s, mended = mend_time(samples["time_s"].to_numpy())
     check_mended(samples["time_s"].to_numpy(), time_s, file)
     samples["time_s"] = time_s
-    checked_samples = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
-    for question in questions(run, checked_samples, file):
+    checked_samples, _ = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
+    for question in [*tolerance_questions(run, mapping), *questions(run, checked_samples, file)]:
         print(f"warning: {question}", file=sys.stderr)
     loads = "load_n" in run.channels or "load_n" in table.columns or in_its_unit("load_n", table.columns)
     if not loads:
@@ -97,6 +99,7 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
     sentence = f"{folder}: {len(samples)} samples" + (f"; mended {rules}" if rules else "")
+    sentence = "\n".join(filter(None, (sentence, read_back(run))))
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
 
@@ -116,6 +119,32 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     return "\n".join(run.said for run in runs)
 
 
+def import_folder(folder: Path, mapping: Path, name: str, out: Path, pattern: str | None = None) -> int:
+    """Import each recording below a folder by one mapping, as run `name`-<its name>; say what became of each file.
+
+    A file that is refused costs itself alone: it is named, and the answer is 2, else 0. Raises BadInput where the
+    mapping is wrong, or where there is nothing to import.
+    """
+    files = files_in(folder, checked(run_name, name, "--run", "run"), pattern)
+    made, refused = 0, 0
+    for run, file in files.file_by_run.items():
+        try:
+            print(import_run(file, mapping, run, out))
+            made += 1
+        except BadInput as error:
+            if error.file == str(mapping):  # no file can be read through it
+                raise
+            print(f"error: {error}", file=sys.stderr)
+            refused += 1
+    if files.passed_over:
+        print(files.sentence)
+    print(f"{made} of {made + refused} files imported" + (", the others refused (above)" if refused else ""))
+    if made:
+        runs = shlex.quote(str(out / name))
+        print(f"diagnose each by {command('diagnose')} {runs}-* --out reports/mine; runs of one rig in one: --together")
+    return 2 if refused else 0
+
+
 def guess(file: Path, actuator: str, out: Path | None) -> None:
     """Print a mapping drafted for a file, or write it to `out`, and show the file's first rows as it reads them."""
     text, preview = draft(file, actuator)
@@ -132,13 +161,16 @@ def guess(file: Path, actuator: str, out: Path | None) -> None:
 
 
 @program
-def main() -> None:
-    """Import one file, or draft a mapping for it."""
+def main() -> int:
+    """Import one file, or all of a folder, or draft a mapping for one."""
     parser = argparse.ArgumentParser(prog=command("import_run"), description=__doc__)
-    parser.add_argument("file", type=Path)
+    whole = "the recording, or a folder: each recording below it becomes a run NAME-<name of the file>"
+    parser.add_argument("file", type=Path, metavar="FILE", help=whole)
     mapping = f"what is where in the file (docs/import.md), such as {HOUSE}/mappings/tsa_haptic_1.yaml"
     parser.add_argument("--map", type=Path, help=mapping)
     parser.add_argument("--run", help="name of the new run: lower-case letters, digits and -")
+    which = "of a folder, which files are recordings, such as '*.TXT'; default: by their endings"
+    parser.add_argument(OPTION, metavar="PATTERN", help=which)
     parser.add_argument("--guess", action="store_true", help="draft a mapping for the file, and show its first rows")
     kinds = ", ".join(systems())
     parser.add_argument("--actuator", default="separator", help=f"with --guess, the kind of rig: {kinds}")
@@ -150,13 +182,18 @@ def main() -> None:
     arguments = parser.parse_args()
     if arguments.guess:
         guess(arguments.file, arguments.actuator, arguments.out)
-        return
+        return 0
     if arguments.map is None or arguments.run is None:
         parser.error("--map and --run are needed; without a mapping yet, draft one with --guess")
     raw = arguments.out or Path("raw")
+    if arguments.files is not None and not arguments.file.is_dir():
+        parser.error(f"{OPTION} goes with a folder")
+    if arguments.file.is_dir():
+        return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files)
     folder_text = import_run(arguments.file, arguments.map, arguments.run, raw)
     print(folder_text)
     print(following(Path(folder_text.partition(": ")[0]), recorded=True))
+    return 0
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
 """A new run folder: `run.yaml` from what was measured, and the recording beside it if there is one already."""
 
 import argparse
-import copy
-import re
 import shlex
 import shutil
 import sys
@@ -18,17 +16,18 @@ from .ground.files import write_text
 from .ground.folders import whole_folder
 from .ground.names import checked, own_material, run_name
 from .ground.strict_yaml import parse_yaml, write_yaml
+from .run.columns_read import read_as
+from .run.copied_run import as_in, with_given
 from .run.description import STRING_ACTUATORS, Run, parse_run
-from .run.folder import RECORDINGS, recording_path, unfinished
-from .run.like import as_in, with_given
+from .run.folder import RECORDINGS, has_recording, recording_path, unfinished
 from .run.next_command import following
-from .run.read_as import read_as
+from .run.option_mend import by_option
 from .run.recording import read_recording, to_samples
 from .run.samples import check, questions
-from .string.same import string_id
+from .run.tolerances_given import read_back, tolerance_questions
+from .string.known_strings import string_id
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
-KEY = re.compile(r"\b(channels|file)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
 
 
 def recording_name(recording: Path) -> str:
@@ -42,31 +41,17 @@ def recording_name(recording: Path) -> str:
 
 def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool) -> None:
     """Raise BadInput for a recording that ingest would refuse, and, unless `sure`, for one that is likely a mistake."""
-    samples = check(run, samples, path)
-    for question in questions(run, samples, path):
+    samples, _ = check(run, samples, path)
+    _question(questions(run, samples, path), sure)
+
+
+def _question(doubts: list[BadInput], sure: bool) -> None:
+    """Refuse what is likely a mistake, or say it where a person is `sure`; raises BadInput."""
+    for question in doubts:
         if not sure:
             mend = f"{question.mend}; if it is right as it is, add --sure"
             raise BadInput(question.file, question.field, question.problem, mend)
         print(f"warning: {question}", file=sys.stderr)
-
-
-def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
-    """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet.
-
-    The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
-    """
-    found = KEY.search(error.mend)
-    if found is None:
-        return error
-    section, keys = found[1], found[2].split(".")
-    whole = copy.deepcopy(content.get(section) or {})
-    place = whole
-    for key in keys[:-1]:
-        place = place.setdefault(key, {})
-    place[keys[-1]] = "…"
-    mend = error.mend.removesuffix(" in run.yaml")
-    option = shlex.quote(write_yaml(whole, flow=True))
-    return BadInput(error.file, error.field, error.problem, f"{mend}: here by --{section} {option}")
 
 
 def make_run(
@@ -82,6 +67,10 @@ def make_run(
     if run.string and not (known and recording is None):
         checked(own_material, run.string.material, path, "string.material")
     taken = "choose another name; runs are never overwritten"
+    try:
+        _question(tolerance_questions(run, path), sure)
+    except BadInput as error:
+        raise by_option(error, content) from None
     if path.exists() or (folder.exists() and recording is not None):
         raise BadInput(folder, "run", "is there already", taken)
     if recording is not None:
@@ -93,7 +82,7 @@ def make_run(
         except BadInput as error:
             raise by_option(error, content) from None
     if folder.exists():  # recorded before it was described
-        if any((folder / there).exists() for there in RECORDINGS) and not unfinished(folder):
+        if has_recording(folder) and not unfinished(folder):
             check_samples(run, read_recording(run, folder), recording_path(folder), sure)
         write_text(path, write_yaml(content))
         return folder
@@ -126,8 +115,8 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
     if run.string is None or run.string.id is not None:
         return content
     terminal = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
-    found = string_id(run.string, out, run.run, input if terminal else None)
-    return {**content, "string": {**content["string"], "id": found}} if found else content
+    id_ = string_id(run.string, out, run.run, input if terminal else None)
+    return {**content, "string": {**content["string"], "id": id_}} if id_ else content
 
 
 @program
@@ -162,10 +151,13 @@ def main() -> None:
     parser.add_argument(
         "--recording", type=Path, metavar="FILE", help=f"a .csv, .csv.gz or .parquet with the columns {columns}"
     )
-    parser.add_argument("--channels", metavar="YAML", help="as in run.yaml: '{motor_turns: {column: 1, unit: rad}}'")
+    channels = "which column is what, as in run.yaml: '{time_s: t, motor_turns: {column: theta, unit: rad}}'"
+    parser.add_argument("--channels", metavar="YAML", help=channels)
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument(
-        "--tolerance", metavar="YAML", help="how well its dimensions were measured: '{radius: 0.01, length_mm: 0.5}'"
+        "--tolerance",
+        metavar="YAML",
+        help="how well its dimensions were measured, the radius as a share: '{radius: 0.02, length_mm: 0.5}'",
     )
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument(
@@ -181,8 +173,9 @@ def main() -> None:
     out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
     content = with_string_id(arguments_to_content(arguments), out)
     folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
-    recorded = any((folder / name).exists() for name in RECORDINGS)
+    recorded = has_recording(folder)
     print(f"{folder} is there; {following(folder, recorded, arguments.like)}")
+    print(read_back(parse_run(content, folder / "run.yaml")))
     if "tolerance" not in content:
         print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")
     effects = ", ".join(entry["id"] for entry in content.get("simulation", []))

@@ -18,7 +18,7 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.outputs import file_to_write
 from .ground.tables import opened
-from .models.interface import about
+from .models.interface import about, usual
 from .models.parts.box import COLUMNS
 from .models.parts.conditions import Conditions
 from .models.parts.intervals import GIVEN, Intervals, TooFew
@@ -92,8 +92,8 @@ def main() -> None:
     )
     parser.add_argument(
         "--model",
-        default="spline",
-        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved one is read; default: spline",
+        default=usual(),
+        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved one is read; default: {usual()}",
     )
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
@@ -105,7 +105,7 @@ def main() -> None:
     configured(arguments.model, arguments.settings)  # complains before anything is fitted
     if about(arguments.model).needs_motion:
         problem = "answers along a whole motion, which single questions do not tell"
-        raise BadInput("--model", arguments.model, problem, "choose another, such as spline")
+        raise BadInput("--model", arguments.model, problem, f"choose another, such as {usual()}")
     file_to_write(arguments.out, reads=[arguments.dataset, arguments.questions])
     dataset = opened(arguments.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     for note in read_jumps([arguments.dataset.with_name(NAME)]):

@@ -4,24 +4,45 @@ import argparse
 import shlex
 import sys
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import pandas as pd
 
+from .diagnosis.content import Verdict
+from .diagnosis.home import homed
 from .diagnosis.own_rate import at_own_rate
+from .diagnosis.plan import Plan, expected_error
+from .diagnosis.prediction_band import adopted_diagnosis
+from .diagnosis.recorded_run import RecordedRun
+from .diagnosis.residual_columns import black_box
+from .diagnosis.simulate_options import parsed
 from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis, tared
 from .diagnosis.words.dimensions import name_of
+from .diagnosis.words.home import of_home
+from .diagnosis.words.prediction import (
+    AFTER_RECORDING,
+    OUTSIDE,
+    column_of,
+    corners,
+    no_band,
+    of_band,
+    of_rivals,
+    of_state,
+    stretches,
+)
 from .diagnosis.words.quantity import listing, size
 from .ground import schemas
 from .ground.command import command
 from .ground.complaint import key_name
-from .ground.errors import program
+from .ground.errors import BadInput, program
 from .ground.files import write_text
+from .ground.kinematics import Array
 from .ground.outputs import file_to_write
 from .run.description import Run
-from .run.folder import RECORDINGS, read_run
-from .run.planned import beyond, planned
-from .run.samples import read_samples
+from .run.folder import has_recording, read_run
+from .run.planned import planned
+from .run.samples import read_samples, read_strokes
 
 
 def warn_of_dimensions(run: Run, folder: Path) -> None:
@@ -37,17 +58,52 @@ def warn_of_dimensions(run: Run, folder: Path) -> None:
         )
 
 
-def of_plan(arguments: argparse.Namespace) -> tuple[Run, pd.DataFrame]:
-    """The run that is described, and the samples of the motion that is planned for it. Raises BadInput."""
-    run = read_run(arguments.run_dir)
-    there = any((arguments.run_dir / name).exists() for name in RECORDINGS)
-    recorded = read_samples(arguments.run_dir)[1] if there else None
-    samples = planned(run, arguments.motion, recorded)
-    leaves = beyond(run, samples, recorded) if recorded is not None else ""
-    if leaves:
-        said = f"{leaves}. Nothing says how well the simulator does there"
-        print(f"warning: {arguments.motion}: {said}", file=sys.stderr)
-    return run, samples
+def plan_of(arguments: argparse.Namespace) -> Plan:
+    """The motion that is planned for a run, and what simulates it. Raises BadInput."""
+    source = source_of(arguments)
+    has_samples = has_recording(arguments.run_dir)
+    if arguments.after_recording and not has_samples:
+        mend = f"record the run first, or leave {AFTER_RECORDING} out"
+        raise BadInput(arguments.run_dir, AFTER_RECORDING, "needs a recording, and there is none", mend)
+    run, recorded = read_samples(arguments.run_dir) if has_samples else (read_run(arguments.run_dir), None)
+    samples, drawn = planned(run, arguments.motion, recorded)
+    content = read_diagnosis(source) if arguments.simulation else of_run(run)
+    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording)
+
+
+def source_of(arguments: argparse.Namespace) -> Path:
+    """The file that tells what simulates: a diagnosis.json, or the run's own run.yaml."""
+    return Path(arguments.simulation or arguments.run_dir / "run.yaml")
+
+
+def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array], list[str]]:
+    """Columns of a planned motion beside its reading, each of shape (samples,) in its unit; and what is said.
+
+    Raises BadInput for a diagnosis.json that is none.
+    """
+    channel, unit = plan.run.system.channel, plan.problem.drivers.units.reading
+    predicted, inside, ending = plan.predicted, plan.inside(), channel.rpartition("_")[2]
+    if plan.outside and plan.outside.asks:
+        when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
+        asks = f"it asks for {'; '.join(plan.outside.asks)}. Nothing says how well the simulator does there, {when}. "
+        asks += "Mend: record a stroke that does so, diagnose both recordings together, and predict with that"
+        print(f"warning: {arguments.motion}: {asks}", file=sys.stderr)
+    columns = {OUTSIDE: (~inside).astype(float)} if plan.outside else {}
+    columns[f"without_effects_{ending}"] = plan.without_effects
+    read = plan.source, cast(Verdict, plan.content)
+    place, diagnosis = read if arguments.simulation else adopted_diagnosis(plan.run)
+    width = plan.band(diagnosis, place) if diagnosis else None
+    expected = expected_error(width, inside)
+    if diagnosis is None or width is None:
+        words = [no_band(str(place), shlex.quote(str(arguments.run_dir)), arguments.simulation is None)]
+    else:
+        low, high, half = f"low_{ending}", f"high_{ending}", np.where(inside, width.half_width, np.nan)
+        rivals = plan.curves(diagnosis, place)
+        columns = {low: predicted - half, high: predicted + half, **columns}
+        columns |= {column_of(ids, channel): curve for ids, curve in rivals.items()}
+        words = [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, channel, unit)]
+    gap = plan.changed_by_recording(expected)
+    return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit)])]
 
 
 def write(table: pd.DataFrame, path: Path) -> None:
@@ -61,49 +117,57 @@ def write(table: pd.DataFrame, path: Path) -> None:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog=command("simulate"), description=__doc__)
-    parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="the run whose motion and load are simulated")
-    parser.add_argument(
-        "--simulation", type=Path, metavar="FILE.json",
-        help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "
-        "twice; default: the mechanisms that run.yaml has adopted with the dimensions that fit with them",
-    )  # fmt: skip
-    parser.add_argument(
-        "--motion", type=Path, metavar="PLAN.csv",
-        help="a motion that nobody has recorded, in place of the run's: .csv or .parquet with time_s, motor_turns and, "
-        "unless it stands still, load_n (as a string's channels are called); corners of a motion will do",
-    )  # fmt: skip
-    parser.add_argument(
-        "--out", type=Path, required=True, metavar="FILE",
-        help="the file that is written, .parquet or .csv, with a row for each sample and two columns: time_s, and what "
-        "the rig reads, displacement_mm of a string (jaw_deg of a cable_drive, force_n of a moving_mass, …); required",
-    )  # fmt: skip
-    arguments = parser.parse_args()
-    source = arguments.simulation or arguments.run_dir / "run.yaml"
+    arguments = parsed(str(__doc__))
+    source = source_of(arguments)
     file_to_write(arguments.out, reads=[source, *([arguments.motion] if arguments.motion else [])])
-    run, samples = read_samples(arguments.run_dir) if arguments.motion is None else of_plan(arguments)
-    content = read_diagnosis(source) if arguments.simulation else of_run(run)
-    problem = at_own_rate([run], [samples], thin=False, to_fit=False)
-    predicted = tared(problem, content, source, run.run)
-    error, _ = off(*compared(run, problem, predicted))
+    plan = plan_of(arguments) if arguments.motion else None
+    if plan:
+        run, samples, content, problem, predicted = plan.run, plan.samples, plan.content, plan.problem, plan.predicted
+    else:
+        recorded = RecordedRun(*read_strokes(arguments.run_dir))
+        run, samples = recorded.run, recorded.samples
+        content = read_diagnosis(source) if arguments.simulation else of_run(run)
+        problem = at_own_rate([recorded], thin=False, to_fit=False)
+        if arguments.home:
+            content, home = homed(problem, content, source, run.run)
+            print(of_home(home, problem.drivers.units.reading))
+        predicted = tared(problem, content, source, run.run)
     if isinstance(content.get("run"), list) and content["run"][0] != run.run:
         print(
             f"warning: {source} counts time from the start of {key_name(content['run'][0])}",
             file=sys.stderr,
         )
-    write(pd.DataFrame({"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted}), arguments.out)
+    columns, words = foretold(plan, arguments) if plan else ({}, [])
+    if arguments.residual:
+        given = source if arguments.simulation else None
+        more, more_words = black_box(problem, run, plan, arguments.run_dir, given)
+        columns, words = columns | more, words + more_words
+    columns = {"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted} | columns
+    if plan:
+        inputs = [problem.system.driver, *([problem.system.load] if problem.system.load else [])]
+        columns |= {name: samples[name].to_numpy() for name in inputs if name in samples}
+    table = pd.DataFrame(columns)
+    write(table, arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
     fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
     print(f"{run.run}: {len(samples)} samples simulated with {acting} and the dimensions {fitted} {source}")
-    print(f"{arguments.out} holds time_s and {problem.system.channel}")
-    if arguments.motion is not None and problem.system.free_zero:
-        as_there = has_zero(content, problem.system, run.run)
+    print(f"{arguments.out} holds {listing(list(columns))}")
+    for sentence in words:
+        print(sentence)
+    if plan and plan.drawn:
+        ending = problem.system.channel.rpartition("_")[2]
+        shown = (problem.system.driver, problem.system.channel, f"low_{ending}", f"high_{ending}")
+        print("\n".join(corners(table, *shown)))
+    if plan and problem.system.free_zero:
+        as_there = plan.after or has_zero(content, problem.system, run.run)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
-        print(f"its zero is {zero}; the string is taken to be as it was before its first stroke")
+        state = "as the recording left it" if plan.after else "as it was before its first stroke"
+        print(f"its zero is {zero}; the string is taken to be {state}")
     tied = run.adopted[-1].tied if run.adopted and not arguments.simulation else content.get("alternatives", [])
     if isinstance(tied, list) and tied:
         print(f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here")
-    if np.ptp(problem.measured) > 0.0:  # else nobody recorded it
+    if plan is None:
+        error, _ = off(*compared(run, problem, predicted))
         where = "as it was fitted" if has_zero(content, problem.system, run.run) else "set in the first second"
         zero = f", its zero {where}" if problem.system.free_zero else ""
         print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")

@@ -295,3 +295,16 @@ def test_the_haptic_device_imports_through_its_committed_mapping(tmp_path, modul
         assert samples["displacement_mm"].to_numpy() == pytest.approx(raw[12 + module].to_numpy())
         assert samples["motor_turns"].to_numpy() == pytest.approx(raw[module].to_numpy() / 2 / np.pi)
         assert run.string.material == f"tsa_haptic_{module}"
+
+
+def test_a_tolerance_that_is_likely_a_mistake_is_questioned_by_import_and_ingest(foreign, capsys):
+    file, mapping, raw = foreign
+    mapping.write_text(mapping.read_text() + "tolerance: {radius: 0.5}\n")
+    import_run(file, mapping, "a-01", raw)
+    question = "tolerance.radius: is 0.5, a share: 50 % of 0.4 mm, or ± 0.2 mm"
+    assert f"warning: {mapping}: {question}" in capsys.readouterr().err
+    done = subprocess.run(
+        [sys.executable, "-m", "pipeline.stages.ingest", raw / "a-01", "--out", raw / "samples.parquet"],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0 and f"warning: {raw / 'a-01' / 'run.yaml'}: {question}" in done.stderr

@@ -237,21 +237,34 @@ def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys
     assert "separator (default), or twisted_pair: two strings without a separator" in words
 
 
-def test_a_column_given_by_its_name_alone_is_answered_with_what_to_write(new):
-    samples = GOOD.rename(columns={"displacement_mm": "slide_cm"})
+def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
+    samples = GOOD.rename(columns={"time_s": "t", "motor_turns": "turns", "displacement_mm": "slide_cm"})
     samples["slide_cm"] /= 10
-    status, _, said = new("a-01", "--channels", "{displacement_mm: slide_cm}", samples=samples)
-    mend = "write displacement_mm: {column: slide_cm, unit: cm}"
-    assert status == 2 and "channels.displacement_mm: is 'slide_cm', where keys and values belong" in said
-    assert mend in said and "Input should be" not in said
-    status, _, said = new("a-01", "--channels", f"{{{mend.removeprefix('write ')}}}", samples=samples)
-    assert status == 0, said
+    given = "{time_s: t, motor_turns: turns, displacement_mm: slide_cm}"
+    status, said, wrong = new("a-01", "--channels", given, samples=samples)
+    assert status == 0, wrong
+    assert "(from t)" in said and "(from turns)" in said and "(from slide_cm in cm)" in said
+    written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")["channels"]
+    assert written == {"time_s": "t", "motor_turns": "turns", "displacement_mm": "slide_cm"}
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert read["displacement_mm"].to_numpy() == pytest.approx(GOOD["displacement_mm"].to_numpy())
+    by_index = "{time_s: 0, motor_turns: 1, displacement_mm: {column: 2, unit: cm}}"
+    assert new("a-02", "--channels", by_index, samples=samples)[0] == 0
+    status, _, said = new("a-03", "--channels", given.replace(": turns", ": tunrs"), samples=samples)
+    option = "--channels '{time_s: t, motor_turns: …, displacement_mm: slide_cm}'"
+    assert status == 2 and "there is no column 'tunrs'" in said and option in said
+    status, _, said = new("a-03", samples=samples.rename(columns={"slide_cm": "displacement_mm"}))
+    assert status == 2 and "time_s, motor_turns: there are no columns 'time_s' and 'motor_turns', only t, turns" in said
+    assert "name the columns under channels.time_s and channels.motor_turns" in said
+    assert "here by --channels '{time_s: …, motor_turns: …}'" in said
+    status, _, said = new("a-03", "--channels", "{motor_turns: [turns]}", samples=samples)
+    assert status == 2 and "channels.motor_turns: is ['turns']" in said and "or the column's name alone" in said
 
 
 @pytest.mark.parametrize(
     ("samples", "option"),
     [
-        (GOOD.rename(columns={"motor_turns": "theta"}), "--channels '{motor_turns: {column: …}}'"),
+        (GOOD.rename(columns={"motor_turns": "theta"}), "--channels '{motor_turns: …}'"),
         (spoiled("motor_turns", lambda v: v * 360), "--channels '{motor_turns: {unit: …}}'"),
     ],
 )
@@ -289,3 +302,31 @@ def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp
     assert written["tolerance"] == {"radius": 0.01, "length_mm": 0.5}
     status, _, said = new("c-01", "--tolerance", "{radius: much}", samples=GOOD)
     assert status == 2 and "tolerance" in said and not (tmp_path / "raw" / "c-01").exists()
+
+
+def test_a_tolerance_is_read_back_in_the_unit_of_what_it_belongs_to(new):
+    _, said, _ = new("a-01", "--tolerance", "{radius: 0.02, length_mm: 0.5}", samples=GOOD)
+    assert "radius 0.4 mm ± 0.008 mm (a share: 2 %); separator 8 mm ± 0.5 mm (default); " in said
+    assert "; length 400 mm ± 0.5 mm; scale 1 ± 0.005 (a share: 0.5 %, default); " in said
+
+
+@pytest.mark.parametrize(
+    ("given", "field", "mend"),
+    [
+        ("radius: 0.004", "radius: is 0.004, a share: 0.4 % of 0.4 mm, or ± 0.0016 mm", "0.01 if 0.004 mm was meant"),
+        ("radius: 2", "radius: is 2, a share: 200 % of 0.4 mm, or ± 0.8 mm", "as 0.02 if 2 % was meant"),
+        ("radius_mm: 0.02", "radius_mm: is not a known key", "write radius: 0.05, which is a share of 0.4 mm"),
+        ("separator_mm: 3", "separator_mm: is 3 mm, 38% of 8 mm", "give tolerance.separator_mm in mm"),
+        ("scale: 0.5", "scale: is 0.5, a share: 50 % of 1", "as 0.005 if 0.5 % was meant"),
+    ],
+)
+def test_a_tolerance_that_is_likely_a_mistake_is_questioned(new, tmp_path, given, field, mend):
+    status, _, said = new("a-01", "--tolerance", f"{{{given}}}")
+    path = tmp_path / "raw" / "a-01" / "run.yaml"
+    assert status == 2 and said.startswith(f"error: {path}: tolerance.{field}") and not path.exists(), said
+    assert mend in said.partition("Mend: ")[2], said
+    if "radius_mm" not in given:
+        key = given.partition(":")[0]
+        assert f"here by --tolerance '{{{key}: …}}'; if it is right as it is, add --sure" in said
+        status, _, said = new("a-01", "--sure", "--tolerance", f"{{{given}}}")
+        assert status == 0 and "warning: " in said and field in said and path.exists()

@@ -8,14 +8,15 @@ from ..diagnosis.content import Simulated, Verdict
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
 from ..diagnosis.words import unseen
-from ..diagnosis.words.dimensions import LEAVES, assumed, name_of
+from ..diagnosis.words.dimensions import LEAVES, name_of
 from ..diagnosis.words.error_table import aligned
+from ..diagnosis.words.exactness import assumed
 from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
 from ..diagnosis.words.rivals import called
 from ..diagnosis.words.to_measure import BESIDE
 from ..ground.command import program_name
 from ..ground.errors import BadInput
-from ..ground.schemas import unit_of
+from ..ground.units import unit_of
 from ..run.description import Run
 
 NEXT = (
@@ -33,15 +34,15 @@ def dimensions(content: Verdict) -> list[str]:
     sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
     moved = {name: abs(sigma) for name, sigma in sigmas.items() if is_number(sigma)} if isinstance(sigmas, dict) else {}
     known = fitted(content, "")
-    said = []
+    changes = []
     for name in sorted(known, key=lambda name: -moved.get(name, 0.0))[:MOST]:
-        one, unit = known[name], said_unit(unit_of(name))
+        parameter, unit = known[name], said_unit(unit_of(name))
         if moved.get(name, 0.0) >= HARDLY:
-            first = f"{number(one['nominal'], 6)}{' (assumed)' if assumed(name) else ''}"
-            said.append(f"{name_of(name)} {first} → {number(one['fitted'], 4)} {unit}".rstrip())
-    if not said:
+            first = f"{number(parameter['nominal'], 6)}{' (assumed)' if assumed(name) else ''}"
+            changes.append(f"{name_of(name)} {first} → {number(parameter['fitted'], 4)} {unit}".rstrip())
+    if not changes:
         return []
-    lines = [f"{program_name('simulate')} takes the dimensions that fit with these effects: {'; '.join(said)}."]
+    lines = [f"{program_name('simulate')} takes the dimensions that fit with these effects: {'; '.join(changes)}."]
     lines.append("The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more.")
     far = [f"the {name_of(name)}" for name in known if moved.get(name, 0.0) >= BESIDE]
     if far and any(sigma > LEAVES for sigma in moved.values()):
@@ -63,23 +64,31 @@ def outdated(content: Verdict, run: Run) -> str:
     channel = run.channels.get(run.system.channel)
     scale_now = channel.scale if channel else 1.0
     scale_then = float(then) if then is not None and is_number(then) else 1.0
-    known, said = fitted(content, ""), []
-    for one in run.system.parameters(run):
-        if one.name in known and not math.isclose(one.nominal, known[one.name]["nominal"], rel_tol=1e-4, abs_tol=1e-9):
-            was, now = number(known[one.name]["nominal"], 6), number(one.nominal, 6)
-            said.append(f"a {name_of(one.name)} of {was} {said_unit(unit_of(one.name))}, and run.yaml says {now}")
+    known, differences = fitted(content, ""), []
+    for parameter in run.system.parameters(run):
+        if parameter.name in known and not math.isclose(
+            parameter.nominal, known[parameter.name]["nominal"], rel_tol=1e-4, abs_tol=1e-9
+        ):
+            was, now = number(known[parameter.name]["nominal"], 6), number(parameter.nominal, 6)
+            differences.append(
+                f"a {name_of(parameter.name)} of {was} {said_unit(unit_of(parameter.name))}, and run.yaml says {now}"
+            )
     if isinstance(evidence, dict) and not math.isclose(scale_now, scale_then, rel_tol=1e-4):
-        said.append(f"a scale of {number(scale_then, 6)}, and run.yaml says {number(scale_now, 6)}")
-    return listing(said)
+        differences.append(f"a scale of {number(scale_then, 6)}, and run.yaml says {number(scale_now, 6)}")
+    return listing(differences)
 
 
 def probable(ids: list[str], content: Verdict) -> str:
     """An explanation by its name, with its probability where the diagnosis holds one."""
     evidence = content.get("evidence")
     shown = evidence.get("explanations") if isinstance(evidence, dict) else None
-    for one in shown if isinstance(shown, list) else []:
-        if isinstance(one, dict) and one.get("ids") == ids and is_number(one.get("probability")):
-            return f"{called(ids)} ({percent(one['probability'])})"
+    for explanation in shown if isinstance(shown, list) else []:
+        if (
+            isinstance(explanation, dict)
+            and explanation.get("ids") == ids
+            and is_number(explanation.get("probability"))
+        ):
+            return f"{called(ids)} ({percent(explanation['probability'])})"
     return called(ids)
 
 
@@ -100,13 +109,13 @@ def on_unseen(content: Verdict, unit: str) -> list[str]:
     if verdict not in ("explained", "ambiguous") or len(values) != 2 or not all(map(is_number, values)):
         return []
     calibrated, explained = (float(value) for value in values if value is not None)
-    said = [
+    sentences = [
         f"Those errors are of strokes that the fit has seen. On unseen ones the verdict says {size(explained, unit)}, "
         f"and {size(calibrated, unit)} without the effects."
     ]
     if explained > unseen.WORSE * calibrated:
-        said.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
-    return said
+        sentences.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
+    return sentences
 
 
 def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:
@@ -117,7 +126,9 @@ def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: b
     """
     unit = problem.drivers.units.reading
     columns = {"before": before, "now": now}
-    errors = [off(problem.measured, tared(problem, one, path, str(one["run"]))) for one in columns.values()]
+    errors = [
+        off(problem.measured, tared(problem, simulated, path, str(simulated["run"]))) for simulated in columns.values()
+    ]
     if not own and errors[1][1] > WORSE * errors[0][1]:
         sizes = f"{size(errors[1][0], unit)} where it errs by {size(errors[0][0], unit)} now"
         wrong = f"is of another run, and would make the simulator of this one worse: {sizes}"
@@ -126,6 +137,6 @@ def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: b
     rows.append([f"as {program_name('simulate')} RUN_DIR errs"])
     if problem.system.free_zero:
         rows.append(["with the zero of the reading at its best, as in a verdict"])
-    for row, found in zip(rows[1:], zip(*errors, strict=True), strict=False):
-        row += [size(error, unit) for error in found]
+    for row, before_and_now in zip(rows[1:], zip(*errors, strict=True), strict=False):
+        row += [size(error, unit) for error in before_and_now]
     return aligned(rows)

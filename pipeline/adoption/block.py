@@ -23,18 +23,18 @@ def with_block(text: str, entries: Sequence[Included | Adoption], named: str = K
     `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
     """
     root: Any = yaml.compose(text, Loader=yaml.SafeLoader)
-    there = next(((key, value) for key, value in root.value if key.value == named), None)
+    nodes = next(((key, value) for key, value in root.value if key.value == named), None)
     if root.flow_style:  # a run.yaml written as JSON
-        said = json.dumps(entries, ensure_ascii=False)
-        if there:
-            return text[: there[1].start_mark.index] + said + text[there[1].end_mark.index :]
+        written = json.dumps(entries, ensure_ascii=False)
+        if nodes:
+            return text[: nodes[1].start_mark.index] + written + text[nodes[1].end_mark.index :]
         first = root.start_mark.index + 1
-        return f'{text[:first]}"{named}": {said}, {text[first:]}'
+        return f'{text[:first]}"{named}": {written}, {text[first:]}'
     newline = "\r\n" if "\r\n" in text else "\n"
     indent = " " * root.value[0][0].start_mark.column
     lines = textwrap.indent(block(entries, named).rstrip("\n"), indent).replace("\n", newline)
-    if there:
-        return text[: there[0].start_mark.index] + lines.lstrip() + text[_end(there[1]) :]
+    if nodes:
+        return text[: nodes[0].start_mark.index] + lines.lstrip() + text[_end(nodes[1]) :]
     end = _end(root.value[-1][1])
     if not text[:end].endswith("\n"):
         end = text.find("\n", end) + 1 or len(text)
@@ -56,9 +56,9 @@ def adopted(text: str, entries: Sequence[Included], path: Path, origin: list[Ado
 
     `origin` is where they came from, as the run.yaml shall say it; an empty one replaces an older one only.
     """
-    there = parse_yaml(text, path)
-    keep = origin or (origin is not None and ORIGIN in there)
-    wanted = {**there, KEY: entries, **({ORIGIN: origin} if keep else {})}
+    content = parse_yaml(text, path)
+    keep = origin or (origin is not None and ORIGIN in content)
+    wanted = {**content, KEY: entries, **({ORIGIN: origin} if keep else {})}
 
     def make() -> str:
         made = with_block(text, entries)
@@ -95,8 +95,8 @@ def without_block(text: str, named: str) -> str:
 
 def bare(text: str, path: Path) -> str:
     """The text without what was adopted, parsed to see that it says all else as it did; raises BadInput."""
-    there = parse_yaml(text, path)
-    wanted = {key: value for key, value in there.items() if key not in (KEY, ORIGIN)}
+    content = parse_yaml(text, path)
+    wanted = {key: value for key, value in content.items() if key not in (KEY, ORIGIN)}
     mend = f"take the keys {KEY} and {ORIGIN} out by hand"
     return _checked(lambda: without_block(without_block(text, ORIGIN), KEY), wanted, path, "taken out", mend)
 

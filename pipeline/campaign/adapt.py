@@ -3,6 +3,8 @@
 What a model of many strings gets wrong about one string is smooth: an offset, a slope, a bend, a loop a little wider, a
 growth a little faster. How large each of these is from string to string is learnt on strings that the model has not
 learnt from; a new string's own are then the likeliest given that and the strokes at hand (Bayesian linear regression).
+
+Source: Lindley and Smith, "Bayes estimates for the linear model", Journal of the Royal Statistical Society B 34, 1972.
 """
 
 import numpy as np

@@ -11,7 +11,7 @@ from ..ground.progress import steps
 from ..models.interface import make_model
 from ..models.parts.intervals import Intervals, TooFew
 from ..stages.train import fitting
-from .asked import parser, points_of
+from .arguments import parser, points_of
 from .tables import COVERAGE
 
 LEFT_OUT = 2  # strokes of each string, its last

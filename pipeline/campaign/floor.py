@@ -13,7 +13,7 @@ from ..ground.outputs import file_to_write
 from ..ground.progress import steps
 from ..ground.tables import opened
 from ..stages.floor import FLOORS, residuals
-from .fewshot import asked_and_shown
+from .few_shot import asked_and_shown
 from .points import SCHEMA
 from .tables import FLOOR
 

@@ -9,6 +9,7 @@ from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import write_yaml
 from ..run.description import Included
+from .adopted_run import as_list
 from .content import Adoption, Verdict
 from .drivers import Drivers
 from .library import mechanisms
@@ -27,7 +28,7 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:
     included: list[Included] = []
     for act in acts:
         mechanism, at = mechanisms()[act.id], 0
-        for nonlinear in act.shapes:
+        for nonlinear in act.nonlinear:
             terms = mechanism.terms(drivers, nonlinear)
             values = act.coefficients[at : at + len(terms)]
             at += len(terms)
@@ -97,7 +98,8 @@ def adoptions(content: Verdict, where: str, run: str = "") -> list[Adoption]:
     if dimensions:
         made["dimensions"] = dimensions
     if isinstance(experiment, str) and tied:
-        made["next_experiment"] = f"{NO_USE}: no run that was tried decides" if NO_USE in experiment else experiment
+        useless = [f"{NO_USE}: no run that was tried decides"]
+        made["next_experiment"] = useless if NO_USE in experiment else as_list(experiment)
     return [*before, made]
 
 

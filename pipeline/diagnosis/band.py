@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from ..ground.kinematics import Array
 
-ORDER = 4
+ORDER = 4  # of the filter that takes off what is faster
 HIGHEST = 0.9  # of the Nyquist frequency: a band that reaches further is none
 
 

@@ -84,8 +84,9 @@ def fitted(
 ) -> tuple[Array, float]:
     """Bounded solution on some columns of a large problem, and its misfit less the target's square.
 
-    `gram` of shape (n, n), `moment` of shape (n,); `columns`, the bounds, `start` and the solution of shape (k,). The
-    misfit has the unit of the target squared.
+    `gram` of shape (n, n), `moment` of shape (n,); `columns`, the bounds, `start` and the solution of shape (k,).
+
+    Coefficients in their columns' units, `columns` as places among n; the misfit in the target's unit squared.
     """
     k = columns.size
     part, side = np.empty((k, k)), np.empty(k)
@@ -117,7 +118,7 @@ def scan(
     """Misfit (less the target's square) and active columns of fits on given columns and each of several blocks.
 
     `gram` of shape (n, n), `moment`, the bounds and `start` of shape (n,), `starts` and `counts` of shape (blocks,), as
-    both answers.
+    both answers. Coefficients in their columns' units, misfits in the target's unit squared, the rest as counts.
     """
     misfit, active = np.empty(starts.size), np.empty(starts.size, np.intp)
     for block in range(starts.size):

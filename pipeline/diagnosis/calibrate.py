@@ -1,4 +1,7 @@
-"""Calibration: the joint bounded fit of dimensions, zero and whatever acts, iterated through the simulator itself."""
+"""Calibration: the joint bounded fit of dimensions, zero and whatever acts, iterated through the simulator itself.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996 (Gauss-Newton between bounds).
+"""
 
 from dataclasses import replace
 
@@ -12,11 +15,11 @@ from .noise import Noise, white
 from .problem import Act, Problem, State
 from .record import wild
 
-ITERATIONS = 4
-MOST_STEPS = 25  # where whole ones lead astray
-REFINEMENTS = 3
+ITERATIONS = 4  # linearised steps of full reach in a calibration, at most
+MOST_STEPS = 25  # steps in all, where whole ones lead astray
+REFINEMENTS = 3  # rounds of a search between the candidates of a nonlinear parameter, ever nearer
 FEW = 5  # values among the candidates: fewer are kinds, more are samples of a continuous parameter
-EVENT_REFINEMENTS = 8  # when something happened suddenly must be known to a sample
+EVENT_REFINEMENTS = 8  # the same for an event: when something happened suddenly must be known to a sample
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
@@ -25,8 +28,8 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
     No step is taken that raises the misfit: it is made again within less of what the dimensions may move (`step`).
     """
     state = state or problem.nominal()
-    catalogue = {act.id: list(act.shapes) for act in acts}
-    keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.shapes)))
+    catalogue = {act.id: list(act.nonlinear) for act in acts}
+    keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.nonlinear)))
     steps, whole = Steps(problem, noise, state, acts), 0
     for _ in range(MOST_STEPS):
         before, linear = steps.state, Linear(problem, steps.state, noise, catalogue)
@@ -71,21 +74,21 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
             if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
                 continue
             candidates = mechanisms()[act.id].candidates(problem.drivers)
-            for number in range(len(act.shapes)):
+            for number in range(len(act.nonlinear)):
                 act = state.acts[place]
-                near = [act.shapes[number], *_between(candidates, act.shapes[number], 0.6 * 0.55**level, kinds)]
+                near = [act.nonlinear[number], *_between(candidates, act.nonlinear[number], 0.6 * 0.55**level, kinds)]
                 if len(near) == 1:
                     continue
                 own = [other for other in state.acts if other not in problem.included]
-                catalogue = {other.id: list(other.shapes) for other in own}
+                catalogue = {other.id: list(other.nonlinear) for other in own}
                 fixed = [
                     (other.id, i)
                     for other in own
-                    for i in range(len(other.shapes))
+                    for i in range(len(other.nonlinear))
                     if (other.id, i) != (act.id, number)
                 ]
                 catalogue[act.id] = catalogue[act.id] + near[1:]
-                count = len(act.shapes)
+                count = len(act.nonlinear)
                 linear = Linear(problem, state, noise, catalogue)
                 tries = []
                 for option in [number, *range(count, count + len(near) - 1)]:

@@ -53,5 +53,5 @@ def with_refined(
     for state in states:
         for act in state.acts:
             if act not in problem.included:
-                near[act.id] += [nonlinear for nonlinear in act.shapes if nonlinear not in near[act.id]]
+                near[act.id] += [nonlinear for nonlinear in act.nonlinear if nonlinear not in near[act.id]]
     return near

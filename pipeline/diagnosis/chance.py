@@ -10,7 +10,7 @@ from .problem import Act, Problem, State
 
 LEAST_BESIDE = 0.7  # of the random effect's size, that another mechanism must take away: less is chance's own trend
 STILL = 0.01  # of the highest rate: slower is a rest
-LEAST_REST_S = 1.0
+LEAST_REST_S = 1.0  # shorter is no rest
 
 
 def left(problem: Problem, state: State) -> Array:

@@ -1,9 +1,12 @@
-"""Compare by Cox's idea: an explanation beats another if the gap between them is as large as its truth implies."""
+"""Compare two explanations: the first wins if the second fits worse by about as much as if the first were true.
+
+Source: Cox, Tests of separate families of hypotheses, 4th Berkeley Symposium, 1961.
+"""
 
 from .search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
-LEAST_GAP = 10.0
+LEAST_GAP = 10.0  # of the price, in log-likelihood: two explanations that are less apart are not told apart
 SHARE, CLEAR = 0.4, 0.85  # of the expected gap: what must be seen at least, and what leaves no doubt
 FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
 COMPLETED = 0.8  # of what an explanation leaves: a larger one that takes so much of it explains to the noise
@@ -18,7 +21,8 @@ def price(search: Search, explanation: Explanation) -> float:
 def beats(search: Search, explanation: Explanation, other: Explanation) -> bool:
     """Whether the recording tells `explanation` from `other`.
 
-    The gap must be what the truth of `explanation` implies; where it is less, it must remain if both formulas may bend.
+    `other` must fit worse by about as much as it would if `explanation` were true. Where the gap is smaller, it must
+    remain with a discrepancy of both formulas.
     """
     for first, second in ((explanation, other), (search.with_discrepancy(explanation), search.with_discrepancy(other))):
         seen = price(search, second) - price(search, first)
@@ -43,7 +47,7 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
         return []
     larger = search.forward(floor)
     if len(larger.ids) > len(chosen.ids):
-        holds = explains(search, chosen, floor)  # which it does only if its formula may bend
+        holds = explains(search, chosen, floor)  # only with a discrepancy of its formula
         return [chosen, larger] if holds else [larger]
     nothing = search.nothing.fit.misfit
     rivals = search.all_of(len(chosen.ids))
@@ -62,7 +66,8 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
         and core.ids not in [explanation.ids for explanation in unbeaten_sets]
         and explains(search, core, floor)
     )
-    return [*unbeaten_sets, core] if bare else unbeaten_sets  # where any other will do beside it, none may be needed
+    # if many different partners fit equally well, the shared part alone may suffice
+    return [*unbeaten_sets, core] if bare else unbeaten_sets
 
 
 def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:

@@ -13,14 +13,17 @@ ENDS = (1.0, 99.0)  # per cent of the samples: what is beyond is noise or a mome
 def covered(record: Record) -> dict[str, Any]:
     """Lowest and highest load, slowest and fastest stroke, longest hold and rest; as `diagnosis.json` holds them.
 
-    Loads in the load channel's unit, speeds in the motion's unit per second, times in s.
+    Loads in the load channel's unit, speeds in the motion's unit per second, times in s. `temperature_c`, where one was
+    logged, is its lowest and highest in °C.
     """
     moving = np.isin(record.phase, [PHASES.index("winding"), PHASES.index("unwinding")])
     speeds = [
         float(np.median(np.abs(record.velocity[moving & (record.stroke == stroke)])))
         for stroke in np.unique(record.stroke[moving])
     ]
-    return {
+    logged = record.temperature_c
+    warm = {} if logged is None else {"temperature_c": [float(end) for end in np.percentile(logged, ENDS)]}
+    return warm | {
         "load": [float(end) for end in np.percentile(record.load, ENDS)],
         "speed_per_s": [min(speeds, default=0.0), max(speeds, default=0.0)],
         "longest_hold_s": longest(record, record.phase == PHASES.index("hold")),

@@ -1,4 +1,8 @@
-"""Cross-validation: of what ties, the smallest that foretells left-out stretches about as well as any comes first."""
+"""Cross-validation: of what ties, the smallest that foretells left-out stretches about as well as any comes first.
+
+Source: Stone, "Cross-validatory choice and assessment of statistical predictions", Journal of the Royal Statistical
+Society B 36, 1974.
+"""
 
 import numpy as np
 

@@ -1,9 +1,14 @@
-"""A run built for a tie: parts of motion, one after the other, each the one that parts the rivals most for its cost."""
+"""A run built for a tie: parts of motion, one after the other, each the one that parts the rivals most for its cost.
+
+Source: Atkinson and Fedorov, "The design of experiments for discriminating between two rival models", Biometrika 62,
+1975.
+"""
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 
-from .protocol import CANDIDATES, Leg, Rig
+from .legs import CANDIDATES, Leg, Rig
 
 MOST_PARTS = 4
 KEPT = 8  # parts, the best alone, that are tried in every later place
@@ -16,6 +21,7 @@ SPEEDS = {0.5: " at twice the speed", 1.0: "", 2.0: " at half the speed", 4.0: "
 LOADS = {0.5: " under half the load", 1.0: "", 2.0: " under twice the load"}
 HOLDS = {0.2: "", HELD_S: " with a hold"}
 RESTS_S = (30.0, 120.0)
+LEAST_STROKE = 0.1  # of the range: what winds less is no stroke
 
 Parts = dict[str, list[Leg]]
 Gap = Callable[[list[Leg]], float]  # of legs after the recording: the closest rivals' expected misfit
@@ -61,6 +67,14 @@ def cost_min(legs: list[Leg], at: float) -> float:
     return seconds / 60.0 + STROKE_MIN * ups + PART_MIN
 
 
+def with_stroke(title: str, legs: list[Leg], rig: Rig) -> tuple[str, list[Leg]]:
+    """A run's words and legs, with one stroke as before at its end where it has none: such a recording is refused."""
+    ends = [rig.at, *(to for _, to, _ in legs)]
+    if max(to - at for at, to in pairwise(ends)) >= LEAST_STROKE * (rig.high - rig.low):
+        return title, legs
+    return f"{title}, then one stroke as before", [*legs, *rig.stroke()]
+
+
 def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple[str, list[Leg]]:
     """The words and the legs of a run that is built part by part, until it decides or has MOST_PARTS.
 
@@ -77,4 +91,4 @@ def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple
         # each part once: rivals differ in more than one way
         likely = sorted(set(worth) - {best}, key=lambda name: -worth[name])
         known = {name: known[name] for name in likely[:KEPT]}
-    return "; ".join(names), whole
+    return with_stroke("; ".join(names), whole, rig)

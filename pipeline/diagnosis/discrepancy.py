@@ -1,4 +1,8 @@
-"""Model discrepancy: how an effect may differ from what its formula says, for no formula is exactly right."""
+"""Model discrepancy: how an effect may differ from what its formula says, for no formula is exactly right.
+
+Source: Kennedy and O'Hagan, "Bayesian calibration of computer models", Journal of the Royal Statistical Society B 63,
+2001.
+"""
 
 import numpy as np
 
@@ -36,6 +40,7 @@ def factors(drivers: Drivers, acting: Array) -> Array:
     """Smooth factors of an effect, each about 1 at most, shape (factors, samples).
 
     Over twist, time, load, rate and direction, and finest where the effect is at work.
+    Without a unit; `acting`, shape (samples,), in the reading's unit.
     """
     rate, energy = np.abs(drivers.rate), np.square(acting)
     all_factors = [

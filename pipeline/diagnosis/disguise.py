@@ -13,6 +13,8 @@ from .search import Explanation
 
 TAKEN_BACK = 1000.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
 STRAIGHT = 1e-3  # of a signal: what a line may leave of it
+IDLE, OUTSIDE, DIMENSIONS = "idle", "outside", "dimensions"  # why an explanation is no name
+Why = tuple[str, tuple[str, ...]]  # that, and of which of its mechanisms
 LINES = {"twist": 1, "radius": 0, "length": 0}  # degree in the motion that a dimension could have, by port
 
 
@@ -40,37 +42,50 @@ def only_calibration(effect: Array, dimensions: Linear) -> bool:
 
     `dimensions` is the simulator linearised with nothing acting in it. Shape (samples,), in the reading's unit.
     """
+    left = beyond(effect, dimensions)
+    return bool(np.sqrt(np.mean(effect**2)) > TAKEN_BACK * np.sqrt(np.mean(left**2)))
+
+
+def beyond(effect: Array, dimensions: Linear) -> Array:
+    """What dimensions, each moved by no more than it may, leave of an effect.
+
+    Both of shape (samples,), in the reading's unit.
+    """
     own = dimensions.calibration
     reach = np.maximum(dimensions.high[own] - dimensions.low[own], 1e-12)
     columns = dimensions.table[own].T
     moves = lsq_linear(columns, effect, (-reach, reach), method="bvls").x
-    left = effect - columns @ moves
-    return bool(np.sqrt(np.mean(effect**2)) > TAKEN_BACK * np.sqrt(np.mean(left**2)))
+    return np.asarray(effect - columns @ moves)
 
 
-def disguised(linear: Linear, explanation: Explanation, dimensions: Linear) -> bool:
-    """Whether a mechanism of an explanation is calibration in disguise, by the linearised simulator."""
+def in_disguise(linear: Linear, explanation: Explanation, dimensions: Linear) -> Why | None:
+    """Why an explanation is calibration in disguise, by the linearised simulator; None where it is not."""
     at = len(linear.calibration)
     effects: dict[str, Array] = {}
     for key in explanation.keys:
         columns, nonlinear = linear.index[key], linear.catalogue[key[0]][key[1]]
         if outside(linear.problem, linear.problem.terms(mechanisms()[key[0]], nonlinear)):
-            return True
+            return OUTSIDE, (key[0],)
         moved = explanation.fit.coefficients[at : at + len(columns)] @ linear.table[columns]
         effects[key[0]] = effects.get(key[0], 0.0) + moved
         at += len(columns)
-    return any(only_calibration(effect, dimensions) for effect in effects.values())
+    of = tuple(id_ for id_, effect in effects.items() if only_calibration(effect, dimensions))
+    return (DIMENSIONS, of) if of else None
 
 
-def no_name(problem: Problem, state: State, dimensions: Linear) -> bool:
-    """Whether what acts in a simulator can be no explanation: no physics of any strength, or calibration in disguise.
+def no_name(problem: Problem, state: State, dimensions: Linear) -> Why | None:
+    """Why what acts in a simulator can be no explanation: no physics of any strength, or calibration in disguise.
 
-    A simulator in which nothing acts names nothing and is none.
+    None where it can. A simulator in which nothing acts names nothing and is none.
     """
     acts = [act for act in state.acts if act not in problem.included]
     at_work = tuple(act.id for act in acts if any(act.coefficients))
     if physics(tuple(act.id for act in acts)) and not physics(at_work):
-        return True
-    if any(outside(problem, [term for term, value in problem.act_terms(act) if value]) for act in acts):
-        return True
-    return any(only_calibration(discrepancy.effect(problem, state, id_)[: problem.rows], dimensions) for id_ in at_work)
+        return IDLE, ()
+    beyond = [act.id for act in acts if outside(problem, [term for term, value in problem.act_terms(act) if value])]
+    if beyond:
+        return OUTSIDE, tuple(beyond)
+    of = tuple(
+        id_ for id_ in at_work if only_calibration(discrepancy.effect(problem, state, id_)[: problem.rows], dimensions)
+    )
+    return (DIMENSIONS, of) if of else None

@@ -10,37 +10,39 @@ from scipy.ndimage import gaussian_filter1d
 from ..ground.kinematics import Array
 from ..run.description import Run
 from ..systems import System
-from .naming import Units
 from .record import Record
 from .recursions import play
+from .system_units import Units
 
-SMOOTH_S = 0.12
+SMOOTH_S = 0.12  # standard deviation of the Gaussian over which a driver is smoothed
 LOAD_MOVES, LEAST_LOAD = 0.05, 0.01  # of the usual load that tells what follows it; least usual load, in load units
 DEAD_BAND = 2e-3  # of the range of motion: smaller movements are encoder noise, not travel
 
 
 @dataclass(frozen=True)
 class Drivers:
-    """One value a sample, in the system's units; geometry at the nominal dimensions."""
+    """One value a sample, each of shape (samples,), in the system's units; geometry at the nominal dimensions."""
 
     units: Units
-    time_s: Array
-    motion: Array
-    velocity: Array | None  # of the motion, where the system follows its derivatives
-    acceleration: Array
+    time_s: Array  # (samples,), in s, as all below in shape
+    motion: Array  # in the motion's unit
+    velocity: Array | None  # in the motion's unit a second, where the system follows the motion's derivatives
+    acceleration: Array  # in the motion's unit a second squared
     load: Array  # in the system's load units
     loaded: bool  # whether the load varies enough to tell what follows it
     levered: bool  # whether the transmission's lever changes with the motion
     free_zero: bool  # whether the reading's zero is arbitrary
     turn: float | None  # of the motion, one turn of the motor
-    sine: Array  # of the helix angle: how much of the twist's arm reaches the contraction; 1 without helix
-    tangent: Array  # of the helix angle; 1 without helix
-    contraction: Array  # nominal output travel, from its first value
-    stroke: NDArray[np.intp]
-    phase: NDArray[np.intp]
-    first: NDArray[np.intp]  # samples since the start of the run
-    temperature_c: Array | None
-    current_a: Array | None
+    sine: Array  # of the helix angle, without a unit: how much of the twist's arm is contraction; 1 without helix
+    tangent: Array  # of the helix angle, without a unit; 1 without helix
+    contraction: Array  # nominal output travel, from its first value, in the channel's unit
+    stroke: NDArray[np.intp]  # number of the stroke, a count
+    phase: NDArray[np.intp]  # place in `PHASES`, an index
+    first: NDArray[np.intp]  # samples since the start of the run, a count
+    temperature_c: Array | None  # in °C
+    current_a: Array | None  # in A
+    counted_s: Array | None = None  # time since what events are timed from, in s; None: since the first sample
+    drawn: bool = False  # whether the motion was drawn as straight lines: nothing in it is noise, and nothing is early
 
     @cached_property
     def step_s(self) -> float:
@@ -52,16 +54,21 @@ class Drivers:
         return gaussian_filter1d(signal, max(SMOOTH_S / self.step_s, 0.6), mode="nearest")
 
     def slope(self, signal: Array) -> Array:
-        """Time derivative of a smoothed signal, per second. Both of shape (samples,)."""
+        """Time derivative of a smoothed signal; beside a drawn motion, of what was, unsmoothed.
+
+        Both of shape (samples,), in the signal's unit and in that unit a second.
+        """
+        if self.drawn:
+            return np.concatenate([[0.0], np.diff(signal) / np.diff(self.time_s)])
         return np.gradient(self.smooth(signal), self.time_s)
 
     @cached_property
     def rate(self) -> Array:
-        """Rate of the motion, per second. Shape (samples,)."""
+        """Rate of the motion. In the motion's unit a second, shape (samples,)."""
         return self.slope(self.motion) if self.velocity is None else self.velocity
 
     def inputs(self, rows: NDArray[np.bool_]) -> "Moved":
-        """What a system simulates from, of some rows. `rows` is a mask of shape (samples,)."""
+        """What a system simulates from, of some rows. `rows` has the shape (samples,) and is a mask."""
         return Moved(self.time_s[rows], self.motion[rows], self.rate[rows], self.acceleration[rows], self.load[rows])
 
     @cached_property
@@ -93,8 +100,8 @@ class Drivers:
 
     @cached_property
     def elapsed_s(self) -> Array:
-        """Time since the first sample. In s, shape (samples,)."""
-        return self.time_s - self.time_s[0]
+        """Time since the first sample, or since what events are timed from. In s, shape (samples,)."""
+        return self.time_s - self.time_s[0] if self.counted_s is None else self.counted_s
 
     @cached_property
     def load0(self) -> float:
@@ -104,20 +111,20 @@ class Drivers:
     def directed(self, width: float) -> Array:
         """Memory of the direction, −1…1: where the motion stands in a play of half-width `width`.
 
-        `width` in the motion's unit; shape (samples,).
+        `width` in the motion's unit; the answer without a unit, shape (samples,).
         """
         return (self.motion - play(self.motion, np.full(len(self.motion), width))) / width
 
 
 @dataclass(frozen=True)
 class Moved:
-    """What a system simulates from."""
+    """What a system simulates from, each of shape (samples,)."""
 
-    time_s: Array
-    motion: Array
-    rate: Array
-    acceleration: Array
-    load: Array
+    time_s: Array  # in s
+    motion: Array  # in the motion's unit
+    rate: Array  # in the motion's unit a second
+    acceleration: Array  # in the motion's unit a second squared
+    load: Array  # in the system's load units
 
 
 def drivers_of(system: System, record: Record, run: Run) -> Drivers:

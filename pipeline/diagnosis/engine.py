@@ -2,10 +2,8 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
-import pandas as pd
 
 from ..ground.errors import BadInput
 from ..run.description import Run
@@ -13,29 +11,27 @@ from ..systems import Parameter, System
 from ..systems.interface import PORTS
 from . import calibrate, candidates, chance, discrepancy, generic
 from .adopt import acts_from
-from .disguise import disguised, no_name
 from .drivers import Drivers, drivers_of
 from .judge import Judge, judge
 from .judged import NOTHING, judged
+from .kept import kept
 from .library import mechanisms
 from .linear import Linear
 from .noise import Noise, estimate, robust, white
-from .outcome import Study, bare, cancels, decide, rms
+from .outcome import Study, bare, decide, rms
 from .problem import Problem, State, placed
 from .record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
-from .search import Explanation, Search
+from .recorded_run import RecordedRun
+from .search import Search
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
-LEAST_SAMPLES, LEAST_STROKES = 200, 2
-INEXACT_FROM = 0.2  # noise floors between two ways to weigh the samples: more shows that no formula is exact
+LEAST_SAMPLES, LEAST_STROKES = 200, 2  # samples of the record, and worked strokes, without which nothing is decided
 Progress = Callable[[str], None]
 
 
 def make_problem(
-    runs: list[Run],
-    tables: list[pd.DataFrame],
-    folders: list[Path] | None = None,
+    recorded: list[RecordedRun],
     most: int | None = None,
     without: frozenset[str] = frozenset(),
     thin: bool = True,
@@ -47,10 +43,9 @@ def make_problem(
     No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
     `by` judges in place of the library's own judge. Unless `to_fit`, it may be too short to be diagnosed.
     """
-    where = (folders or [Path(runs[0].run)])[0]
+    runs, where = [each.run for each in recorded], recorded[0].place
     system = runs[0].system
-    working = WORKING_SAMPLES if system.levered else DRIVES_SAMPLES
-    record = joined(runs, tables, most or working, thin)
+    record = joined(recorded, most or (WORKING_SAMPLES if system.levered else DRIVES_SAMPLES), thin)
     worked = len(np.unique(record.stroke[record.stroke > 0]))
     mend = "record at least three strokes, with a pause between them"
     if to_fit and worked < LEAST_STROKES:
@@ -85,10 +80,10 @@ def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
     """Mechanisms all of whose candidates act where a system has no port."""
     if set(system.ports) == set(PORTS):
         return frozenset()
-    options_by_id = {id_: (mechanism, mechanism.candidates(drivers)) for id_, mechanism in mechanisms().items()}
+    library = [(id_, mechanism, mechanism.candidates(drivers)) for id_, mechanism in mechanisms().items()]
     return frozenset(
         id_
-        for id_, (mechanism, options) in options_by_id.items()
+        for id_, mechanism, options in library
         if options and not any(placed(system, mechanism.terms(drivers, nonlinear)) for nonlinear in options)
     )
 
@@ -108,7 +103,7 @@ def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, t
     `smooth` is the dictionary, shape (columns, samples), in any unit, if it is made already: one made here is let go.
     """
     acts = tuple(act for act in state.acts if act not in problem.included)
-    catalogue = {act.id: list(act.shapes) for act in acts}
+    catalogue = {act.id: list(act.nonlinear) for act in acts}
     more = generic.dictionary(problem.drivers) if smooth is None else smooth
     linear = Linear(problem, state, white(1.0), catalogue, more)
     del more
@@ -153,30 +148,10 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
                 break
     say("judging")
     judgement = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
-    dimensions = Linear(problem, base, white(1.0), {})
-    sets = [explanation for explanation in judgement.sets if not disguised(search.linear, explanation, dimensions)]
-    best = at_work(search, sets[0]) if sets else base
-    while sets and (no_name(problem, best, dimensions) or (len(sets) > 1 and cancels(problem, best))):
-        sets = sets[1:]  # a balance of two effects is none of what ties
-        best = at_work(search, sets[0]) if sets else base
+    best, judgement = kept(search, judgement, base)
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
     random = {id_: nonlinear for id_, nonlinear in random.items() if id_ in still}
-    return decide(problem, nominal, base, noise, best, replace(judgement, sets=sets), search, random)
-
-
-def at_work(search: Search, explanation: Explanation) -> State:
-    """The simulator with an explanation in it, refined through the simulator itself.
-
-    Where the formula is right, weighing samples alike gives what weighing them by their noise gives, but for chance.
-    Where the two part, what is left is misfit and no noise, and plain least squares is what a person would want; so it
-    is where the reading follows derivatives, as those who identify inverse dynamics have found.
-    """
-    problem, noise = search.linear.problem, search.linear.noise
-    best = calibrate.refine(problem, noise, search.linear.state_of(explanation.fit, explanation.keys))
-    acts = tuple(act for act in best.acts if act not in problem.included)
-    alike = calibrate.calibrate(problem, white(noise.floor), best, acts)
-    apart = rms((problem.simulate(best) - problem.simulate(alike))[: problem.rows])
-    return alike if problem.system.differentiates or apart > INEXACT_FROM * noise.floor else best
+    return decide(problem, nominal, base, noise, best, judgement, search, random)
 
 
 def polished(studied: Study, fine: Problem) -> Study:

@@ -4,14 +4,17 @@ Nothing here decides: the verdict is already made.
 """
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any, TypeVar
 
 import numpy as np
 
 from ..ground.kinematics import Array
-from . import aspects, engine, generic, locate, named
+from . import aspects, extents, generic, locate, mechanism_entries
 from .compare import price
 from .covered import covered
+from .kept import at_work
+from .look_alikes import look_alikes
 from .outcome import Study, cancels, rms
 from .problem import Problem
 from .search import Explanation, Search
@@ -43,7 +46,7 @@ def listed(study: Study) -> list[Explanation]:
 def explanations(study: Study, ending: str) -> list[dict[str, Any]]:
     """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
 
-    `bent`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first, which is minus
+    `bent_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first, which is minus
     twice the logarithm of how much likelier the first makes the recording.
     """
     search = study.search
@@ -75,7 +78,7 @@ def explanations(study: Study, ending: str) -> list[dict[str, Any]]:
             entry["driver"] = follows(drivers, gap)
             likelier = (entry["probability"] or 0.0) > (probability(study, first.ids) or 0.0)
             if standing == "beaten" and (likelier or entry["worse"] <= 0.0):  # nothing but that can disqualify it
-                entry["balanced"] = cancels(study.problem, engine.at_work(search, explanation))
+                entry["balanced"] = cancels(study.problem, at_work(search, explanation))
         entries.append(entry)
     return entries
 
@@ -83,6 +86,11 @@ def explanations(study: Study, ending: str) -> list[dict[str, Any]]:
 def probability(study: Study, ids: tuple[str, ...]) -> float | None:
     """The judge's probability of an explanation; None where the judge did not weigh it, as on rigs without a string."""
     return _of(study, study.judged.likely, ids) if study.problem.drivers.levered else None
+
+
+def left_out(study: Study) -> list[dict[str, Any]]:
+    """The likely explanations that are no names: ids, probability, `because` of what, and `of` which effects."""
+    return [asdict(out) | {"probability": probability(study, out.ids)} for out in study.judged.left_out]
 
 
 def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[dict[str, Any]] | None:
@@ -132,17 +140,6 @@ def follows(drivers: dict[str, Array], signal: Array) -> str | None:
     return name if energy > 0.0 and carried[name] >= FOLLOWS * energy else None
 
 
-def spans(study: Study) -> dict[str, float]:
-    """From the lowest to the highest value of what each named mechanism does, a few samples aside; by id."""
-    ends = {}
-    for act in study.best.acts:
-        if act in study.problem.included or act.id in study.random:
-            continue
-        effect = named.effect_of(study.problem, study.best, act)
-        ends[act.id] = float(np.subtract(*np.percentile(effect, [99.9, 0.1])))
-    return ends
-
-
 def moved(study: Study) -> dict[str, float]:
     """By how many sigma calibration moved each dimension from what was measured."""
     problem = study.problem
@@ -173,12 +170,18 @@ def evidence(study: Study) -> dict[str, Any]:
     """All of it, as `diagnosis.json` holds it; `floor` is that of the values that were compared, `step_s` apart."""
     system, drivers = study.problem.system, study.problem.drivers
     ending = system.channel.rpartition("_")[2]
+    effects = mechanism_entries.named_effects(study)
     return {
         f"floor_{ending}": study.floor,
         **misfits(study, ending),
         "explanations": explanations(study, ending),
         "probability_of_none": study.judged.none if study.judged.likely and drivers.levered else None,
-        f"spans_{ending}": spans(study),
+        "left_out": left_out(study),
+        **look_alikes(study, ending),
+        f"spans_{ending}": extents.spans(effects),
+        f"trends_{ending}": extents.trends(effects),
+        f"tops_{ending}": extents.tops(effects, study.problem.record),
+        "loops": mechanism_entries.opened(study.problem, effects, f"width_{ending}", system.driver),
         "moved_sigma": moved(study),
         "tolerance": tolerances(study),
         "step_s": drivers.step_s,

@@ -1,15 +1,14 @@
 """One page of figures: recording over simulation, mismatch maps, explanations, held-out error, residual by driver."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..ground.figure_file import write_page
 from ..ground.kinematics import Array
-from ..ground.page import write_page
-from . import panels
+from . import driver_panels, panels
 from .content import Simulated, Verdict
 from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
@@ -17,8 +16,8 @@ from .panels import AFTER, SHADES
 from .simulation import at_its_best_zero
 from .words.dimensions import name_of
 from .words.headline import unfit
+from .words.holdout import heading, included
 from .words.quantity import listing
-from .words.sight import heading, included
 from .words.to_measure import to_measure
 from .words.unseen import noises
 from .words.vocabulary import Vocabulary
@@ -35,7 +34,7 @@ STYLES = {
 WIDE = 100  # characters of a line of the title
 
 
-def title(content: dict[str, Any]) -> str:
+def title(content: Verdict) -> str:
     """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie."""
     runs = [content["run"]] if isinstance(content["run"], str) else content["run"]
     name = " + ".join(runs)
@@ -58,7 +57,7 @@ def title(content: dict[str, Any]) -> str:
     return f"{head}\n{best}, {more}"
 
 
-def warning(content: dict[str, Any], words: Vocabulary) -> str:
+def warning(content: Verdict, words: Vocabulary) -> str:
     """A run.yaml not to predict with, and which dimensions stand at the limit of calibration, a line each, if any."""
     lines = [sentence] if (sentence := unfit(content, words)) else []
     names = [name_of(name) for name in to_measure(content)]
@@ -88,16 +87,15 @@ def as_adopted(study: Study, verdict: Verdict) -> Array | None:
     return at_its_best_zero(problem, content, Path("run.yaml"), run)
 
 
-def drawn(study: Study, verdict: Verdict) -> Figure:
+def drawn(study: Study, content: Verdict) -> Figure:
     """The page as a figure of matplotlib, known to no window and no notebook."""
-    content: dict[str, Any] = dict(verdict)
     problem, drivers, floor = study.problem, study.problem.drivers, study.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     states = {"nominal": study.nominal, "calibrated": study.base, "as diagnosed": study.state}
     simulations = {name: problem.simulate(state) for name, state in states.items()}
     if np.array_equal(simulations["as diagnosed"], simulations["calibrated"]):  # nothing is named: draw nothing twice
         del simulations["as diagnosed"]
-        adopted = as_adopted(study, verdict)
+        adopted = as_adopted(study, content)
         if adopted is not None:  # nobody simulates with adopted effects and the dimensions of run.yaml
             simulations = {"calibrated": simulations["calibrated"], "as adopted": adopted}
     residuals = {name: problem.measured - values for name, values in list(simulations.items())[-2:]}
@@ -126,11 +124,14 @@ def drawn(study: Study, verdict: Verdict) -> Figure:
     floor_here = content["fit"][f"noise_floor_{ending}"]
     skip = int("as adopted" in simulations)
     panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip)
-    followed = list(panels.listeners(drivers).items())[:MOST]
-    grid = panels.filled(bottom, len(followed))
+    followed = list(driver_panels.listeners(drivers).items())[:MOST]
+    grid = driver_panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
+        slow = label in driver_panels.SLOW
+        if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, floor, label):
+            continue
         kept = {name: residual[counts] for name, residual in residuals.items()}
-        panels.by_driver(axes, signal[counts], kept, floor, label)
+        driver_panels.by_driver(axes, signal[counts], kept, floor, label)
     handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)

@@ -1,4 +1,7 @@
-"""What a regression without physics foretells of strokes that no fit has seen: the level that physics has to reach."""
+"""What a regression without physics foretells of strokes that no fit has seen: the level that physics has to reach.
+
+Source: Friedman, "Greedy function approximation: a gradient boosting machine", Annals of Statistics 29, 2001.
+"""
 
 from dataclasses import dataclass
 from typing import Any
@@ -12,28 +15,38 @@ from .drivers import Drivers
 from .problem import Problem, State
 
 MEMORIES = (0.02, 0.1)  # of the range of motion, over which a reversal is felt
-SEED = 0
+SEED = 0  # of the boosted trees
 
 
 @dataclass(frozen=True)
 class Foretold:
     """What the regression adds to a simulator, at the recording's own rate, and where and following what."""
 
-    added: Array  # one value a sample of the recording
+    added: Array  # one value a sample of the recording, in the reading's unit
     location: dict[str, Any]  # as `locate.box` says it, over the strokes that were held out
     driver: str  # as `generic.groups` calls it
 
 
-def signals(drivers: Drivers) -> Array:
-    """What the regression is told, shape (samples, columns): motion, its rates, its memory, and every other input.
+def inputs(drivers: Drivers, span: float) -> dict[str, Array]:
+    """What the regression may be told, by name: motion, its rates, its memory, load, and every other input.
 
-    Time is none of them: of strokes to come it would tell nothing. Each in its own unit.
+    Time is none of them: of strokes to come it would tell nothing. `span` is the range of the motion that memory is
+    measured in, in the motion's unit. Each of shape (samples,), in its own unit.
     """
-    columns = [drivers.motion, drivers.rate, drivers.slope(drivers.rate)]
-    columns += [drivers.directed(share * drivers.span) for share in MEMORIES]
-    columns += [drivers.load] if drivers.loaded else []
-    columns += [drivers.smooth(other) for other in (drivers.temperature_c, drivers.current_a) if other is not None]
-    return np.column_stack(columns)
+    by_name = {"motion": drivers.motion, "rate": drivers.rate, "acceleration": drivers.slope(drivers.rate)}
+    by_name |= {f"way over {share:g} of the range": drivers.directed(share * span) for share in MEMORIES}
+    by_name["load"] = drivers.load
+    others = {"temperature": drivers.temperature_c, "current": drivers.current_a}
+    return by_name | {name: drivers.smooth(other) for name, other in others.items() if other is not None}
+
+
+def signals(drivers: Drivers) -> Array:
+    """What the regression is told of a recording, shape (samples, columns), each in its own unit.
+
+    A load that hardly moves is none of it.
+    """
+    by_name = inputs(drivers, drivers.span)
+    return np.column_stack([column for name, column in by_name.items() if name != "load" or drivers.loaded])
 
 
 def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.bool_]) -> Foretold:

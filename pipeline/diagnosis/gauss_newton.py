@@ -1,4 +1,8 @@
-"""One step of a fit through the simulator: taken whole if that lowers the misfit, else shorter until it does."""
+"""One step of a fit through the simulator: taken whole if that lowers the misfit, else shorter until it does.
+
+Source: Hartley, "The modified Gauss-Newton method for the fitting of non-linear regression functions by least squares",
+Technometrics 3, 1961.
+"""
 
 import numpy as np
 

@@ -1,4 +1,7 @@
-"""A dictionary without physics: smooth functions of every driver, which bound from below what any model could leave."""
+"""A dictionary without physics: smooth functions of every driver, which bound from below what any model could leave.
+
+Source: de Boor, A Practical Guide to Splines, 1978 (piecewise linear bumps).
+"""
 
 import numpy as np
 
@@ -7,7 +10,7 @@ from .drivers import Drivers
 
 
 def hats(signal: Array, count: int) -> Array:
-    """Piecewise linear bumps over a signal's range, shape (count, samples)."""
+    """Piecewise linear bumps over a signal's range, shape (count, samples), without a unit; the signal in any unit."""
     low, high = np.percentile(signal, [0.2, 99.8])
     if high <= low:
         return np.zeros((0, len(signal)))
@@ -18,7 +21,7 @@ def hats(signal: Array, count: int) -> Array:
 def around(drivers: Drivers) -> Array:
     """Sines and cosines of the motor's turn and of its harmonics; none where nothing turns so far.
 
-    Shape (columns, samples).
+    Shape (columns, samples), without a unit.
     """
     if drivers.turn is None or (not drivers.levered and drivers.span < drivers.turn):
         return np.zeros((0, len(drivers.motion)))

@@ -13,8 +13,8 @@ from .problem import Problem, State
 from .record import wild
 from .words.unseen import WORSE
 
-LAST = 0.3
-TARE_S = 1.0
+LAST = 0.3  # of the strokes, held out at the end
+TARE_S = 1.0  # at its beginning, over which the zero of a run is taken that no fit has seen
 LEFT = 1.3  # times the noise, from which a regression without physics is asked what it would foretell
 LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 
@@ -36,6 +36,8 @@ class Errors(TypedDict):
     without_physics: NotRequired[float]  # with what a regression adds, where it was asked
     left: NotRequired[Left]
     chosen: list[str]  # effects that the procedure named without those strokes
+    state: State  # the explained simulator that has not seen those strokes
+    until_s: float  # where they begin, on the clock of the joined runs
 
 
 FITTED: tuple[Literal["calibrated", "explained"], ...] = ("calibrated", "explained")
@@ -93,6 +95,8 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
         "calibrated": error(studied.base),
         "explained": error(studied.state),
         "chosen": [act.id for act in studied.state.acts if act not in fine.included],
+        "state": studied.state,
+        "until_s": float(problem.record.time_s[row]),
     }
     if errors["explained"] > LEFT * min(fine_floor(fine, studied), quick(fine, studied.state, unseen)):
         later = problem.record.time_s >= problem.record.time_s[row]

@@ -6,14 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-import pandas as pd
-
 from ..ground.errors import BadInput
 from ..run.description import Run
-from . import engine, faint, heldout, own_rate, verdict
+from . import apart, engine, expected, faint, heldout, own_rate, verdict, without_last
 from .content import Adoption, Verdict
 from .judge import Judge
 from .outcome import Study, rms
+from .recorded_run import RecordedRun
 from .simulation import at_its_best_zero, of_run
 
 Result = TypeVar("Result")
@@ -21,36 +20,42 @@ Say = Callable[[str], None]
 
 
 def diagnosed(
-    runs: list[Run],
-    tables: list[pd.DataFrame],
-    folders: list[Path],
+    recorded: list[RecordedRun],
     without: frozenset[str] = frozenset(),
     by: Judge | None = None,
     say: Say = lambda _: None,
 ) -> tuple[Verdict, Study]:
     """Diagnose one run, or several of one rig together: the content of `diagnosis.json`, and what it was made from.
 
-    `tables` holds each run's checked samples, `folders` where each lies or would lie, for what is said of it. The
-    library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told each step.
-    Raises BadInput for runs that are not of one rig, and for recordings too poor to decide anything.
+    The library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told each
+    step. Raises BadInput for runs that are not of one rig, and for recordings too poor to decide anything.
     """
-    of_one_rig(runs, tables, folders)
-    name = "+".join(folder.name for folder in folders)
-    problem = engine.make_problem(runs, tables, folders, without=without, by=by)
-    fine = own_rate.to_score(runs, tables)
-    to_polish = own_rate.to_polish(runs, tables, fine)
+    of_one_rig(recorded)
+    runs, name = [each.run for each in recorded], "+".join(each.place.name for each in recorded)
+    problem = engine.make_problem(recorded, without=without, by=by)
+    fine = own_rate.to_score(recorded)
+    to_polish = own_rate.to_polish(recorded, fine)
     say("held out")  # first: a study is large, and this one is let go before the other begins
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
     study = engine.study(problem, say)
-    faint.refuse_faint(study, folders[0])
+    faint.refuse_faint(study, recorded[0].place)
     study = engine.polished(study, to_polish)
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(study, runs[0]))
     content = verdict.diagnosis(study, fine, held, runs, experiment, without)
+    if held:
+        content["without_last_strokes"] = without_last.written(problem, held)
+    if experiment and content["next_run"]:
+        readings = optional("how far its readings part", name, lambda: apart.apart(study, runs[0], experiment))
+        content["next_run"] |= {"apart": verdict.tidy(readings)} if readings else {}
     earlier = [cast(Adoption, adoption.model_dump(exclude_none=True)) for run in runs for adoption in run.adopted]
     if earlier:
         content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
     content["evidence"] |= of_run_yaml(study, runs)
+    ending = study.problem.system.channel.rpartition("_")[2]
+    named = (study, runs[0], content["mechanisms"], ending)
+    if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):
+        content["evidence"]["expected"] = verdict.tidy(foretold)
     return content, study
 
 
@@ -72,20 +77,22 @@ def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:
     return known
 
 
-def of_one_rig(runs: list[Run], tables: list[pd.DataFrame], folders: list[Path]) -> None:
+def of_one_rig(recorded: list[RecordedRun]) -> None:
     """Raise BadInput unless all runs are of one string on one rig, with the same channels."""
-    for run, folder in zip(runs, folders, strict=True):
-        if run.actuator != runs[0].actuator:
-            raise BadInput(folder, "actuator", f"is {run.actuator}, not {runs[0].actuator}", "diagnose them apart")
+    first = recorded[0]
+    for each in recorded:
+        if each.run.actuator != first.run.actuator:
+            problem = f"is {each.run.actuator}, not {first.run.actuator}"
+            raise BadInput(each.place, "actuator", problem, "diagnose them apart")
         for field in ("rig", "string", "tolerance", "simulation"):
-            if described(run, field) != described(runs[0], field):
+            if described(each.run, field) != described(first.run, field):
                 mend = "diagnose the runs of each string on each rig apart"
-                raise BadInput(folder, field, f"is not that of {runs[0].run}", mend)
-    load = runs[0].system.load
-    for folder, table in zip(folders, tables, strict=True):
-        if load and (load in table) != (load in tables[0]):
+                raise BadInput(each.place, field, f"is not that of {first.run.run}", mend)
+    load = first.run.system.load
+    for each in recorded:
+        if load and (load in each.samples) != (load in first.samples):
             mend = "diagnose runs with and without it apart"
-            raise BadInput(folder, load, f"is in {'it' if load in table else folders[0]} only", mend)
+            raise BadInput(each.place, load, f"is in {'it' if load in each.samples else first.place} only", mend)
 
 
 def described(run: Run, field: str) -> Any:

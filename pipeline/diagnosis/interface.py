@@ -8,6 +8,11 @@ from ..ground.kinematics import Array
 from .drivers import Drivers
 
 Port = Literal["twist", "radius", "length", "resistance", "sensor"]
+DRIFT = "absolute time"  # driver of what goes on whatever the rig does
+SWINGS = ("acceleration", "angle within the turn", "slow motion")  # drivers of what moves to and fro within a stroke
+AT_REST = ("time under load", DRIFT)  # of what goes on while the rig stands
+FOR_GOOD = ("sudden events on the length", "sudden events on the twist")  # of what happens once and stays
+SLOW = (*AT_REST, "worked strokes", "load x worked strokes", "travel")  # of what goes on over a whole recording
 Nonlinear = dict[str, float]  # values of the parameters that enter a law nonlinearly, by name
 
 
@@ -47,9 +52,13 @@ class Mechanism:
 
     `meaning` is a line of the glossary, in the words of a string: what a person would see; left out, what it follows.
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
-    value of the effect), {times} (its time constants), {temperature}, and the rig's words: {string} {motion}
-    {rate} {reading} {up} {down}. `details` follow it: of these the first all of whose parameters were found, each said
-    as its value. `names` says what a word in its coefficients' names multiplies, for who reads them in run.yaml.
+    value of the effect), {loop} (by how much both ways differ at one place), {times} (its time constants),
+    {temperature}, {lowers} and {grows} (whether it lowers or raises the reading, and so the radius falls or grows, in
+    the course of the recording), and the rig's words: {string} {motion} {rate} {reading} {up} {down}. `details` follow
+    it: of these the first all of whose parameters were found, each said as its value. `names` says what a word in its
+    coefficients' names multiplies, for who reads them in run.yaml.
+    `derived` gives constants that follow from several of its parameters, by a name that ends in their unit; each is as
+    uncertain as the effect's size.
     """
 
     id: str
@@ -64,13 +73,40 @@ class Mechanism:
     steps: int = 1
     details: tuple[str, ...] = ()
     meaning: str = ""
+    remembers_turns: bool = False  # acts otherwise after a way back from the middle than after one from an end
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     names: dict[str, str] = field(default_factory=dict)
+    derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names
     units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
     suggest: Callable[[Drivers, Array], list[Nonlinear]] = lambda drivers, residual: []
     random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
     mark: Callable[[Drivers, Array, Array], float] | None = None
     least_mark: float = 0.0
+
+    @property
+    def acts_at_rest(self) -> bool:
+        """Whether it goes on while the rig stands."""
+        return self.driver in AT_REST
+
+    @property
+    def swings(self) -> bool:
+        """Whether it moves the reading to and fro within a stroke."""
+        return self.driver in SWINGS
+
+    @property
+    def drifts(self) -> bool:
+        """Whether it goes on whatever the rig does."""
+        return self.driver == DRIFT
+
+    @property
+    def stays(self) -> bool:
+        """Whether the string after a recording is another one than before it."""
+        return self.slow or self.driver in FOR_GOOD
+
+    @property
+    def slow(self) -> bool:
+        """Whether it goes on over a whole recording."""
+        return self.driver in SLOW
 
 
 def physics(ids: tuple[str, ...]) -> bool:

@@ -2,7 +2,10 @@
 
 The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, and small
 deviations of both for singles, pairs and triples. The scores of all explanations and of "none of them" share one
-softmax, as in McFadden (1974). `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+softmax. `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+
+Source: McFadden, "Conditional logit analysis of qualitative choice behavior", in Zarembka, Frontiers in Econometrics,
+1974.
 """
 
 import json
@@ -38,8 +41,8 @@ class Judge:
 
     knots: dict[str, list[float]]
     names: list[str]
-    weights: Array
-    of_none: Array
+    weights: Array  # (weights,), without a unit: what each column of `basis` counts
+    of_none: Array  # (weights of none,), without a unit: what each of `none_of` counts
 
     def basis(self, weighed: list[Weighed]) -> Array:
         """What the weights multiply, shape (explanations, weights). Each without a unit."""

@@ -18,6 +18,15 @@ UNKNOWN = 0.4  # of the probability: "none of them" with more makes the verdict
 
 
 @dataclass(frozen=True)
+class LeftOut:
+    """A likely explanation that is no name: `because` of what (`disguise.py`, or `cancels`), and `of` which effects."""
+
+    ids: tuple[str, ...]
+    because: str
+    of: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Judged:
     """Explanations that are held, the likeliest first; how likely each weighed set is, and "none of them"."""
 
@@ -25,6 +34,7 @@ class Judged:
     likely: dict[tuple[str, ...], float]
     none: float
     weighed: tuple[Weighed, ...] = ()  # with their signs
+    left_out: tuple[LeftOut, ...] = ()  # likely enough to be held, and no names
 
     def confidence(self, id_: str) -> float:
         """How likely a mechanism is at work, whatever is beside it."""
@@ -37,7 +47,7 @@ NOTHING = Judged([], {}, 1.0)
 def held(named: Array) -> list[int]:
     """Places of the explanations that are held, the likeliest first, from the probability of each.
 
-    Shape (explanations,).
+    `named` has the shape (explanations,), in shares of 1.
     """
     likeliest = np.argsort(-named, kind="stable")
     reached = np.cumsum(named[likeliest]) / max(float(named.sum()), 1e-300)
@@ -47,7 +57,7 @@ def held(named: Array) -> list[int]:
 def helpers_share(candidates: list[Weighed], named: Array) -> float:
     """Probability of the explanations without physics of the library: it counts as that of "none of them".
 
-    `named` has the shape (explanations,).
+    `named` has the shape (explanations,), in shares of 1.
     """
     return float(sum(share for candidate, share in zip(candidates, named, strict=True) if not physics(candidate.ids)))
 
@@ -55,7 +65,7 @@ def helpers_share(candidates: list[Weighed], named: Array) -> float:
 def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
     """What a search found, judged; `base` is the calibrated simulator, `floor` that of the noise.
 
-    The judge was taught on strings. Where nothing is wound, explanations are compared by what their truth implies.
+    The judge was taught on strings. Where nothing is wound, `compare` does it.
     """
     if not search.linear.problem.drivers.levered:
         sets = cross_validation.by_prediction(search.linear, compare.unbeaten(search, chosen, floor))

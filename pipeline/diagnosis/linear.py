@@ -28,8 +28,8 @@ FEW, PER_CANDIDATE = 40, 3  # columns that calibration and a few acts have, and 
 class Fit:
     """A joint bounded fit of calibration and some columns: coefficients by column index, misfit, activity."""
 
-    columns: np.ndarray
-    coefficients: Array
+    columns: np.ndarray  # (columns,), places in the table
+    coefficients: Array  # (columns,), each in its column's unit
     misfit: float  # whitened, prior included
     energy: float  # squared residual, not whitened, per sample
     active: int
@@ -88,7 +88,7 @@ class Linear(Products):
         self.hold(columns.table, prior, noise, problem.drivers.first[:rows])
 
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
-        """Calibration's columns and those of some shapes. Shape (columns,)."""
+        """Calibration's columns and those of some candidates. Shape (columns,), as places in the table."""
         return np.concatenate([self.calibration, *(self.index[key] for key in keys)]).astype(int)
 
     def fit(self, columns: np.ndarray, above: Array | None = None, below: Array | None = None) -> Fit:
@@ -107,7 +107,7 @@ class Linear(Products):
     def scan(self, keys: tuple[Key, ...], id_: str) -> tuple[Array, NDArray[np.intp]]:
         """Whitened misfits, and numbers of active columns, of some candidates with each of one mechanism in turn.
 
-        Both of shape (shapes,).
+        Both of shape (candidates,), misfits without a unit, for they are whitened, and numbers of columns as counts.
         """
         blocks = [self.index[id_, number] for number in range(len(self.catalogue[id_]))]
         starts, counts = np.array([block[0] for block in blocks]), np.array([len(block) for block in blocks])

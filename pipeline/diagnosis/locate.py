@@ -9,8 +9,8 @@ from ..ground.kinematics import Array
 from .problem import Problem
 from .record import PHASES
 
-SHARE = 0.8
-TURN_BINS, STROKE_BINS = 48, 60
+SHARE = 0.8  # of the mismatch's energy, that its box holds
+TURN_BINS, STROKE_BINS = 48, 60  # of the motion and of the strokes, in which the box is looked for
 
 
 @njit(cache=True)
@@ -41,7 +41,7 @@ def box(mismatch: Array, problem: Problem, share: float = SHARE) -> dict[str, An
     """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
 
     The box is the smallest that holds `share` of the energy: the whole recording with a share of 0 where there is no
-    mismatch. The mismatch has the shape (samples,).
+    mismatch. The mismatch has the shape (samples,), in the reading's unit.
     """
     drivers = problem.drivers
     low, high = float(drivers.motion.min()), float(drivers.motion.max())

@@ -1,4 +1,8 @@
-"""Which run to add: what is built for a tie, and candidates, scored by how far they part what ties."""
+"""Which run to add: what is built for a tie, and candidates, scored by how far they part what ties.
+
+Source: Atkinson and Fedorov, "The design of experiments for discriminating between two rival models", Biometrika 62,
+1975.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,10 +15,10 @@ from ..ground.kinematics import Array
 from ..run.description import Run
 from . import design
 from .drivers import drivers_of
+from .legs import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
 from .linear import Fit, Key, Linear
 from .noise import Noise
 from .problem import Problem
-from .protocol import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
 from .record import PHASES, Record
 from .search import Explanation, Search
 
@@ -47,13 +51,21 @@ class Proposal:
         return content | ({"follows": self.follows} if self.follows else {})
 
 
+def counts(record: Record, legs: list[Leg]) -> list[int]:
+    """How many samples each leg gets after the record."""
+    return [max(2, round(leg[0] / _step_s(record, legs))) for leg in legs]
+
+
+def _step_s(record: Record, legs: list[Leg]) -> float:
+    return max(float(np.median(np.diff(record.time_s))), sum(leg[0] for leg in legs) / MOST_STEPS)
+
+
 def appended(record: Record, legs: list[Leg]) -> Record:
     """The record with legs of straight motion after it; the measured channel is carried on, and means nothing."""
-    step_s = max(float(np.median(np.diff(record.time_s))), sum(leg[0] for leg in legs) / MOST_STEPS)
+    step_s = _step_s(record, legs)
     motion, load, moving = [], [], []
     at = float(record.motion[-1])
-    for seconds, to, weight in legs:
-        count = max(2, round(seconds / step_s))
+    for (_, to, weight), count in zip(legs, counts(record, legs), strict=True):
         motion.append(np.linspace(at, to, count + 1)[1:])
         load.append(np.full(count, weight))
         moving.append(np.full(count, 0 if to > at else 2 if to < at else 1))

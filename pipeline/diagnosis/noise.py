@@ -1,4 +1,8 @@
-"""Noise floor and colour: what a saturated model leaves, mended for what that model swallows of the noise itself."""
+"""Noise floor and colour: what a saturated model leaves, mended for what that model swallows of the noise itself.
+
+Source: Walker, "On periodicity in series of related terms", Proceedings of the Royal Society A 131, 1931 (colour);
+Gouriéroux, Monfort and Renault, "Indirect inference", Journal of Applied Econometrics 8, 1993 (mending by drawn noise).
+"""
 
 from dataclasses import dataclass, replace
 
@@ -9,8 +13,9 @@ from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
 from ..ground.kinematics import Array
 from .recursions import coloured, whiten, whiten_from
 
-MEMORY_S, FEWEST, MOST = 1.2, 6, 30
-FADING = 0.98  # a lag
+MEMORY_S, FEWEST, MOST = 1.2, 6, 30  # lags of the colour: over so long, but so many at least and at most
+FADING = 0.98  # a lag: by so much the autocovariance is damped
+# of noise fed through the fit; estimates of the colour, each from the last; parts of a recording
 DRAWS, ROUNDS, BLOCKS = 6, 3, 40
 SETTLED = 300  # samples, after which drawn noise has forgotten where it began
 
@@ -23,7 +28,7 @@ class Noise:
     """
 
     floor: float
-    ar: Array
+    ar: Array  # (lags,), without a unit
     innovation: float
     swallowed: float = 0.0
 
@@ -66,7 +71,7 @@ def in_blocks(signal: Array, lags: int) -> list[Array]:
 def trimmed(signal: Array, lags: int, trim: float) -> Array:
     """Mean autocovariance of the quieter blocks: a share `trim` of the loudest is left out, for they hold surprises.
 
-    From shape (samples,) to shape (lags + 1,).
+    From shape (samples,) to shape (lags + 1,), in the signal's unit squared.
     """
     if trim == 0.0:
         return autocovariance(signal, lags)
@@ -78,7 +83,7 @@ def trimmed(signal: Array, lags: int, trim: float) -> Array:
 def from_covariance(covariance: Array) -> Noise:
     """Yule-Walker; what no noise can have, after mending, is faded with the lag until it is one's.
 
-    It has the shape (lags + 1,).
+    It has the shape (lags + 1,), in the noise's unit squared.
     """
     order = len(covariance) - 1
     covariance = covariance * np.concatenate([[1.0 + 1e-6], np.ones(order)])

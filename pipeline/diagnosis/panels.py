@@ -3,19 +3,18 @@
 from textwrap import fill
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
-from matplotlib.figure import SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from ..ground.kinematics import Array
+from .content import Part, Verdict
 from .drivers import Drivers
 from .words import rivals
+from .words.holdout import included
 from .words.quantity import percent, size, times
-from .words.sight import included
 
 BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
@@ -33,13 +32,9 @@ STANDINGS = {
 }  # of an explanation: its colour, and what that means
 MORE_ALONE = "takes away too little to be named"  # where nothing is
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
-BENT_FORMULA = "left if its formulas may be a little wrong"
+WITH_DISCREPANCY = "left if its formulas may be a little wrong"
 NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
-MOTION = {
-    "turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion",
-}  # by its unit  # fmt: skip
-GAP = 4.0  # bins: points further apart are not joined by a line
-RARE = 0.003  # of the samples: a bin with fewer shows no mean
+MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion"}  # by unit
 
 
 def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:
@@ -59,14 +54,14 @@ def ways(drivers: Drivers) -> tuple[str, str]:
     return ("winding", "unwinding") if drivers.units.motion == "turns" else ("up", "down")
 
 
-def briefly(explanation: dict[str, Any]) -> str:
+def briefly(explanation: Part) -> str:
     """What stands beside an explanation's point: its probability, and why a probable one is none."""
     share = explanation.get("probability")
     parts = [] if share is None else [percent(share) if share else "less than 1 %"]
     return ", ".join(parts + ["its effects cancel"] * bool(explanation.get("balanced")))
 
 
-def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "noise") -> None:
+def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> None:
     """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
     adopted = set(included(content))
     all_explanations = content["evidence"]["explanations"]
@@ -77,10 +72,12 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     colours = [STANDINGS[explanation["standing"]][0] for explanation in shown]
     axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
     axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
-    bent = [min(explanation[f"bent_{ending}"] / floor, rms) for explanation, rms in zip(shown, left, strict=True)]
+    with_discrepancy = [
+        min(explanation[f"bent_{ending}"] / floor, rms) for explanation, rms in zip(shown, left, strict=True)
+    ]
     decide = not rivals.all_below_noise(content, ending)
     if decide:
-        axes.plot(bent, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
+        axes.plot(with_discrepancy, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
     axes.set_yticks(range(len(shown)), [rivals.called(explanation["ids"]) for explanation in shown], fontsize=7)
     for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
         axes.text(1.15 * rms, place, briefly(explanation), va="center", fontsize=6.5, color="0.3")
@@ -92,12 +89,12 @@ def ranking(axes: Axes, content: dict[str, Any], ending: str, noise: str = "nois
     meanings |= {} if content.get("verdict") == "unknown" else {"not enough": NOT_NAMED}
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=meanings[name]) for name in standings]
     if decide:
-        handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=BENT_FORMULA))
+        handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=WITH_DISCREPANCY))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(
         xscale="log",
-        xlim=(0.5 * min(1.0, *left, *(bent if decide else [])), 2.6 * max(2.0, *left)),
+        xlim=(0.5 * min(1.0, *left, *(with_discrepancy if decide else [])), 2.6 * max(2.0, *left)),
         xlabel="rms left ÷ noise",
     )
     plain(axes.xaxis)
@@ -115,7 +112,7 @@ def plain(axis: Axis) -> None:
 
 
 def held_out(
-    axes: Axes, held: dict[str, Any] | None, floor: float, ending: str, unit: str, noise: str = "noise",
+    axes: Axes, held: Part | None, floor: float, ending: str, unit: str, noise: str = "noise",
     title: str = "Error on unseen strokes", skip: int = 0,
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys."""
@@ -139,62 +136,3 @@ def held_out(
     axes.tick_params(axis="x", labelsize=8)
     plain(axes.yaxis)
     axes.legend(fontsize=7, frameon=False)
-
-
-def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
-    """Signals that a residual may follow, by their label, and the samples that count for each.
-
-    Both of shape (samples,).
-    """
-    everywhere = np.ones(len(drivers.motion), bool)
-    moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
-    units, going, (up, down) = drivers.units, MOTION.get(drivers.units.motion, MOTION[""]), ways(drivers)
-    channels = {
-        f"{going}, {up} ({units.motion})": (drivers.motion, moving & (drivers.rate > 0)),
-        f"{going}, {down} ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
-        "time (s)": (drivers.elapsed_s, everywhere),
-        f"rate ({units.motion}/s)": (drivers.rate, everywhere),
-    }
-    if drivers.loaded:  # else it moves by no more than its noise, which nothing follows
-        channels[f"load ({units.load})"] = drivers.load * units.load_size, everywhere
-    if drivers.turn and drivers.span > drivers.turn:
-        channels["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
-    if drivers.temperature_c is not None:
-        channels["temperature (°C)"] = (drivers.smooth(drivers.temperature_c), everywhere)
-    return {
-        label: pair for label, pair in channels.items() if pair[1].sum() > BINS and np.ptp(pair[0]) > 0
-    }  # a constant is followed by nothing
-
-
-def filled(figure: SubFigure, count: int) -> list[Axes]:
-    """So many panels in two rows without a hole; all share the axis of the first."""
-    upper = (count + 1) // 2
-    grid = figure.add_gridspec(2 if count > 1 else 1, upper * max(count - upper, 1))
-    filled_axes: list[Axes] = []
-    for row, many in enumerate((upper, count - upper)):
-        wide = upper * max(count - upper, 1) // max(many, 1)
-        for place in range(many):
-            share = {"sharey": filled_axes[0]} if filled_axes else {}
-            filled_axes.append(figure.add_subplot(grid[row, place * wide : (place + 1) * wide], **share))
-            filled_axes[-1].tick_params(labelleft=place == 0)
-    return filled_axes
-
-
-def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str) -> None:
-    """Mean residual in bins of a signal, before and after, over the noise floor's band; rare values are left out.
-
-    Each of shape (samples,).
-    """
-    low, high = (float(end) for end in np.percentile(signal, [0.5, 99.5]))
-    edges = np.linspace(low, high, BINS + 1)
-    bins = np.clip(np.digitize(signal, edges) - 1, 0, BINS - 1)
-    count = np.bincount(bins, minlength=BINS)
-    usual = count > RARE * len(signal)
-    middle = 0.5 * (edges[1:] + edges[:-1])[usual]
-    axes.axhspan(-floor, floor, color=BAND)
-    for name, residual in residuals.items():
-        mean = np.bincount(bins, weights=residual, minlength=BINS)[usual] / count[usual]
-        even = np.diff(middle).max(initial=0.0) < GAP * (edges[1] - edges[0])  # points far apart are not joined
-        axes.plot(middle, mean, ".-" if even else ".", ms=3 if even else 5, lw=1, color=SHADES[name], label=name)
-    axes.set_xlabel(label, fontsize=8)
-    axes.tick_params(labelsize=7)

@@ -17,10 +17,10 @@ REMEMBERED, REMEMBERED_NUMBERS = 64, 6_400_000  # terms that are kept, of what a
 
 @dataclass(frozen=True)
 class Act:
-    """A mechanism at work: its nonlinear parameters (`shapes`, a set each time it acts) and the terms' coefficients."""
+    """A mechanism at work: its `nonlinear` parameters, a set each time it acts, and the terms' coefficients."""
 
     id: str
-    shapes: tuple[Nonlinear, ...]
+    nonlinear: tuple[Nonlinear, ...]
     coefficients: tuple[float, ...]
 
 
@@ -28,8 +28,8 @@ class Act:
 class State:
     """A simulator: values of the parameters, the zero of each run in the channel's unit, and what acts in it."""
 
-    values: Array
-    zeros: Array
+    values: Array  # (parameters,), each in its parameter's unit
+    zeros: Array  # (runs,), in the channel's unit
     acts: tuple[Act, ...] = ()
 
 
@@ -46,7 +46,7 @@ class Problem:
     record: Record
     drivers: Drivers
     parameters: tuple[Parameter, ...]
-    measured: Array
+    measured: Array  # (samples,), in the channel's unit
     rows: int
     included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
     homed: int = 0  # of the parameters, the last: what shifts the motion of each run after the first
@@ -98,7 +98,7 @@ class Problem:
     def act_terms(self, act: Act) -> list[tuple[Term, float]]:
         """All terms of an act with their coefficients."""
         mechanism = mechanisms()[act.id]
-        terms = [term for nonlinear in act.shapes for term in self.terms(mechanism, nonlinear)]
+        terms = [term for nonlinear in act.nonlinear for term in self.terms(mechanism, nonlinear)]
         return list(zip(terms, act.coefficients, strict=True))
 
     def ports(self, acts: tuple[Act, ...]) -> tuple[dict[str, Array], list[tuple[Term, float]]]:

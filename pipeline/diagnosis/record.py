@@ -1,5 +1,6 @@
 """What a diagnosis works on: the samples of its runs, joined, cleared of spikes, averaged to a working rate."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,51 +9,36 @@ from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
 from ..ground.kinematics import Array
-from ..run import strokes
-from ..run.description import Run
+from ..run.spikes import despiked
+from ..run.strokes import label, of_samples
 from ..systems import System
+from .recorded_run import RecordedRun
 
 WORKING_SAMPLES, DRIVES_SAMPLES = 8_000, 15_000  # of a string's recordings; of a drive's, whose ringing is faster
-BETWEEN_RUNS_S = 60.0
+BETWEEN_RUNS_S = 60.0  # between the end of a run and the begin of the next, diagnosed together
 FINER = 10.0  # times the working rate, at which a motion is differentiated
 OUTLIER, LOCAL = 6.0, 8.0  # spreads of a residual, of all and of its neighbours, that make a reading wild
-BLOCK = 200_000  # samples of a long recording that are looked at together
 PHASES = ("winding", "hold", "unwinding", "rest")
-SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 
 
 @dataclass(frozen=True)
 class Record:
-    """Inputs and the measured channel, one value a working sample; `samples` maps them to the recording's rows."""
+    """Inputs and the measured channel, each of shape (samples,); `samples` maps them to the recording's rows."""
 
     time_s: Array
-    motion: Array  # the driver: turns, degrees or metres
-    velocity: Array  # of the motion, taken at the recording's own rate, per second
-    acceleration: Array
-    measured: Array
+    motion: Array  # in the driver's unit: turns, degrees or metres
+    velocity: Array  # of the motion, taken at the recording's own rate, in the driver's unit a second
+    acceleration: Array  # in the driver's unit a second squared
+    measured: Array  # in the channel's unit
     load: Array  # in the unit of the system's load channel; zeros where there is none
     temperature_c: Array | None
     current_a: Array | None
-    stroke: NDArray[np.intp]
-    phase: NDArray[np.intp]  # index into PHASES
-    run_index: NDArray[np.intp]
+    stroke: NDArray[np.intp]  # its number, a count
+    phase: NDArray[np.intp]  # its place, as places in PHASES
+    run_index: NDArray[np.intp]  # which run, as indices from 0
 
     def __len__(self) -> int:
         return len(self.time_s)
-
-
-def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
-    """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion.
-
-    The mask and the signal have the shape (samples,); `least` is in the signal's unit.
-    """
-    padded, is_lonely = np.pad(signal, 2, mode="reflect"), np.zeros(len(signal), np.bool_)
-    for start in range(0, len(signal), BLOCK):
-        part = signal[start : start + BLOCK]
-        around = np.vstack([padded[start + k : start + k + len(part)] for k in (0, 1, 3, 4)])
-        gap = np.abs(part - np.median(around, axis=0))
-        is_lonely[start : start + BLOCK] = (gap > least) & (np.ptp(around, axis=0) < 0.35 * gap)
-    return is_lonely
 
 
 def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
@@ -65,17 +51,6 @@ def wild(residual: Array) -> tuple[NDArray[np.bool_], Array]:
     usual = median_filter(np.abs(gap), 9, mode="nearest")
     quiet = usual < np.maximum(2.5 * spread, np.abs(gap) / LOCAL)
     return (np.abs(gap) > OUTLIER * spread) & quiet, gap
-
-
-def despiked(signal: Array) -> Array:
-    """A channel with single-sample spikes replaced by the median of their neighbours.
-
-    Shape (samples,), in the channel's unit.
-    """
-    middle = median_filter(signal, 5, mode="nearest")
-    spread = 1.4826 * float(np.median(np.abs(signal - middle)))
-    spread += 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
-    return np.where(lonely(signal, SPIKE * spread), middle, signal)
 
 
 def _bins(time_s: Array, width: int) -> NDArray[np.intp]:
@@ -95,12 +70,12 @@ def means(time_s: Array, signal: Array, width: int) -> Array:
     return np.asarray(np.bincount(bins, weights=signal) / np.bincount(bins))
 
 
-def one(run: Run, samples: pd.DataFrame, width: int, index: int, stroke0: int) -> Record:
+def of_run(recorded: RecordedRun, width: int, index: int, stroke0: int) -> Record:
     """The record of one run, averaged over `width` samples; strokes are numbered on from `stroke0`."""
-    system = run.system
-    time_s = samples["time_s"].to_numpy()
-    motion = despiked(samples[system.driver].to_numpy())
-    stroke, phase = strokes.label(time_s, motion)
+    system, samples, strokes = recorded.run.system, recorded.samples, recorded.strokes
+    time_s, turned = samples["time_s"].to_numpy(), samples[system.driver].to_numpy()
+    motion = despiked(turned)
+    stroke, phase = label(time_s, turned) if strokes is None else of_samples(strokes)
     phase_index = np.array([PHASES.index(name) for name in phase])
     nothing = pd.Series(np.zeros(len(samples)))
     load = despiked(samples.get(system.load, nothing).to_numpy())
@@ -154,18 +129,19 @@ def averaged(system: System, samples: pd.DataFrame) -> int:
     return max(1, round(1.0 / (system.working_hz * usual_s)))
 
 
-def joined(runs: list[Run], samples: list[pd.DataFrame], most: int = WORKING_SAMPLES, thin: bool = True) -> Record:
+def joined(runs: Sequence[RecordedRun], most: int = WORKING_SAMPLES, thin: bool = True) -> Record:
     """One record of all runs, in the given order, a minute apart; strokes are numbered on from `strokes_before`.
 
     Without `thin` a system's working rate is no reason to average.
     """
-    common = max(1, -(-sum(map(len, samples)) // most))
+    common = max(1, -(-sum(len(recorded.samples) for recorded in runs) // most))
     parts: list[Record] = []
     clock_s, stroke0 = 0.0, 0
-    for index, (run, table) in enumerate(zip(runs, samples, strict=True)):
+    for index, recorded in enumerate(runs):
+        run = recorded.run
         before = run.string.strokes_before if run.string else 0
-        width = max(common, averaged(run.system, table) if thin else 1)
-        part = one(run, table, width, index, max(stroke0, before))
+        width = max(common, averaged(run.system, recorded.samples) if thin else 1)
+        part = of_run(recorded, width, index, max(stroke0, before))
         time_s = part.time_s - part.time_s[0] + clock_s
         clock_s, stroke0 = float(time_s[-1]) + BETWEEN_RUNS_S, int(part.stroke.max())
         parts.append(Record(**{**part.__dict__, "time_s": time_s}))

@@ -1,4 +1,8 @@
-"""The recursions of the simulator and of the fit, compiled: plays, filters, resonators, whitening."""
+"""The recursions of the simulator and of the fit, compiled: plays, filters, resonators, whitening.
+
+Source: Krasnosel'skii and Pokrovskii, Systems with Hysteresis, 1989 (play); Den Hartog, Mechanical Vibrations, 1956
+(resonator); Box and Jenkins, Time Series Analysis, 1970 (whitening).
+"""
 
 import numpy as np
 from numba import njit

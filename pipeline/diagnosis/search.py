@@ -1,4 +1,7 @@
-"""Search for explanations: joint refits of one mechanism, of every pair, of triples; forward, then backward."""
+"""Search for explanations: joint refits of one mechanism, of every pair, of triples; forward, then backward.
+
+Source: Efroymson, Multiple regression analysis, 1960 (forward, backward); Schwarz, Annals of Statistics 6, 1978 (ln n).
+"""
 
 from dataclasses import dataclass
 from itertools import combinations
@@ -9,14 +12,12 @@ from .library import mechanisms
 from .linear import Fit, Key, Linear
 from .shared_laws import varied
 
-LEAST_GAIN = 10.0
-EXPLAINED = 0.9  # of the mismatch's energy: less is no explanation
+LEAST_GAIN, EXPLAINED = 10.0, 0.9  # the latter of the mismatch's energy: less is no explanation
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
 LEAST_MORE = 100.0  # gain of a further mechanism, over whatever a discrepancy of the others' formulas can do
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 INEXACT = 0.035  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
-LARGEST = 3
-PARTNERS = 8
+LARGEST, PARTNERS = 3, 8  # mechanisms of an explanation; of the best ones, how many may have a partner
 TRIED = 4  # of the best larger explanations
 SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
 

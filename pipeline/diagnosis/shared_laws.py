@@ -28,7 +28,7 @@ def growths(amount: Array, whole: float) -> dict[str, Array]:
 def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Array]:
     """Cosines of `first` to `half_waves` half waves over a recording, of whose length `share` has passed, by number.
 
-    None where the shape has no `half_waves`. Each of shape (samples,).
+    None where the shape has no `half_waves`. Each of shape (samples,), without a unit; `share` in shares of 1.
     """
     last = int(nonlinear.get("half_waves", 0.0))
     return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}

@@ -15,16 +15,18 @@ from .detectable import detectable
 from .engine import fine_floor
 from .evidence import evidence
 from .heldout import Errors, worse_than_nominal
-from .idle import without_idle
 from .interface import physics
 from .intervals import intervals
 from .library import mechanisms
 from .linear import Linear
-from .named import as_entry, listed
+from .mechanism_entries import as_entry, listed
 from .noise import white
 from .outcome import Study, rms
 from .problem import Problem, State
+from .rivals import rivals
+from .uncertainty import doubts
 from .words.spoken import spoken
+from .zero_effects import without_zero_effects
 
 HELD_OUT: tuple[Literal["nominal", "calibrated", "explained", "without_physics"], ...] = (
     "nominal", "calibrated", "explained", "without_physics",
@@ -96,7 +98,7 @@ def relative(study: Study) -> dict[str, Any]:
 
 
 def own_alone(study: Study) -> bool:
-    """Whether mechanisms of a user's own, which the contract does not count, are what explains."""
+    """Whether only mechanisms of a user's own explain: their ids begin with `x_`, and none of them is a helper."""
     ids = study.sets[0].ids if study.sets else ()
     return bool(ids) and not physics(ids) and not any(mechanisms()[id_].helper for id_ in ids)
 
@@ -121,7 +123,7 @@ def diagnosis(
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = study.problem
     unit = problem.system.channel.rpartition("_")[2]
-    parameters, sizes, half_widths = intervals(problem, study.state, study.noise)
+    known = intervals(problem, study.state, study.noise)
     named = study.verdict in ("explained", "ambiguous")
     mismatch: dict[str, Any] | None = None
     pattern: dict[str, Any] | None = None
@@ -164,12 +166,13 @@ def diagnosis(
         "run": runs[0].run,
         "verdict": study.verdict,
         "mismatch": mismatch,
-        "mechanisms": listed(study, fine, sizes, half_widths, unit) if named else [],
+        "mechanisms": listed(study, fine, known, unit) if named else [],
         "alternatives": [list(other.ids) for other in study.sets[1:]] if study.verdict == "ambiguous" else [],
         "next_experiment": None,
         "next_run": experiment.entry(runs[0], float(np.ptp(problem.record.load)) == 0.0) if experiment else None,
         "parameters": {
-            name: {"nominal": by_name[name].nominal, **as_entry(interval)} for name, interval in parameters.items()
+            name: {"nominal": by_name[name].nominal, **as_entry(interval)}
+            for name, interval in known.parameters.items()
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
@@ -186,11 +189,12 @@ def diagnosis(
     if without:
         content["without"] = sorted(without)
     if study.verdict == "unknown" and own_alone(study):
-        _, sizes, half_widths = intervals(problem, study.best, study.noise)
-        own = {"mechanisms": listed(study, fine, sizes, half_widths, unit)}
+        own = {"mechanisms": listed(study, fine, intervals(problem, study.best, study.noise), unit)}
         content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}
     tidied: dict[str, Any] = tidy(content)
-    tidied["simulation"] = content["simulation"]
-    for name, interval in parameters.items():
+    tidied |= {"simulation": content["simulation"], "uncertainty": doubts(problem, study.state, known.covariance, unit)}
+    if study.verdict == "ambiguous":
+        tidied["rivals"] = rivals(study, unit)
+    for name, interval in known.parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
-    return cast(Verdict, spoken(without_idle(tidied, unit), problem.system))
+    return spoken(cast(Verdict, without_zero_effects(tidied, unit)), problem.system)

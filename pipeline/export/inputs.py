@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from ..ground.kinematics import RAD_PER_TURN, Array, usual_stiffness
-from ..ground.schemas import unit_of
+from ..ground.units import unit_of
 from ..models.parts.box import Box
 from ..models.parts.conditions import MEASURED, VARIES
 
@@ -112,7 +112,10 @@ class Inputs:
         return (Field(given, *getattr(self, given)), *self.fields)
 
     def points(self, given: str, queries: Array) -> pd.DataFrame:
-        """Queries of shape (points, columns) as the Python model's points, with what is baked in and no answer."""
+        """Queries of shape (points, columns) as the Python model's points, with what is baked in and no answer.
+
+        Each column in its field's unit.
+        """
         names = [field.name for field in self.columns(given)]
         points = pd.DataFrame(dict(zip(names, np.asarray(queries, float).T, strict=True)))
         points = points.assign(**{ANSWER[given]: np.nan, "actuator": "twisted_pair" if self.pair else "separator"})
@@ -122,7 +125,7 @@ class Inputs:
         return points.assign(string="exported", **{name: points[name].astype(int) for name in ("stroke", "direction")})
 
     def drawn(self, given: str, count: int, rng: np.random.Generator) -> Array:
-        """Queries drawn evenly over the whole range of every field, shape (count, columns)."""
+        """Queries drawn evenly over every field's whole range, shape (count, columns), each in its field's unit."""
         return np.column_stack(
             [
                 _whole(field, rng, count) if field.whole else rng.uniform(field.low, field.high, count)

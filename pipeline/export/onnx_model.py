@@ -7,7 +7,7 @@ import onnx
 from numpy.typing import DTypeLike
 
 from ..ground.errors import BadInput
-from ..ground.schemas import unit_of
+from ..ground.units import unit_of
 from .graph import Graph
 from .inputs import ANSWER
 from .interface import Exporter, Source, exporter

@@ -3,14 +3,14 @@
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ..ground import schemas
 from ..ground.errors import BadInput
 from ..ground.tables import opened as opened_table
-from ..models.interface import make_model
+from ..models.interface import Model, StringsApart, about, make_model
 from ..models.parts.box import Box
 from ..models.parts.saved import read_bytes
 from ..stages.train import SPLITS, divided
@@ -77,8 +77,8 @@ def _try(source: Source) -> None:
             raise ValueError("an answer is not a number")
 
 
-def _box_of_dataset(file: Path, name: str, model: Any, beside: Beside) -> tuple[Box, float]:
-    """The box of a model that keeps none: that of its training points; and the zero of a calibrated string, in mm."""
+def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tuple[Box, float]:
+    """The box of a model that keeps none: that of its training points; and the zero of a string of its own, in mm."""
     path = beside.dataset or file.resolve().parent.parent / "dataset.parquet"
     split = beside.split or file.name.split("-")[0]
     if not path.is_file():
@@ -88,17 +88,18 @@ def _box_of_dataset(file: Path, name: str, model: Any, beside: Beside) -> tuple[
     points = divided(opened_table(path, schemas.DATASET, "say --dataset FILE"), split, path)[0]
     if points.empty:
         raise BadInput(path, split, "has no points: the strings have too few strokes", "say --split with another")
-    if not hasattr(model, "moves"):  # dimensions of each string of its own
+    if not about(name).each_string_apart:
         if points["actuator"].nunique() > 1:  # of which the models that keep no ranges know nothing
             problem = "was trained on strings with and without separator in one model"
             raise BadInput(file, "model", problem, "train one model for each kind")
         return Box.of(points), 0.0
-    strings = sorted(model.moves)
+    moves = cast(StringsApart, model).moves
+    strings = sorted(moves)
     string = beside.string or (strings[0] if len(strings) == 1 else "")
     if string not in strings:
         problem = f'"{string}" is not among them' if string else "it knows more than one"
         raise BadInput(file, "string", problem, f"say --string with one of {', '.join(strings)}")
-    move = dict(model.moves[string])
+    move = dict(moves[string])
     zero_mm = move.pop("zero_mm")
     points = points[points["string"].astype(str) == string]
     if points.empty:

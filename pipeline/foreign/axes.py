@@ -4,10 +4,16 @@ import re
 from pathlib import Path
 from typing import Any
 
+from ..ground.bare_columns import all_written_out
 from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
 
 AXIS_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
+
+
+def _with_keys(mapping: dict[str, Any]) -> dict[str, Any]:
+    """A mapping whose channels all have keys, so that an axis can say a part of one."""
+    return {key: all_written_out(value) if key == "channels" else value for key, value in mapping.items()}
 
 
 def _over(whole: Any, own: Any) -> Any:
@@ -34,4 +40,4 @@ def each_axis(mapping: dict[str, Any], path: Path) -> dict[str, dict[str, Any]]:
             raise BadInput(path, field, f"is {short(own)}", "write the keys that this axis has for itself")
         if wrong := {"run", "mended", "axes", "file"} & own.keys():
             raise BadInput(path, f"{field}.{min(wrong)}", "belongs to no axis", "remove it, or say it once for all")
-    return {str(name): _over(shared, own) for name, own in axes.items()}
+    return {str(name): _over(_with_keys(shared), _with_keys(own)) for name, own in axes.items()}

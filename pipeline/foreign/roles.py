@@ -39,7 +39,7 @@ class Role:
     """Where a channel was found: a column's name or index, how it reads, and what of that is a guess."""
 
     column: str | int
-    values: Array
+    values: Array  # (rows,), in `unit`, the column's own unit
     unit: str | None
     scale: float = 1.0
     why: list[str] = field(default_factory=list)

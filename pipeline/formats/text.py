@@ -84,9 +84,9 @@ def _tables(path: Path, layout: TextFile, lines: TableFile) -> Iterator[pd.DataF
     except (ValueError, OverflowError, pd.errors.ParserWarning) as error:
         if lines.error is None:
             mend = "check file.delimiter, file.skip and file.comment, and the line that it names"
-            there = (line.rstrip("\n") for _, line in table_lines(path, layout))
-            said = uneven(there, layout.delimiter) or re.sub(r"\s+", " ", str(error)).strip()[:200]
-            raise BadInput(path, "file", f"is not a table ({said})", mend) from None
+            rows = (line.rstrip("\n") for _, line in table_lines(path, layout))
+            reason = uneven(rows, layout.delimiter) or re.sub(r"\s+", " ", str(error)).strip()[:200]
+            raise BadInput(path, "file", f"is not a table ({reason})", mend) from None
     if lines.error is not None:
         raise lines.error
 

@@ -80,9 +80,9 @@ def is_half(before: str, last: str, delimiter: str) -> bool:
     if not _of_numbers(before.rstrip("\n"), delimiter):
         return False
     ended = last.endswith("\n")
-    row, found = (cells(line.rstrip("\n"), delimiter) for line in (before, last))
-    short_row = len(found) < len(row) and (not ended or all(NUMBER.fullmatch(cell) for cell in found))
-    half_number = not ended and len(found) == len(row) and row[-1][-1:].isdigit() and not found[-1][-1:].isdigit()
+    row, last_row = (cells(line.rstrip("\n"), delimiter) for line in (before, last))
+    short_row = len(last_row) < len(row) and (not ended or all(NUMBER.fullmatch(cell) for cell in last_row))
+    half_number = not ended and len(last_row) == len(row) and row[-1][-1:].isdigit() and not last_row[-1][-1:].isdigit()
     return short_row or half_number
 
 
@@ -91,7 +91,7 @@ def uneven(lines: Iterator[str], delimiter: str) -> str | None:
     first = next(lines)
     width = len(cells(first, delimiter))
     for line in lines:
-        found = len(cells(line, delimiter))
-        if found > width:
-            return f"the line {short(line)} has {found} fields, its first line {short(first)} has {width}"
+        fields = len(cells(line, delimiter))
+        if fields > width:
+            return f"the line {short(line)} has {fields} fields, its first line {short(first)} has {width}"
     return None

@@ -121,8 +121,8 @@ class TableFile(io.RawIOBase):
         if len(self._waiting) > 1 and is_half(self._waiting[-2], self._waiting[-1], self._delimiter):
             line = self._waiting.pop()
             self.count -= 1
-            said = f"its last line, {short(line.strip())}, is cut off and was left out"
-            print(f"{self._path}: {said}", file=sys.stderr)
+            warning = f"its last line, {short(line.strip())}, is cut off and was left out"
+            print(f"{self._path}: {warning}", file=sys.stderr)
 
     def readable(self) -> bool:
         """It is."""

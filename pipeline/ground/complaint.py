@@ -11,7 +11,6 @@ from pydantic import BaseModel, ValidationError
 
 from .command import command
 from .errors import BadInput
-from .units import ending_of
 
 LONGEST = 60
 JSON_KEY = re.compile(r'^[ \t\[{]*"[^"\n]*"[ \t]*:', re.MULTILINE)
@@ -37,12 +36,10 @@ def meant(key: str, known: Iterable[str]) -> str:
     return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(known)}"
 
 
-def _as_keys(where: tuple[Any, ...], given: Any, section: type[BaseModel]) -> str:
-    """How to write what was given as keys and values, ready to be copied where a column's name was given alone."""
-    if where[0] == "channels" and len(where) == 2 and isinstance(given, str | int) and not isinstance(given, bool):
-        unit = ending_of(str(given), str(where[1]))
-        return f"write {key_name(where[1])}: {{column: {key_name(given)}, unit: {unit}}}"
-    return f"write {key_name(where[-1])}: {{{', '.join(f'{key}: …' for key in section.model_fields)}}}"
+def _as_keys(where: tuple[Any, ...], section: type[BaseModel]) -> str:
+    """How to write keys and values where something else was given; a channel may be a column's name alone."""
+    keys = f"write {key_name(where[-1])}: {{{', '.join(f'{key}: …' for key in section.model_fields)}}}"
+    return f"{keys}, or the column's name alone" if where[0] == "channels" and len(where) == 2 else keys
 
 
 def bad_section(
@@ -67,9 +64,7 @@ def bad_section(
     info = section.model_fields.get(str(where[-1]))
     hint = f" ({info.description})" if info is not None and info.description else ""
     if kind in ("model_type", "dict_type"):
-        return BadInput(
-            path, field, f"is {short(given)}, where keys and values belong", _as_keys(where, given, section)
-        )
+        return BadInput(path, field, f"is {short(given)}, where keys and values belong", _as_keys(where, section))
     if kind == "missing":
         return BadInput(path, field, "is missing", f"add it{hint}")
     if kind == "value_error" and "; " in message:

@@ -103,6 +103,7 @@ def program(main: Callable[[], int | None]) -> Callable[[], None]:
         parent = os.environ.get("TWISTBENCH_PARENT")  # set by whoever starts programs that must not outlive it
         if parent:
             die_with(int(parent))
+            os.environ["TWISTBENCH_PARENT"] = str(os.getpid())  # of the programs that it starts itself
         try:
             try:
                 status = _status(main)

@@ -77,7 +77,7 @@ def pair_twist(contraction_mm: Values, length_mm: Values, radius_mm: Values) -> 
 
 @dataclass(frozen=True)
 class Geometry:
-    """The measured dimensions of one string on its rig: scalars, or arrays with a value per sample."""
+    """The measured dimensions of one string on its rig: scalars, or arrays of shape (samples,)."""
 
     actuator: str  # "separator" or "twisted_pair"
     radius_mm: Values

@@ -3,6 +3,7 @@
 Each check returns the name, or raises ValueError with `problem; mend`.
 """
 
+import hashlib
 import re
 import unicodedata
 from collections.abc import Callable
@@ -12,6 +13,7 @@ from .errors import BadInput
 
 LONGEST = 100  # characters: files are named after them, and a file's name has 255 bytes
 LONGEST_BYTES = 200
+LONGEST_SLUG = 60
 RUN_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 MATERIAL_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 SYNTHETIC = "synthetic"  # the material of the runs that the synthetic rig makes itself
@@ -52,6 +54,15 @@ def _free(name: str) -> None:
 def run_name(name: str) -> str:
     """A run's name, which is its folder's."""
     return _folder_name(name, RUN_NAME, "use lower-case letters, digits and -, as in uhmwpe-20261121-01")
+
+
+def slug(text: str) -> str:
+    """A text in the letters that a run's name may have, never empty; too long, or too often the same, it is cut."""
+    plain = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+    if plain and len(plain) <= LONGEST_SLUG and not PERIODIC.search(f"-{plain}"):
+        return plain
+    told_apart = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:8]
+    return f"{plain[: LONGEST_SLUG - 9].strip('-') or 'unnamed'}-{told_apart}"
 
 
 def material(name: str) -> str:

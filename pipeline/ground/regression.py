@@ -16,7 +16,7 @@ STEPS, RESTARTS = 25, 1
 
 
 def evenly(rows: int, most: int) -> NDArray[np.intp]:
-    """At most so many of the first rows, evenly spread, both ends among them. Row indices, shape (at most `most`,)."""
+    """At most so many of the first rows, evenly spread, both ends among them. Shape (at most `most`,), as indices."""
     return np.unique(np.linspace(0, rows - 1, most).astype(int))
 
 

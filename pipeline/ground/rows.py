@@ -11,7 +11,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from . import order, schemas
+from . import quantiles, schemas
 from .kinematics import Array
 
 Places = NDArray[np.intp]
@@ -40,7 +40,7 @@ class Rows(ABC):
         return list(pairwise(self.borders))
 
     def pieces(self, name: str) -> Iterator[Array]:
-        """A column, piece by piece."""
+        """A column in its unit, piece by piece, each of shape (rows of the piece,)."""
         return (self.read(name, *span) for span in self.spans)
 
     def frame(self, first: int, stop: int, names: Sequence[str] | None = None) -> pd.DataFrame:
@@ -48,12 +48,12 @@ class Rows(ABC):
         return pd.DataFrame({name: self.read(name, first, stop) for name in names or self.columns})
 
     def percentiles(self, name: str, q: Sequence[float]) -> Array:
-        """Percentiles `q` of a column of finite numbers; shape (q,)."""
-        return order.percentiles(partial(self.pieces, name), len(self), q)
+        """Percentiles `q` of a column of finite numbers; shape (q,), in the column's unit."""
+        return quantiles.percentiles(partial(self.pieces, name), len(self), q)
 
     def median(self, name: str) -> float:
         """Median of a column of finite numbers."""
-        return order.median(partial(self.pieces, name), len(self))
+        return quantiles.median(partial(self.pieces, name), len(self))
 
     def extremes(self, name: str) -> tuple[float, float]:
         """Least and greatest number of a column."""
@@ -75,8 +75,8 @@ class Rows(ABC):
         values = np.empty(len(places))
         by_piece = np.searchsorted(self.borders, places, side="right") - 1
         for piece in np.unique(by_piece).tolist():
-            here = by_piece == piece
-            values[here] = self.read(name, *self.spans[piece])[places[here] - self.borders[piece]]
+            in_piece = by_piece == piece
+            values[in_piece] = self.read(name, *self.spans[piece])[places[in_piece] - self.borders[piece]]
         return values
 
 
@@ -121,9 +121,11 @@ class Stored(Rows):
         """A column in its unit from row `first` until row `stop`, which is left out; shape (stop - first,)."""
         if first >= stop:
             return np.zeros(0)
-        one, last = (int(np.searchsorted(self.borders, row, side="right")) - 1 for row in (first, stop - 1))
+        first_piece, last_piece = (
+            int(np.searchsorted(self.borders, row, side="right")) - 1 for row in (first, stop - 1)
+        )
         parts = []
-        for piece in range(one, last + 1):
+        for piece in range(first_piece, last_piece + 1):
             begin = self.borders[piece]
             parts.append(self._piece(name, piece)[max(first - begin, 0) : stop - begin])
         return parts[0] if len(parts) == 1 else np.concatenate(parts)

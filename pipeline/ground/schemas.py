@@ -13,6 +13,7 @@ from .command import REMAKE
 from .errors import BadInput
 from .files import whole
 from .regular_file import open_regular
+from .units import unit_of
 
 MEND = f"delete it and {REMAKE}"
 REFUSED = b"refused"  # the key under which a file tells why there is no table in it
@@ -22,21 +23,8 @@ class Refused(BadInput):
     """What an earlier stage refused, and why."""
 
 
-UNIT = {  # by the ending of a column's name
-    "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
-    "_deg": "deg", "_rad": "rad", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm", "_v": "V", "_kg": "kg",
-    "_cm": "cm", "_ms": "ms", "_pa": "Pa", "_bar": "bar", "_hz": "Hz", "_w": "W", "_k": "K",
-}  # fmt: skip
-
-
 class Damaged(BadInput):
     """A file that is not what was written, which making it again mends."""
-
-
-def unit_of(column: str) -> str:
-    """Unit that a column's name ends in, or "1" for a count, a label or a share."""
-    endings = [ending for ending in UNIT if column.endswith(ending)]
-    return UNIT[max(endings, key=len)] if endings else "1"
 
 
 def _schema(**columns: pa.DataType) -> pa.Schema:
@@ -149,10 +137,10 @@ def _damaged(path: Path | str, error: seal.Damaged) -> Damaged:
     return Damaged(path, "content", f"is damaged, or not this version's: {error}", MEND)
 
 
-def _check(path: Path | str, there: pa.Schema, schema: pa.Schema | None) -> None:
+def _check(path: Path | str, of_file: pa.Schema, schema: pa.Schema | None) -> None:
     """Raise BadInput unless a file's schema is the one that is asked for, and Refused where it holds a refusal."""
-    if REFUSED in (there.metadata or {}):
-        raise Refused(*json.loads(there.metadata[REFUSED]))
-    expected = schema if schema is not None else samples(there.names)
-    if not there.equals(expected, check_metadata=True):
+    if REFUSED in (of_file.metadata or {}):
+        raise Refused(*json.loads(of_file.metadata[REFUSED]))
+    expected = schema if schema is not None else samples(of_file.names)
+    if not of_file.equals(expected, check_metadata=True):
         raise BadInput(path, "schema", "columns, types or units are not this version's", MEND)

@@ -84,12 +84,12 @@ def check_parquet_file(file: BinaryIO) -> None:
     file.seek(max(size - PARQUET_TAIL.size, 0))
     start = size - _footer_bytes(file.read(), size)
     file.seek(start - SEAL_BYTES)
-    told = file.read(SEAL_BYTES)
+    stored_seal = file.read(SEAL_BYTES)
     digest = hashlib.sha256()
     for begin, end in ((0, start - SEAL_BYTES), (start, size)):
         file.seek(begin)
         _digest(file, end - begin, digest)
-    if told != MARK + digest.digest():
+    if stored_seal != MARK + digest.digest():
         raise Damaged("its check sum is missing or wrong")
 
 

@@ -51,15 +51,15 @@ def reduced(read: Read, spans: Spans, length: int, by: np.ufunc, start: float) -
 
     They are read in blocks of a length, whatever the spans'.
     """
-    found = np.full(len(spans), start)
+    results = np.full(len(spans), start)
     if not len(spans):
-        return found
+        return results
     for first, stop in blocks(int(spans[0, 0]), int(spans[-1, 1]), length):
-        one, last = np.searchsorted(spans[:, 1], first, side="right"), np.searchsorted(spans[:, 0], stop)
-        if one >= last:
+        begin, end = np.searchsorted(spans[:, 1], first, side="right"), np.searchsorted(spans[:, 0], stop)
+        if begin >= end:
             continue
-        edges = (np.clip(spans[one:last], first, stop) - first).ravel()
+        edges = (np.clip(spans[begin:end], first, stop) - first).ravel()
         values = read(first, stop)
         edges = edges[:-1] if edges[-1] == len(values) else edges
-        found[one:last] = by(found[one:last], by.reduceat(values, edges)[::2])
-    return found
+        results[begin:end] = by(results[begin:end], by.reduceat(values, edges)[::2])
+    return results

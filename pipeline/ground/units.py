@@ -1,9 +1,7 @@
-"""Units of a recording to the units that our column names carry."""
+"""The units that our column names carry, and units of a recording to them."""
 
 import difflib
 import math
-
-from .schemas import unit_of
 
 # What one of each unit is in the base of its quantity: turn, mm, N, Nm, s, A, Pa.
 _TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE = (
@@ -21,7 +19,18 @@ SAID = {  # what people write for them
     "sec": "s", "millisecond": "ms", "msec": "ms", "microsecond": "us", "\u00b5s": "us", "millimeter": "mm",
     "millimetre": "mm", "gram": "g", "gramm": "g", "grams-force": "g", "kilogram": "kgf", "kp": "kgf", "newton": "N",
 }  # fmt: skip
+UNIT_BY_ENDING = {  # by the ending of a column's name
+    "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
+    "_deg": "deg", "_rad": "rad", "_nm": "Nm", "_m": "m", "_n_per_mm": "N/mm", "_v": "V", "_kg": "kg",
+    "_cm": "cm", "_ms": "ms", "_pa": "Pa", "_bar": "bar", "_hz": "Hz", "_w": "W", "_k": "K",
+}  # fmt: skip
 UNITS = sorted({"count", "V", "W", "Hz", "kg"}.union(*_QUANTITIES))
+
+
+def unit_of(column: str) -> str:
+    """Unit that a column's name ends in, or "1" for a count, a label or a share."""
+    endings = [ending for ending in UNIT_BY_ENDING if column.endswith(ending)]
+    return UNIT_BY_ENDING[max(endings, key=len)] if endings else "1"
 
 
 def _near(unit: str) -> str:

@@ -14,15 +14,15 @@ from ..ground.files import write_text
 from ..ground.outputs import folder_to_write
 from ..ground.progress import clear, steps
 from . import figure, record, sentences
-from .ask import Answer, model_error, stroke_loss
-from .gather import strings
+from .from_folders import strings
 from .health import Health
-from .left import LEAST_STROKES
+from .questions import Answer, model_error, stroke_loss
+from .strokes_left import LEAST_STROKES
 
 
-def ask(one: Health, loss: float, drift_mm: float) -> list[Answer]:
+def ask(string_health: Health, loss: float, drift_mm: float) -> list[Answer]:
     """Both questions to a string's health."""
-    return [stroke_loss(one, loss), model_error(one, drift_mm)]
+    return [stroke_loss(string_health, loss), model_error(string_health, drift_mm)]
 
 
 @program
@@ -50,13 +50,13 @@ def main() -> int:
             )
     folder_to_write(arguments.out)
     scratch = next(folder for folder in (arguments.out, *arguments.out.absolute().parents) if folder.is_dir())
-    for one in steps(strings(arguments.run_dir, scratch), "string"):
-        answers = ask(one, arguments.loss, arguments.drift_mm)
-        content = record.lifespan(one, answers, arguments.level)
-        write_text(arguments.out / one.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
-        figure.page(one, answers, arguments.level, arguments.out / one.string / "lifespan.png")
+    for string_health in steps(strings(arguments.run_dir, scratch), "string"):
+        answers = ask(string_health, arguments.loss, arguments.drift_mm)
+        content = record.lifespan(string_health, answers, arguments.level)
+        write_text(arguments.out / string_health.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
+        figure.page(string_health, answers, arguments.level, arguments.out / string_health.string / "lifespan.png")
         clear()
-        print(sentences.sentences(one, answers, arguments.level))
+        print(sentences.sentences(string_health, answers, arguments.level))
     return 0
 
 

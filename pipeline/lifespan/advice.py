@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from .ask import Answer
-from .left import LEAST_STROKES, Span
-from .whole import strokes
+from .questions import Answer
+from .stroke_counts import strokes
+from .strokes_left import LEAST_STROKES, Span
 
 SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
 LEVEL = 0.9
@@ -14,7 +14,7 @@ LEVEL = 0.9
 
 def drift(answers: list[Answer]) -> Span:
     """What is claimed of the model's error."""
-    return next(one.left.span(LEVEL) for one in answers if one.question == "model_error")
+    return next(answer.left.span(LEVEL) for answer in answers if answer.question == "model_error")
 
 
 def recalibrate_after(answers: list[Answer]) -> int | None:
@@ -25,8 +25,10 @@ def recalibrate_after(answers: list[Answer]) -> int | None:
 
 def ask_again_after(answers: list[Answer]) -> int:
     """Strokes from now until the next question: half of the nearest lower bound, no more than are seen now."""
-    seen = max(max((len(one.n) for one in answers), default=0), LEAST_STROKES)
-    lows = [one.left.span(LEVEL).low for one in answers if one.left.span(LEVEL).state not in ("no claim", "passed")]
+    seen = max(max((len(answer.n) for answer in answers), default=0), LEAST_STROKES)
+    lows = [
+        answer.left.span(LEVEL).low for answer in answers if answer.left.span(LEVEL).state not in ("no claim", "passed")
+    ]
     return int(np.clip(math.floor(SOONER * min(lows, default=seen)), 1, seen))
 
 

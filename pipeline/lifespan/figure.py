@@ -12,12 +12,12 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..ground.files import whole
-from .ask import Answer
 from .health import Health
 from .indicators import REFERENCE
-from .left import BAND_LEVELS, LEAST_STROKES
 from .percent import percent
-from .whole import at_least, at_most, strokes
+from .questions import Answer
+from .stroke_counts import at_least, at_most, strokes
+from .strokes_left import BAND_LEVELS, LEAST_STROKES
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 OTHERS = (
@@ -44,12 +44,12 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
     with plt.rc_context(style):
         grid: list[Any] = [["loss"] * 6, ["drift"] * 6, [name for name, _ in others for _ in range(6 // len(others))]]
         grid = grid if others else grid[:2]
-        heights = [*(3.0 if len(one.n) else 0.8 for one in answers), 1.8]
+        heights = [*(3.0 if len(answer.n) else 0.8 for answer in answers), 1.8]
         figure, panels = plt.subplot_mosaic(
             grid, figsize=(7.2, 7.6), layout="constrained", height_ratios=heights[: len(grid)]
         )
-        for one, name in zip(answers, ("loss", "drift"), strict=True):
-            question(panels[name], one, level)
+        for answer, name in zip(answers, ("loss", "drift"), strict=True):
+            question(panels[name], answer, level)
         for name, label in others:
             axes, table = panels[name], health.strokes
             axes.errorbar(table["stroke"], table[name], table[f"{name}_error"], fmt=".", ms=3, lw=0.6, color=SEEN)
@@ -59,8 +59,8 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             if name == "loop_mm" and float(np.nanmin(table[name])) < 0.0:
                 axes.text(0.98, 0.97, NEGATIVE_LOOP, ha="right", va="top", transform=axes.transAxes, fontsize=7.5)
         figure.suptitle(f"{health.string}: {strokes(len(health.strokes))} seen", fontsize=11)
-        if said := footnote(answers, level):
-            figure.supxlabel(said, fontsize=7.5, x=0.02, ha="left")
+        if note := footnote(answers, level):
+            figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
         with whole(path) as temporary:
             figure.savefig(temporary, dpi=130)
         plt.close(figure)
@@ -68,42 +68,45 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
 
 def footnote(answers: list[Answer], level: float) -> str:
     """How to read the futures, where any are drawn."""
-    drawn = [one.left for one in answers if one.left.band is not None]
+    drawn = [answer.left for answer in answers if answer.left.band is not None]
     if not drawn:
         return ""
     far = f" An arrow: the forecast does not look further than {at_least(drawn[0].horizon)} strokes."
     return BAND + far * any(not np.isfinite(left.span(level).high) for left in drawn)
 
 
-def question(axes: Axes, one: Answer, level: float) -> None:
+def question(axes: Axes, answer: Answer, level: float) -> None:
     """Indicator, law with its band, limit and interval of one question."""
-    left, span, scale = one.left, one.left.span(level), 100.0 if one.unit == "1" else 1.0
-    if not len(one.n):
-        return nothing(axes, one)
-    axes.errorbar(one.n, scale * one.values, scale * one.errors, fmt=".", ms=3.5, lw=0.6, color=SEEN, label="measured")
-    axes.axhline(scale * one.limit, color=LIMIT, lw=1.0, ls="--", label="limit")
+    left, span, scale = answer.left, answer.left.span(level), 100.0 if answer.unit == "1" else 1.0
+    if not len(answer.n):
+        return nothing(axes, answer)
+    axes.errorbar(
+        answer.n, scale * answer.values, scale * answer.errors, fmt=".", ms=3.5, lw=0.6, color=SEEN, label="measured"
+    )
+    axes.axhline(scale * answer.limit, color=LIMIT, lw=1.0, ls="--", label="limit")
     axes.set_xlabel("stroke n")
-    axes.set_ylabel(f"{one.what} ({'%' if one.unit == '1' else one.unit})")
-    top = scale * 1.6 * max(one.limit, float(np.nanmax(one.values, initial=0.0)))
+    axes.set_ylabel(f"{answer.what} ({'%' if answer.unit == '1' else answer.unit})")
+    top = scale * 1.6 * max(answer.limit, float(np.nanmax(answer.values, initial=0.0)))
     axes.set_title(no_claim(left.reason) if span.state == "no claim" else "", fontsize=9, loc="left")
     if left.choice and left.band is not None:
-        seen = float(one.n[-1])
+        seen = float(answer.n[-1])
         end = seen + farthest(span.high, seen, left.horizon)
-        past = np.linspace(one.n[0], seen, 200)
-        fitted = scale * left.choice.curve(past - one.n[0] + 1.0)
+        past = np.linspace(answer.n[0], seen, 200)
+        fitted = scale * left.choice.curve(past - answer.n[0] + 1.0)
         axes.plot(past, fitted, color=FITTED, lw=1.2, label=f"laws fitted, most weight: {left.choice.best.law.name}")
         n, values = left.band
-        low, middle, high = values if one.unit == "1" else np.maximum(values, 0.0)  # a root mean square is not below 0
+        least = -np.inf if answer.unit == "1" else 0.0  # a root mean square is not below 0
+        low, middle, high = np.maximum(values, least)
         axes.plot(seen + n, scale * middle, color=LAW, lw=1.4, label="median of the futures")
         axes.fill_between(
             seen + n, scale * low, scale * high, color=LAW, alpha=0.18, lw=0,
             label=f"{percent(BAND_LEVELS[-1] - BAND_LEVELS[0])} of the futures",
         )  # fmt: skip
-        axes.set_xlim(one.n[0] - 0.02 * end, end)
-        axes.set_ylim(min(0.0, scale * float(np.nanmin(one.values))) - 0.03 * top, top)
-        interval(axes, one, level, end, scale * one.limit)
+        axes.set_xlim(answer.n[0] - 0.02 * end, end)
+        axes.set_ylim(min(0.0, scale * float(np.nanmin(answer.values))) - 0.03 * top, top)
+        interval(axes, answer, level, end, scale * answer.limit)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.axvline(one.n[-1], color="0.7", lw=0.8, label="last stroke seen")
+    axes.axvline(answer.n[-1], color="0.7", lw=0.8, label="last stroke seen")
     # beside the axes: on them it would lie over lines
     axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.1)
 
@@ -116,13 +119,13 @@ def no_claim(reason: str) -> str:
     return f"no forecast yet: {' '.join(why.split()[:2])}, {LEAST_STROKES} needed"
 
 
-def nothing(axes: Axes, one: Answer) -> None:
+def nothing(axes: Axes, answer: Answer) -> None:
     """In place of an indicator that has no value yet: why, and from how many strokes on it has."""
-    said = (
-        f"No {one.what} yet: strokes 1 to {REFERENCE} set the reference.\n"
+    words = (
+        f"No {answer.what} yet: strokes 1 to {REFERENCE} set the reference.\n"
         f"It shows from {REFERENCE + 1} strokes on, and a forecast from {LEAST_STROKES} on."
     )
-    axes.text(0.5, 0.5, said, ha="center", va="center", transform=axes.transAxes)
+    axes.text(0.5, 0.5, words, ha="center", va="center", transform=axes.transAxes)
     axes.set(xticks=[], yticks=[])
     axes.spines[:].set_visible(False)
 
@@ -132,9 +135,9 @@ def farthest(high: float, seen: float, horizon: float) -> float:
     return max(1.15 * high, 0.375 * seen) if np.isfinite(high) else horizon
 
 
-def interval(axes: Axes, one: Answer, level: float, end: float, height: float) -> None:
+def interval(axes: Axes, answer: Answer, level: float, end: float, height: float) -> None:
     """The interval of the stroke that passes the limit, on the limit's line; an arrow where it has no end."""
-    left, seen = one.left.span(level), float(one.n[-1])
+    left, seen = answer.left.span(level), float(answer.n[-1])
     low, high = seen + left.low, seen + left.high
     bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
     axes.plot([low, min(high, end)], [height, height], **bar)

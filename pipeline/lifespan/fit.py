@@ -1,8 +1,11 @@
 """A law fitted to strokes by least squares, and the curves that its uncertainty allows.
 
-A law is linear in its coefficients once its shape is given, so every shape on a grid is solved at once: the least of
-them is the bounded least-squares fit, and how much worse the others are says how uncertain the shape is. Where one
-shape takes most of the weight, a finer grid is laid about it.
+A law is linear in its coefficients once its nonlinear parameters are given. So every candidate of these on a grid is
+solved at once. The least of them is the bounded least-squares fit. How much worse the others are says how uncertain the
+nonlinear parameters are. Where one candidate takes most of the weight, a finer grid is laid about it.
+
+Source: Golub and Pereyra, "The differentiation of pseudo-inverses and nonlinear least squares problems whose variables
+separate", SIAM Journal on Numerical Analysis 10, 1973.
 """
 
 from dataclasses import dataclass
@@ -14,57 +17,62 @@ from scipy.special import ndtr, ndtri
 from ..ground.kinematics import Array
 from .laws import Law
 
-FINER, SETTLED = 3, 0.5  # grids laid within each other while one shape takes most of the weight
-RIDGE = 1e-10  # keeps shapes that a short recording cannot tell apart solvable
+FINER, SETTLED = 3, 0.5  # grids laid within each other while one candidate takes most of the weight
+RIDGE = 1e-10  # keeps candidates that a short recording cannot tell apart solvable
 LONGEST_RUNS = 0.8  # correlation of one stroke's rest with the next one's beyond which no law is at fault but noise
 
 
 @dataclass(frozen=True)
 class Fit:
-    """A law fitted at every shape: coefficients (shapes, k), their covariance (shapes, k, k), noise, shapes' weights.
+    """A law fitted at every candidate of its nonlinear parameters.
 
-    `seen` is the last stroke seen; `noise` the standard deviation about the best shape; `freedom` what is left of
-    the strokes' number after the coefficients, fewer where what is left over comes in runs.
+    Shapes: `nonlinear` (candidates, parameters), `coefficients` (candidates, k), `covariance` (candidates, k, k),
+    `weights` (candidates,). `seen` is the last stroke seen; `noise` the standard deviation about the best candidate;
+    `freedom` what is left of the strokes' number after the coefficients, fewer where what is left over comes in runs.
     """
 
     law: Law
     seen: float
-    shapes: Array
-    coefficients: Array
-    covariance: Array
-    weights: Array
+    nonlinear: Array  # in strokes or without a unit
+    coefficients: Array  # in the indicator's unit
+    covariance: Array  # in the indicator's unit squared
+    weights: Array  # in shares of 1
     noise: float
     freedom: float
 
     @property
     def best(self) -> int:
-        """Index of the likeliest shape."""
+        """Index of the likeliest candidate."""
         return int(np.argmax(self.weights))
 
     def parameters(self) -> dict[str, float]:
-        """Shape and coefficients of the best fit, by the names in the formula; the coefficients as at n = `seen`."""
-        shape = {name: float(v) for (name, *_), v in zip(self.law.bounds, self.shapes[self.best], strict=True)}
+        """Parameters of the best fit, by the names in the formula; the coefficients as at n = `seen`."""
+        best = zip(self.law.bounds, self.nonlinear[self.best], strict=True)
+        nonlinear = {name: float(value) for (name, *_), value in best}
         table = zip(("a", "b", "c"), self.coefficients[self.best], strict=False)
-        return shape | {f"{name}_at_last_stroke": float(value) for name, value in table}
+        return nonlinear | {f"{name}_at_last_stroke": float(value) for name, value in table}
 
     def curve(self, n: Array) -> Array:
-        """The best shape's values at strokes n. Shape (strokes,)."""
-        shape = self.shapes[[self.best]]
-        return np.asarray(self.law.table(n, shape, self.seen)[0] @ self.coefficients[self.best])
+        """The best candidate's values at strokes n. Shape (strokes,), in the indicator's unit."""
+        best = self.nonlinear[[self.best]]
+        return np.asarray(self.law.table(n, best, self.seen)[0] @ self.coefficients[self.best])
 
     def moments(self, n: Array) -> tuple[Array, Array]:
-        """Mean and variance at strokes n over all shapes and coefficients, noise left out.
+        """Mean and variance at strokes n over all candidates and coefficients, noise left out.
 
         Both of shape (strokes,), in the indicator's unit and its square.
         """
-        table = self.law.table(n, self.shapes, self.seen)
+        table = self.law.table(n, self.nonlinear, self.seen)
         means = (table @ self.coefficients[..., None])[..., 0]
         spread = np.sum((table @ self.covariance) * table, axis=-1)
         mean = self.weights @ means
         return mean, self.weights @ (spread + np.square(means - mean))
 
     def draws(self, n: Array, count: int, generator: np.random.Generator) -> Array:
-        """Curves at strokes n, drawn by how likely shapes and coefficients are; shape (count, strokes)."""
+        """Curves at strokes n, drawn by how likely candidates and coefficients are.
+
+        Shape (count, strokes), in the indicator's unit.
+        """
         which = generator.choice(len(self.weights), count, p=self.weights)
         inflate = np.sqrt(self.freedom / generator.chisquare(self.freedom, count))
         turned = self.covariance[:, ::-1, ::-1]  # the end's coefficient first: the others follow it
@@ -79,7 +87,7 @@ class Fit:
         moves = np.einsum("mkl,ml->mk", factor[which], wide)[:, ::-1] * inflate[:, None]
         drawn = self.coefficients[which] + moves
         used, at = np.unique(which, return_inverse=True)
-        return np.asarray(np.einsum("mnk,mk->mn", self.law.table(n, self.shapes[used], self.seen)[at], drawn))
+        return np.asarray(np.einsum("mnk,mk->mn", self.law.table(n, self.nonlinear[used], self.seen)[at], drawn))
 
 
 def fit(law: Law, n: Array, values: Array, weights: Array | None = None) -> Fit | None:
@@ -95,21 +103,21 @@ def fit(law: Law, n: Array, values: Array, weights: Array | None = None) -> Fit 
         return None
     axes = law.axes(seen)
     for _ in range(FINER):
-        found = _solved(law, axes, seen, n, values, weights)
-        if not law.bounds or found.weights.max() < SETTLED:
+        solved = _solved(law, axes, seen, n, values, weights)
+        if not law.bounds or solved.weights.max() < SETTLED:
             break
-        place = np.unravel_index(found.best, [len(axis) for axis in axes])
+        place = np.unravel_index(solved.best, [len(axis) for axis in axes])
         axes = [
             np.geomspace(axis[max(int(at) - 1, 0)], axis[min(int(at) + 1, len(axis) - 1)], len(axis))
             for axis, at in zip(axes, place, strict=True)
         ]
-    return found
+    return solved
 
 
 def _solved(law: Law, axes: list[Array], seen: float, n: Array, values: Array, weights: Array) -> Fit:
-    """Least squares at every shape on a grid."""
-    shapes = np.array(list(product(*axes))).reshape(-1 if axes else 1, len(axes))
-    table = law.table(n, shapes, seen)
+    """Least squares at every candidate of the nonlinear parameters on a grid."""
+    nonlinear = np.array(list(product(*axes))).reshape(-1 if axes else 1, len(axes))
+    table = law.table(n, nonlinear, seen)
     columns = table.shape[-1]
     heavy = table * weights[None, :, None]
     gram = heavy.transpose(0, 2, 1) @ table
@@ -130,4 +138,4 @@ def _solved(law: Law, axes: list[Array], seen: float, n: Array, values: Array, w
         score += np.log(np.maximum(ndtr(coefficients[:, -1] / size), 1e-12))
     likely = np.exp(score - score.max())
     noise = float(np.sqrt(variance.min()))
-    return Fit(law, seen, shapes, coefficients, covariance, likely / likely.sum(), noise, freedom)
+    return Fit(law, seen, nonlinear, coefficients, covariance, likely / likely.sum(), noise, freedom)

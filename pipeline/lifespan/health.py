@@ -10,7 +10,7 @@ from ..run.description import STRING_ACTUATORS
 from ..run.samples import geometry
 from ..string.history import Recorded, in_order
 from ..string.zero import Jump, jumps, offsets_mm
-from .anew import runs_anew
+from .changed_string import runs_anew
 from .indicators import REFERENCE, curves, ends_mm, loop, model_errors
 from .readings import Found, found
 from .stiffness import stiffness
@@ -40,33 +40,34 @@ def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
     """Complete strokes of one string's runs, in order, which continue each other's numbers, without the jumps seen."""
     moved = frozenset(jump.run for jump in seen if not jump.may_be_wear)
     done, every = 0, list[Found]()
-    for one, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):
-        assert one.run.string is not None
-        done = max(done, one.run.string.strokes_before)
-        every += found(one, done, offset_mm)
-        done += int(one.strokes["stroke"].max())
+    for recorded, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):
+        assert recorded.run.string is not None
+        done = max(done, recorded.run.string.strokes_before)
+        every += found(recorded, done, offset_mm)
+        done += int(recorded.strokes["stroke"].max())
     return every
 
 
 def health(runs: list[Recorded]) -> Health:
     """Indicators of one string from all its runs; raises BadInput where these are not of a string."""
-    for one in runs:
-        if one.run.actuator not in STRING_ACTUATORS:
+    for recorded in runs:
+        if recorded.run.actuator not in STRING_ACTUATORS:
             mend = f"ask about runs of a {' or a '.join(STRING_ACTUATORS)}"
-            raise BadInput(one.run.run, "actuator", f"is {one.run.actuator}, which has no string to wear out", mend)
+            problem = f"is {recorded.run.actuator}, which has no string to wear out"
+            raise BadInput(recorded.run.run, "actuator", problem, mend)
     runs = in_order(runs)
     seen = jumps(runs)
     strokes = numbered(runs, seen)
     if not strokes:
         mend = "record whole strokes: a winding and the unwinding after it"
         raise BadInput(runs[0].run.run, "motor_turns", "there is no complete stroke in it", mend)
-    low, high = (float(np.median(ends)) for ends in zip(*(one.ends for one in strokes[:REFERENCE]), strict=True))
+    low, high = (float(np.median(ends)) for ends in zip(*(place.ends for place in strokes[:REFERENCE]), strict=True))
     near = SAME_RANGE * (high - low)
-    same = [one for one in strokes if abs(one.ends[0] - low) <= near and abs(one.ends[1] - high) <= near]
+    same = [place for place in strokes if abs(place.ends[0] - low) <= near and abs(place.ends[1] - high) <= near]
     if not same:
         problem = f"no stroke winds over the usual {low:.3g} to {high:.3g} turns of the first ones"
         raise BadInput(runs[0].run.run, "motor_turns", problem, "record strokes that all wind over the same range")
-    left_out = sorted({one.number for one in strokes} - {one.number for one in same})
+    left_out = sorted({place.number for place in strokes} - {place.number for place in same})
     first = runs[0]
     nominal = np.nan_to_num(
         geometry(first.run).contraction_mm(np.array([low, high]), float(first.rows.median("load_n")))
@@ -74,8 +75,8 @@ def health(runs: list[Recorded]) -> Health:
     rows, tables = [], []
     for place in same:
         stroke = place.read()  # no other stroke's readings are held
-        told = ends_mm(stroke, low, high, float(nominal[1] - nominal[0])) | loop(stroke, low, high)
-        rows.append({"run": place.run, "stroke": place.number, **told, **stiffness(stroke.moving)})
+        ends_and_loop = ends_mm(stroke, low, high, float(nominal[1] - nominal[0])) | loop(stroke, low, high)
+        rows.append({"run": place.run, "stroke": place.number, **ends_and_loop, **stiffness(stroke.moving)})
         tables.append(curves(stroke, low, high))
     table = pd.DataFrame([row | error for row, error in zip(rows, model_errors(tables), strict=True)])
-    return Health(first.run.string_id, [one.run.run for one in runs], table, left_out, seen, runs_anew(table))
+    return Health(first.run.string_id, [recorded.run.run for recorded in runs], table, left_out, seen, runs_anew(table))

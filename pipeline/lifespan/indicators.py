@@ -15,7 +15,7 @@ Curves = tuple[Array, Array]  # means in mm and their variances in mm², cell by
 def mean_error(values: Array) -> tuple[float, float]:
     """Median of values and its standard error, which allows for each value's likeness to the one before.
 
-    They have the shape (values,).
+    They have the shape (values,), and all have one unit.
     """
     if len(values) < 2:
         return (float(values[0]) if len(values) else np.nan), np.nan
@@ -61,19 +61,23 @@ def ends_mm(stroke: Stroke, low: float, high: float, nominal_mm: float) -> dict[
 
 def loop(stroke: Stroke, low: float, high: float) -> dict[str, float]:
     """Winding minus unwinding at equal twist, mean over the middle of the range, in mm, and its standard error."""
-    (one, one_variance), (two, two_variance) = (cells(*part, low, high) for part in (stroke.winding, stroke.unwinding))
+    (up_mm, up_variance), (down_mm, down_variance) = (
+        cells(*part, low, high) for part in (stroke.winding, stroke.unwinding)
+    )
     place = (np.arange(CELLS) + 0.5) / CELLS
-    used = np.isfinite(one - two) & (place > MIDDLE[0]) & (place < MIDDLE[1])
+    used = np.isfinite(up_mm - down_mm) & (place > MIDDLE[0]) & (place < MIDDLE[1])
     if not used.any():
         return {"loop_mm": np.nan, "loop_mm_error": np.nan}
-    error = float(np.sqrt((one_variance + two_variance)[used].sum()) / used.sum())
-    return {"loop_mm": float((one - two)[used].mean()), "loop_mm_error": error}
+    error = float(np.sqrt((up_variance + down_variance)[used].sum()) / used.sum())
+    return {"loop_mm": float((up_mm - down_mm)[used].mean()), "loop_mm_error": error}
 
 
 def curves(stroke: Stroke, low: float, high: float) -> Curves:
     """A stroke's mean over twist, winding and then unwinding, and its variance, each of shape (2 cells,)."""
-    (one, one_variance), (two, two_variance) = (cells(*part, low, high) for part in (stroke.winding, stroke.unwinding))
-    return np.concatenate([one, two]), np.concatenate([one_variance, two_variance])
+    (up_mm, up_variance), (down_mm, down_variance) = (
+        cells(*part, low, high) for part in (stroke.winding, stroke.unwinding)
+    )
+    return np.concatenate([up_mm, down_mm]), np.concatenate([up_variance, down_variance])
 
 
 def model_errors(tables: list[Curves]) -> list[dict[str, float]]:
@@ -87,15 +91,17 @@ def model_errors(tables: list[Curves]) -> list[dict[str, float]]:
         first.mean(axis=0),
         np.array([variance for _, variance in tables[:REFERENCE]]).sum(axis=0) / REFERENCE**2,
     )
-    found = []
+    each_stroke = []
     for mean, variance in tables:
         used = np.isfinite(mean - model)
         if not used.any():
-            found.append({"model_error_mm": np.nan, "model_error_mm_error": np.nan})
+            each_stroke.append({"model_error_mm": np.nan, "model_error_mm_error": np.nan})
             continue
         off, noise = (mean - model)[used], (variance + own)[used]
         square = float(np.mean(np.square(off)) - noise.mean())
         error = float(np.sqrt(np.sum(noise * np.square(off) + np.square(noise) / 2)) / used.sum())
         size = float(np.sqrt(max(square, 0.0)))
-        found.append({"model_error_mm": size, "model_error_mm_error": error / max(size, float(np.sqrt(noise.mean())))})
-    return found
+        each_stroke.append(
+            {"model_error_mm": size, "model_error_mm_error": error / max(size, float(np.sqrt(noise.mean())))}
+        )
+    return each_stroke

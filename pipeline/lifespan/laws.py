@@ -1,4 +1,8 @@
-"""How an indicator may go on over strokes: candidate laws, linear in all but the shape of their columns."""
+"""How an indicator may go on over strokes: candidate laws, linear in all but one or two parameters of their columns.
+
+Source: Meeker and Escobar, Statistical Methods for Reliability Data, 1998 (paths of wear); Voight, "A relation to
+describe rate-dependent material failure", Science 243, 1989 (a hyperbola before the end).
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,13 +12,14 @@ import numpy as np
 from ..ground.kinematics import Array
 
 Columns = Callable[..., tuple[Array, ...]]
-STEPS = 16  # of a grid over one shape
+STEPS = 16  # of a grid over one nonlinear parameter
 
 
 @dataclass(frozen=True)
 class Law:
-    """Columns after the constant over n (strokes) for shapes; the bounds of a shape in `per` "strokes seen" or as is.
+    """Columns after the constant over n (strokes), by nonlinear parameters, and the bounds of each of these.
 
+    Those called `tau` and `N` are strokes: their bounds are shares of the strokes seen.
     The last column of a law with `end` is wear that goes on or accelerates: its coefficient is not negative. A law is
     fitted to the last `recent` share of the strokes: what a string did when it was new tells little of its end.
     """
@@ -27,21 +32,24 @@ class Law:
     recent: float = 1.0
 
     def axes(self, seen: float) -> list[Array]:
-        """Values of each shape on the grid for so many strokes seen. Each of shape (values,)."""
+        """Values of each nonlinear parameter on the grid for so many strokes seen.
+
+        Each of shape (values,), in strokes or without a unit.
+        """
         steps = STEPS if len(self.bounds) < 2 else STEPS // 2
         scale = [seen if name in ("tau", "N") else 1.0 for name, *_ in self.bounds]
         return [np.geomspace(low * by, high * by, steps) for (_, low, high), by in zip(self.bounds, scale, strict=True)]
 
-    def table(self, n: Array, shapes: Array, seen: float) -> Array:
-        """Columns at strokes n for shapes, each column but the constant 1 at `seen`; (shapes, strokes, columns).
+    def table(self, n: Array, nonlinear: Array, seen: float) -> Array:
+        """Columns at strokes n for candidates of the nonlinear parameters, each column but the constant 1 at `seen`.
 
-        `n` has the shape (strokes,), `shapes` the shape (shapes, parameters).
+        From shapes (strokes,) and (candidates, parameters) to shape (candidates, strokes, columns), without units.
         """
-        shape = [one[:, None] for one in shapes.T]
-        rows = [np.ones((len(shapes), len(n)))]
-        now = self.columns(np.array([[seen]]), *shape)
-        for column, last in zip(self.columns(n[None, :], *shape), now, strict=True):
-            rows.append(np.broadcast_to(column / last, (len(shapes), len(n))))
+        values = [column[:, None] for column in nonlinear.T]
+        rows = [np.ones((len(nonlinear), len(n)))]
+        now = self.columns(np.array([[seen]]), *values)
+        for column, last in zip(self.columns(n[None, :], *values), now, strict=True):
+            rows.append(np.broadcast_to(column / last, (len(nonlinear), len(n))))
         return np.stack(rows, axis=-1)
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from ..ground.kinematics import Array
 from .fit import fit
 from .laws import LAWS, Law
-from .left import FUTURES, HORIZON, STEPS, Left, passages
+from .strokes_left import FUTURES, HORIZON, STEPS, Left, passages
 
 ONE_LOG = Law("one logarithm", "a + b ln(1 + n)", lambda n: (np.log1p(n),))
 LINE = next(law for law in LAWS if law.name == "linear")
@@ -21,9 +21,9 @@ def peer(name: str, n: Array, values: Array, limit: float, seed: int = 0) -> Lef
     horizon = HORIZON * seen
     ahead = np.concatenate([[0.0], np.geomspace(0.25, horizon, STEPS)])
     last = slice(2 * len(n) // 3, None) if name == PEERS[1] else slice(None)
-    one = fit(ONE_LOG if name == PEERS[2] else LINE, n[last] - n[0] + 1.0, values[last])
-    if one is None:
+    fitted = fit(ONE_LOG if name == PEERS[2] else LINE, n[last] - n[0] + 1.0, values[last])
+    if fitted is None:
         return Left("too few strokes")
-    paths = one.draws(seen + ahead, FUTURES, np.random.default_rng(seed))
+    paths = fitted.draws(seen + ahead, FUTURES, np.random.default_rng(seed))
     when = passages(paths, np.full(FUTURES, limit), ahead)
     return Left("", np.nan, np.where(when > horizon, np.inf, when), horizon)

@@ -80,17 +80,19 @@ class Found:
 
     def read(self) -> Stroke:
         """The stroke with its readings, which are held."""
-        one, two, rest, hold = (self._phase(at) for at in (self.winding, self.unwinding, self.rest, self.hold))
+        winding, unwinding, rest, hold = (
+            self._phase(at) for at in (self.winding, self.unwinding, self.rest, self.hold)
+        )
         load_n = [self.of.rows.read("load_n", *span) for span in (*self.winding, *self.unwinding)]
         moving = pd.DataFrame(
             {
-                "motor_turns": np.concatenate([one[0], two[0]]),
-                "left_mm": np.concatenate([one[1], two[1]]),
+                "motor_turns": np.concatenate([winding[0], unwinding[0]]),
+                "left_mm": np.concatenate([winding[1], unwinding[1]]),
                 "load_n": np.concatenate(load_n),
-                "direction": np.repeat([1.0, -1.0], [len(one[0]), len(two[0])]),
+                "direction": np.repeat([1.0, -1.0], [len(winding[0]), len(unwinding[0])]),
             }
         )
-        return Stroke(one, two, rest, hold, moving)
+        return Stroke(winding, unwinding, rest, hold, moving)
 
 
 def found(recorded: Recorded, before: int, offset_mm: float) -> list[Found]:

@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 
 from .advice import ask_again_after, recalibrate_after
-from .ask import Answer, first
-from .choose import Choice
 from .health import INDICATORS, Health
+from .law_choice import Choice
+from .questions import Answer, first
 from .sentences import UNFORESEEN
 
 STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
@@ -64,14 +64,14 @@ def laws(choice: Choice | None) -> list[LawSaid]:
     ]
 
 
-def answer(one: Answer, level: float) -> AnswerSaid:
+def answer(question: Answer, level: float) -> AnswerSaid:
     """One question's answer; strokes are counted from the last one seen, None means beyond the horizon."""
-    left, span = one.left, one.left.span(level)
+    left, span = question.left, question.left.span(level)
     spans = {"low": span.low, "median": span.median, "high": span.high}
-    last = float(one.n[-1]) if len(one.n) else np.nan
+    last = float(question.n[-1]) if len(question.n) else np.nan
     return {
-        "limit": one.limit,
-        "unit": one.unit,
+        "limit": question.limit,
+        "unit": question.unit,
         "state": span.state,
         "reason": left.reason,
         "strokes_left": {name: finite(value) for name, value in spans.items()},
@@ -88,7 +88,7 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
     """Content of lifespan.json."""
     table = health.strokes
     columns = ["stroke", *(name + end for name in INDICATORS for end in ("", "_error"))]
-    told = {
+    indicators = {
         name: table[name].astype(int).tolist() if name == "stroke" else [finite(v) for v in table[name]]
         for name in columns
         if pd.notna(table[name]).any()
@@ -107,10 +107,10 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
         "starts_anew": health.anew,
         "level": level,
         "first": earliest.question if earliest else None,
-        "questions": {one.question: answer(one, level) for one in answers},
+        "questions": {question.question: answer(question, level) for question in answers},
         "recalibrate_after_strokes": recalibrate_after(answers),
         "ask_again_after_strokes": ask_again_after(answers),
         "limits_of_this": UNFORESEEN,
-        "absent": {} if "stiffness_n_per_mm" in told else {"stiffness_n_per_mm": STIFFNESS_ABSENT},
-        "indicators": told,
+        "absent": {} if "stiffness_n_per_mm" in indicators else {"stiffness_n_per_mm": STIFFNESS_ABSENT},
+        "indicators": indicators,
     }

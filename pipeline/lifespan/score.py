@@ -15,13 +15,13 @@ from ..ground.files import whole, write_text
 from ..ground.outputs import folder_to_write
 from ..ground.progress import steps
 from ..string.from_raw import read
-from .ask import Answer, model_error, stroke_loss
 from .health import Health, health
 from .indicators import REFERENCE
-from .left import LEAST_STROKES, Left, first_passed
 from .peers import PEERS, peer
+from .questions import Answer, model_error, stroke_loss
 from .scorefigure import page
 from .scoretable import words
+from .strokes_left import LEAST_STROKES, Left, first_passed
 
 SHARES = (0.25, 0.5, 0.75)  # of the strokes to the limit
 NUMBERS = (15, 30, 60)  # strokes
@@ -68,24 +68,24 @@ def held(left: Left, level: float, true: float, censored: bool) -> float:
 def row(method: str, left: Left, true: float, censored: bool) -> dict[str, Any]:
     """One forecast against the truth."""
     span = left.span(LEVELS[0])
-    found = {"method": method, "state": span.state, "left": true, "censored": censored, "median": span.median,
+    scored = {"method": method, "state": span.state, "left": true, "censored": censored, "median": span.median,
              "low": span.low, "high": span.high}  # fmt: skip
-    return found | {f"held_{level:.0%}": held(left, level, true, censored) for level in LEVELS}
+    return scored | {f"held_{level:.0%}": held(left, level, true, censored) for level in LEVELS}
 
 
-def asked(one: Health, truth: pd.DataFrame, loss: float, drift_mm: float) -> Iterator[dict[str, Any]]:
+def asked(string_health: Health, truth: pd.DataFrame, loss: float, drift_mm: float) -> Iterator[dict[str, Any]]:
     """Rows of one string: both questions, at every cut, by us and by every peer."""
     last = float(truth["stroke"].iloc[-1])
     for question, limit in (("stroke_loss", loss), ("model_error", drift_mm)):
-        when = loses(truth, loss) if question == "stroke_loss" else errs(model_error(one, drift_mm))
+        when = loses(truth, loss) if question == "stroke_loss" else errs(model_error(string_health, drift_mm))
         end = min(when, last)
         for cut, strokes in cuts(end):
             if strokes >= end or strokes < LEAST_STROKES:
                 continue
-            young = replace(one, strokes=one.strokes[one.strokes["stroke"] <= strokes])
+            young = replace(string_health, strokes=string_health.strokes[string_health.strokes["stroke"] <= strokes])
             answer: Answer = stroke_loss(young, loss) if question == "stroke_loss" else model_error(young, drift_mm)
             true, censored = end - strokes, bool(np.isinf(when))
-            about = {"string": one.string, "question": question, "cut": cut, "seen": strokes}
+            about = {"string": string_health.string, "question": question, "cut": cut, "seen": strokes}
             yield about | row(OURS, answer.left, true, censored)
             for name in PEERS:
                 yield about | row(name, peer(name, answer.n, answer.values, limit), true, censored)

@@ -54,9 +54,9 @@ def table(rows: pd.DataFrame, by: str) -> list[str]:
 def kinds(rows: pd.DataFrame) -> list[str]:
     """Lines of a table with a row for every kind of claim, over the whole life and late in it."""
     late = rows[rows["cut"] == LATE]
-    said = ((state, part, late[late["state"] == state]) for state, part in rows.groupby("state"))
+    by_state = ((state, part, late[late["state"] == state]) for state, part in rows.groupby("state"))
     pairs = [
-        (line(str(state), part), line(f"{state}, {LATE}", old)) for state, part, old in said if state != "no claim"
+        (line(str(state), part), line(f"{state}, {LATE}", old)) for state, part, old in by_state if state != "no claim"
     ]
     return [HEADER, "|---|" + "---|" * 8, *(row for pair in pairs for row in pair)]
 

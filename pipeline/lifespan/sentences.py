@@ -5,13 +5,13 @@ import numpy as np
 from ..ground.command import command, program_name
 from ..string.zero import Jump
 from .advice import advice
-from .ask import Answer
+from .claims_held import measured
 from .health import Health
 from .indicators import REFERENCE
-from .left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
-from .measured import measured
 from .percent import of_100, percent, tail
-from .whole import at_least, at_most, strokes
+from .questions import Answer
+from .stroke_counts import at_least, at_most, strokes
+from .strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
 
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
@@ -31,16 +31,16 @@ def few(count: int) -> bool:
     return count < LEAST_STROKES
 
 
-def so_far(one: Answer) -> str:
+def so_far(answer: Answer) -> str:
     """What the last strokes show, whatever may be said of those to come."""
-    after = len(one.n) - (REFERENCE if one.unit == "1" else 0)
+    after = len(answer.n) - (REFERENCE if answer.unit == "1" else 0)
     if after <= 0:
         first = f"the first {REFERENCE} strokes are what the later ones are compared with"
         return f"So far: {first}: from stroke {REFERENCE + 1} on it shows."
-    last = one.values[-min(after, LAST) :]
+    last = answer.values[-min(after, LAST) :]
     of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
-    if one.unit != "1":
-        return f"So far: the model is off by {middle:.2g} {one.unit} (median of {of})."
+    if answer.unit != "1":
+        return f"So far: the model is off by {middle:.2g} {answer.unit} (median of {of})."
     against = f"{of} against the first {REFERENCE}"
     if middle <= 0.0:
         return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
@@ -50,26 +50,26 @@ def so_far(one: Answer) -> str:
 def seen(health: Health) -> list[str]:
     """How many strokes were seen; where they are too few, how many are needed and how to get them."""
     table = health.strokes
-    there = f"{strokes(len(table))} seen"
+    strokes_seen = f"{strokes(len(table))} seen"
     if not few(len(table)):
-        return [f"{health.string}: {there}, the last one stroke {int(table['stroke'].iloc[-1])}."]
+        return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
     more = LEAST_STROKES - len(table)
     needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
     return [
-        f"{health.string}: no forecast yet: {there}; {needed}.",
+        f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
         f"  Record {more} or more further strokes of this very string as a new run with the same --string-id "
         f"({health.string}), then name all runs of it in this command.",
         f"  {SYNTHETIC}",
     ]
 
 
-def sentence(one: Answer, level: float, told: bool = True) -> str:
+def sentence(answer: Answer, level: float, enough: bool = True) -> str:
     """One question's answer in words; unless `told`, without the reason why there is none, which was said before."""
-    left, span = one.left, one.left.span(level)
-    limit = f"the model calibrated on the first strokes is off by {one.limit:g} {one.unit}"
-    limit = f"{percent(one.limit)} of the stroke is lost" if one.unit == "1" else limit
+    left, span = answer.left, answer.left.span(level)
+    limit = f"the model calibrated on the first strokes is off by {answer.limit:g} {answer.unit}"
+    limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
     if span.state == "no claim":
-        return f"until {limit}: {f'no claim: {left.reason}' if told else 'no forecast yet'}."
+        return f"until {limit}: {f'no claim: {left.reason}' if enough else 'no forecast yet'}."
     if span.state == "passed":
         return f"until {limit}: passed already at stroke {left.passed_at:.0f}."
     most, further = f"{at_least(left.horizon)} strokes", "the forecast does not look further than"
@@ -85,19 +85,19 @@ def sentence(one: Answer, level: float, told: bool = True) -> str:
     return f"until {limit}: {least} ({tail(1.0 - level)} pass it sooner); {half}; {further} {most}."
 
 
-def law(one: Answer) -> str:
+def law(answer: Answer) -> str:
     """The law that has the most weight."""
-    choice = one.left.choice
+    choice = answer.left.choice
     return f"The law of most weight: {choice.best.law.name} ({percent(choice.weights.max())})." if choice else ""
 
 
-def answered(one: Answer, level: float, told: bool) -> list[str]:
+def answered(answer: Answer, level: float, enough: bool) -> list[str]:
     """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
-    state = one.left.span(level).state
-    lines = [f"  {so_far(one)}", f"  {sentence(one, level, told)}"]
+    state = answer.left.span(level).state
+    lines = [f"  {so_far(answer)}", f"  {sentence(answer, level, enough)}"]
     if state in ("no claim", "passed"):
         return lines
-    return [*lines, f"    {' '.join([measured(one.question, state), law(one)]).strip()}"]
+    return [*lines, f"    {' '.join([measured(answer.question, state), law(answer)]).strip()}"]
 
 
 def zero(jump: Jump) -> str:
@@ -127,8 +127,8 @@ def sentences(health: Health, answers: list[Answer], level: float) -> str:
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     enough = not few(len(health.strokes))
-    lines += [line for one in answers for line in answered(one, level, enough)]
-    if any(len(one.left.when) for one in answers):
+    lines += [line for answer in answers for line in answered(answer, level, enough)]
+    if any(len(answer.left.when) for answer in answers):
         lines.append(f"  {UNFORESEEN}")
     if enough:
         lines.append(f"  {advice(answers)}")

@@ -21,8 +21,8 @@ def stiffness(moving: pd.DataFrame) -> dict[str, float]:
         return nothing
     turns, direction = moving["motor_turns"].to_numpy(), moving["direction"].to_numpy()
     place = 2.0 * (turns - turns.min()) / max(float(np.ptp(turns)), 1e-9) - 1.0
-    shape = np.polynomial.legendre.legvander(place, DEGREE)
-    columns = np.column_stack([load_n - load_n.mean(), shape, direction[:, None] * shape])
+    polynomials = np.polynomial.legendre.legvander(place, DEGREE)
+    columns = np.column_stack([load_n - load_n.mean(), polynomials, direction[:, None] * polynomials])
     solution, _, rank, _ = np.linalg.lstsq(columns, moving["left_mm"].to_numpy(), rcond=1e-9)
     if rank < columns.shape[1]:
         return nothing

@@ -9,10 +9,13 @@ class About:
 
     `needs_motion`: its answer depends on the whole motion before, so that single questions cannot be asked.
     `each_string_apart`: it has numbers of its own for every string and none for all: nothing goes over to a new string.
+    Its `moves` hold them (`interface.StringsApart`).
     `least_strokes_alone`: how many strokes of one string suffice to fit it on them alone, 0 where it answers unfitted;
     None where one string is never enough.
+    `needs_torch`: its module imports torch, which takes seconds, and which an installed package may lack.
     """
 
     needs_motion: bool = False
     each_string_apart: bool = False
     least_strokes_alone: int | None = None
+    needs_torch: bool = False

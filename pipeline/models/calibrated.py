@@ -17,7 +17,7 @@ from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from .about import About
 from .parts.saved import read_json, write_json
 
-LARGEST_MOVE = 3.0  # sigmas by which the contract lets a dimension move
+LARGEST_MOVE = 3.0  # sigmas; a diagnosis moves a dimension by no more either (docs/diagnosis.md, step 1)
 ROUNDS = 5  # of fit and re-estimate of the error's size; it settles in two or three
 SMALLEST_ERROR_MM = 1e-3  # below any sensor's; keeps the weights finite on noise-free data
 DIMENSIONS = {

@@ -21,6 +21,7 @@ import torch
 from torch.nn.functional import mse_loss
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
+from .about import About
 from .coupling import InvertibleNet
 from .parts.box import Box
 from .parts.conditions import Conditions
@@ -158,3 +159,4 @@ class Cinn:
 
 
 MODEL = Cinn
+ABOUT = About(needs_torch=True)

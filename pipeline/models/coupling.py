@@ -44,7 +44,7 @@ class Coupling(nn.Module):
         self.net_2 = relu_net(self.second + conditions, 2 * self.first, width, layers)  # s₂, t₂: read x₂, move x₁
 
     def forward(self, x: Tensor, given: Tensor | None = None) -> Tensor:
-        """y for x, both of shape (points, size), under conditions of shape (points, conditions) (eq. 6)."""
+        """y for x, both (points, size), under conditions, shape (points, conditions); all without units (eq. 6)."""
         x_1, x_2 = x.split([self.first, self.second], dim=1)
         s_2, t_2 = self._scale_and_shift(self.net_2, x_2, given)
         y_1 = x_1 * torch.exp(s_2) + t_2
@@ -52,7 +52,7 @@ class Coupling(nn.Module):
         return torch.cat([y_1, x_2 * torch.exp(s_1) + t_1], dim=1)
 
     def inverse(self, y: Tensor, given: Tensor | None = None) -> Tensor:
-        """x for y, both of shape (points, size) (eq. 7); x₂ comes first, because x₁ needs it."""
+        """x for y, both of shape (points, size) (eq. 7); without a unit. x₂ comes first: x₁ needs it."""
         y_1, y_2 = y.split([self.first, self.second], dim=1)
         s_1, t_1 = self._scale_and_shift(self.net_1, y_1, given)
         x_2 = (y_2 - t_1) * torch.exp(-s_1)
@@ -70,7 +70,7 @@ def mixing_layers(count: int, size: int, composite: str, seed: int) -> list[Tens
     Each takes at least one column across the split of the blocks, or it would mix nothing. `composite`
     "random" leaves their product to chance: then output x may be fed from input b, and a network trained on
     its forward error alone leaks through constant inputs into the inverse. "identity" closes the chain with
-    the inverse of the others, so that θ comes out as x and b, l, r, n as themselves.
+    the inverse of the others, so that θ comes out as x and b, l, r, n as themselves. Layers hold columns, as indices.
     """
     if composite not in ("identity", "random"):
         raise ValueError(f'composite: "{composite}" is neither "identity" nor "random"')
@@ -89,7 +89,7 @@ def mixing_layers(count: int, size: int, composite: str, seed: int) -> list[Tens
 
 
 def product(layers: list[Tensor], size: int) -> Tensor:
-    """The one permutation that does what the layers do one after the other. Column indices, shape (size,)."""
+    """The one permutation that does what the layers do one after the other. Shape (size,): columns, as indices."""
     columns = torch.arange(size)
     for permutation in layers:
         columns = columns[permutation]

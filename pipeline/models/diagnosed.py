@@ -17,7 +17,7 @@ import numpy as np
 import pandas as pd
 from pydantic import Field, field_validator
 
-from ..diagnosis import calibrate, cross_validation, engine, faint, library, outcome
+from ..diagnosis import calibrate, cross_validation, engine, faint, kept, library, outcome
 from ..diagnosis.problem import State
 from ..diagnosis.search import LARGEST, TRIED, apart
 from ..ground.errors import BadInput
@@ -185,7 +185,7 @@ def foreseeing(studied: outcome.Study) -> Iterator[State]:
         more = [search.explain(ids) for ids in sets if apart(ids)]
         tried, errors = [*tried, *more], [*errors, *cross_validation.left_out_errors(search.linear, more)]
     for place in np.argsort(errors, kind="stable")[:FORESEEING]:
-        state = studied.best if tried[place] is studied.sets[0] else engine.at_work(search, tried[place])
+        state = studied.best if tried[place] is studied.sets[0] else kept.at_work(search, tried[place])
         if not outcome.cancels(studied.problem, state):
             yield state
     yield studied.best

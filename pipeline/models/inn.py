@@ -28,6 +28,7 @@ from pydantic import Field
 from torch.nn.functional import mse_loss
 
 from ..ground.kinematics import Array
+from .about import About
 from .coupling import InvertibleNet
 from .parts.features import contraction_and_conditions, twist_and_conditions
 from .parts.scaling import Scaling
@@ -117,3 +118,4 @@ class Inn:
 
 
 MODEL = Inn
+ABOUT = About(needs_torch=True)

@@ -34,10 +34,23 @@ class Model(Protocol):
         """Take over the fitted model that a file holds."""
 
 
+class StringsApart(Protocol):
+    """A model that has numbers of its own for every string, as its `ABOUT` says (`each_string_apart`)."""
+
+    moves: dict[str, dict[str, float]]  # by string: what each dimension is moved by, and `zero_mm`; all in mm
+
+
 @cache
 def names() -> tuple[str, ...]:
     """Names of all models: of the files beside this one that hold a MODEL."""
     return holding(Path(__file__).parent, r"MODEL\b")
+
+
+@cache
+def usual() -> str:
+    """Name of the model that is taken where none is named: of the one file that says `USUAL = True`."""
+    (name,) = holding(Path(__file__).parent, r"USUAL = True\b")
+    return name
 
 
 def settings_of(name: str) -> type | None:

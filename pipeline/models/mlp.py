@@ -17,6 +17,7 @@ from torch import nn
 from torch.nn.functional import mse_loss
 
 from ..ground.kinematics import Array
+from .about import About
 from .parts.conditions import Conditions
 from .parts.features import contraction_and_conditions, twist_and_conditions
 from .parts.scaling import Scaling
@@ -120,3 +121,4 @@ def _silu_net(inputs: int, width: int, layers: int) -> nn.Sequential:
 
 
 MODEL = Mlp
+ABOUT = About(needs_torch=True)

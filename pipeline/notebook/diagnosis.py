@@ -18,12 +18,13 @@ from ..diagnosis import figures
 from ..diagnosis.content import Verdict
 from ..diagnosis.in_memory import diagnosed
 from ..diagnosis.outcome import Study
+from ..diagnosis.recorded_run import RecordedRun
 from ..diagnosis.simulation import read_diagnosis
 from ..diagnosis.words.details import details_text
 from ..diagnosis.words.verdict import verdict_text
 from ..ground.errors import BadInput
 from ..ground.files import write_text
-from ..ground.schemas import unit_of
+from ..ground.units import unit_of
 from ..systems import System, systems
 from .recording import Recording
 
@@ -80,11 +81,11 @@ class Diagnosis:
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
-        runs, tables = [recording.run for recording in recordings], [recording.samples for recording in recordings]
-        content, study = diagnosed(runs, tables, [recording.folder for recording in recordings], without)
-        if len(runs) > 1:
-            content["run"] = [run.run for run in runs]
-        return cls(content, runs[0].actuator, study)
+        recorded = [RecordedRun(each.run, each.samples, each.strokes, each.folder) for each in recordings]
+        content, study = diagnosed(recorded, without)
+        if len(recordings) > 1:
+            content["run"] = [each.run.run for each in recordings]
+        return cls(content, recordings[0].run.actuator, study)
 
     @classmethod
     def read(cls, path: Path | str, actuator: str = "separator") -> Diagnosis:
@@ -129,12 +130,12 @@ class Diagnosis:
     @property
     def words(self) -> str:
         """The verdict on one page, as `verdict.txt` has it."""
-        return verdict_text(dict(self.content), self.system, self._folders)
+        return verdict_text(self.content, self.system, self._folders)
 
     @property
     def details(self) -> str:
         """All that the verdict stands on, in words, as `details.txt` has it."""
-        return details_text(dict(self.content), self.system, self._folders)
+        return details_text(self.content, self.system, self._folders)
 
     @property
     def _folders(self) -> list[Path]:

@@ -11,16 +11,17 @@ import pandas as pd
 
 from ..diagnosis.content import Simulated
 from ..diagnosis.own_rate import at_own_rate
+from ..diagnosis.recorded_run import RecordedRun
 from ..diagnosis.simulation import of_run, tared
 from ..ground import schemas
 from ..ground.folders import whole_folder
 from ..ground.strict_yaml import write_yaml
 from ..run.description import Run, parse_run
-from ..run.folder import capture_info
 from ..run.recording import to_samples
 from ..run.run_yaml import RunYaml
-from ..run.samples import check, read_samples
+from ..run.samples import check
 from ..run.strokes import segment
+from ..string import from_raw
 from ..string.history import Recorded
 
 NAME = "recording"  # of a run that its description gives none
@@ -46,13 +47,13 @@ class Recording:
     samples: pd.DataFrame
     folder: Path
     started_utc: str = field(default="", compare=False)
+    _strokes: pd.DataFrame | None = field(default=None, compare=False)  # as cut at the door
 
     @classmethod
     def read(cls, folder: Path | str) -> Recording:
         """The recording in a run folder, `run.yaml` and all, checked as the pipeline checks it; raises BadInput."""
-        folder = Path(folder)
-        run, samples = read_samples(folder)
-        return cls(run, samples, folder, str(capture_info(folder).get("started_utc", "")))
+        recorded = from_raw.read(Path(folder))
+        return cls(recorded.run, recorded.table, recorded.folder, recorded.started_utc, recorded.strokes)
 
     @classmethod
     def of(cls, samples: pd.DataFrame, description: RunYaml) -> Recording:
@@ -66,7 +67,8 @@ class Recording:
         run = parse_run(content, folder / "run.yaml")
         table = samples.reset_index(drop=True)
         made = to_samples(run, table, folder / "samples", folder / "run.yaml")
-        return cls(run, check(run, made, folder / "samples"), folder)
+        checked, strokes = check(run, made, folder / "samples")
+        return cls(run, checked, folder, _strokes=strokes)
 
     @cached_property
     def strokes(self) -> pd.DataFrame:
@@ -76,6 +78,8 @@ class Recording:
         `samples`), `start_s` and `end_s` (s), `start_turns` and `end_turns` (the motion there, in turns for a
         string), `missing_samples` (a count), `complete` (whether the stroke was wound and unwound).
         """
+        if self._strokes is not None:
+            return self._strokes
         return segment(self.samples, self.run.system.driver, self.folder)
 
     def simulate(self, diagnosis: Explained | None = None) -> pd.DataFrame:
@@ -84,7 +88,7 @@ class Recording:
         With a diagnosis its mechanisms and dimensions act; without one those that the description has adopted. The
         measured channel serves for the zero alone. Raises BadInput where a diagnosis gives no number.
         """
-        problem = at_own_rate([self.run], [self.samples], thin=False)
+        problem = at_own_rate([RecordedRun(self.run, self.samples, self.strokes)], thin=False)
         values = tared(problem, diagnosis.content if diagnosis else of_run(self.run), self.folder, self.run.run)
         return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: values})
 

@@ -5,6 +5,7 @@ the one that the archive names. Digests show damage; they do not show who packed
 """
 
 import argparse
+import errno
 import hashlib
 import os
 import shlex
@@ -99,17 +100,38 @@ def bring(zipped: zipfile.ZipFile, name: str, file: File, place: Path, archive: 
     os.utime(path, ns=(file.time_ns, file.time_ns))
 
 
+def move(source: Path, target: Path) -> None:
+    """Put a file or a folder in its place in one step, also where raw/ or processed/ leads to another disk."""
+    try:
+        os.replace(source, target)
+        return
+    except OSError as error:
+        if error.errno != errno.EXDEV:
+            raise
+    beside = target.with_name(f".{target.name}.unpack.{os.getpid()}")
+    try:
+        if source.is_dir():
+            shutil.copytree(source, beside)
+        else:
+            shutil.copy2(source, beside)
+        os.replace(beside, target)
+    except BaseException:
+        shutil.rmtree(beside, ignore_errors=True)
+        beside.unlink(missing_ok=True)
+        raise
+
+
 def settle(place: Path, names: list[str]) -> None:
     """Move what was checked to where it belongs, what others stand on first; a recording's folder whole."""
     for run in sorted({name.split("/")[1] for name in names if name.startswith("raw/")}):
         Path("raw").mkdir(exist_ok=True)
-        os.rename(place / "raw" / run, Path("raw", run))
+        move(place / "raw" / run, Path("raw", run))
     (NOTES.parent / "incomplete").mkdir(parents=True, exist_ok=True)  # without it Snakemake takes notes for old ones
     for name in sorted(names, key=lambda name: PLACES.index(name.partition("/")[0])):
         if not name.startswith("raw/"):
             target = target_of(name)
             target.parent.mkdir(parents=True, exist_ok=True)
-            os.replace(place / name, target)
+            move(place / name, target)
 
 
 def unpack(archive: Path) -> tuple[Manifest, int]:

@@ -16,7 +16,7 @@ HIDES = {"none": 0, "single": 1, "pair": 2, "open": 1}  # effects in a case, by 
 def asked_of(planned: Planned, known: list[str]) -> Asked:
     """What a plan asks of an author who knows these effects; those that the plan does not name are drawn.
 
-    The contract's effects serve all strata but `open`, for which there are the author's own under `x_`.
+    Effects of docs/physics.md serve all strata but `open`, for which there are the author's own under `x_`.
     """
     count = HIDES[planned.stratum]
     pool = sorted(name for name in known if name.startswith("x_") == (planned.stratum == "open"))

@@ -7,8 +7,8 @@ from typing import Any
 
 from ..ground.errors import program
 from ..ground.files import write_text
-from .alike import copies, left_over
 from .conceal_batch import drawn
+from .copies import copies, left_over
 from .draws import NAMED
 from .plan import Planned, read
 

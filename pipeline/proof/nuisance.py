@@ -79,8 +79,8 @@ class Recorded:
 
     table: pd.DataFrame
     error_mm: Array  # (rows,): what the displacement says less what it truly was
-    wild: NDArray[np.bool_]  # (rows,): outliers
-    stroke: NDArray[np.intp]  # (rows,): as commanded
+    wild: NDArray[np.bool_]  # (rows,): outliers, a mask
+    stroke: NDArray[np.intp]  # (rows,): as commanded, a count
 
 
 def record(

@@ -26,8 +26,8 @@ class Performed:
     load_n: Array
     displacement_mm: Array
     temperature_c: Array
-    stroke: NDArray[np.intp]
-    phase: NDArray[np.str_]
+    stroke: NDArray[np.intp]  # as counts from 1; 0 before the first
+    phase: NDArray[np.str_]  # as labels
 
 
 def live(geometry: Geometry, commands: Commands, hidden: Hidden, step_s: float) -> tuple[Array, Array]:
@@ -40,7 +40,7 @@ def live(geometry: Geometry, commands: Commands, hidden: Hidden, step_s: float) 
 def perform(bench: Bench, protocol: Protocol, hidden: Hidden, late_s: Array | None = None) -> Performed:
     """The bench with these effects in it, sampled at the protocol's rate or `late_s` after it.
 
-    The displacement has the sensor's scale and zero. `late_s` has the shape (samples,).
+    The displacement has the sensor's scale and zero. `late_s` has the shape (samples,), in s.
     """
     commands = protocol.told
     reading_mm, temperature_c = live(bench.true, commands, hidden, protocol.step_s)

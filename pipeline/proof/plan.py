@@ -31,7 +31,7 @@ class Planned:
 
 
 def effect_names(open_set: bool) -> list[str]:
-    """Effects that the rig has: those of the contract, or those outside of it."""
+    """Effects that the rig has: with `open_set` those whose names begin with `x_`, else those of docs/physics.md."""
     names = sorted(path.stem for path in EFFECTS.glob("[!_]*.py"))
     return [name for name in names if name.startswith("x_") == open_set]
 

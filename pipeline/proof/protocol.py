@@ -15,7 +15,7 @@ from .bench import Bench
 Kind = Literal["rich", "poor"]
 SAMPLES = 12_000
 STEPS_PER_SAMPLE = 8
-REST_BAND = 0.05  # of the twist's range, as the contract has it
+REST_BAND = 0.05  # of the twist's range: a hold so near the lowest twist is a rest, as in run/strokes.py
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..ground.errors import program
 from ..ground.files import write_text
-from .ask import ask
+from .verdicts import ask
 
 
 @program
@@ -21,9 +21,9 @@ def main() -> None:
     questions = {}
     for more in sorted(arguments.more.glob("*/*/*-more")):
         run, way = more.parts[-3:-1]
-        questions[f"{run}/{way}"] = ask(
-            [arguments.runs / run, more], arguments.out / run / way, arguments.without, together=True
-        )
+        out = arguments.out / run / way
+        out.mkdir(parents=True, exist_ok=True)  # what is refused leaves it empty, and is scored as refused
+        questions[f"{run}/{way}"] = ask([arguments.runs / run, more], out, arguments.without, together=True)
     write_text(arguments.out / "settled.json", json.dumps(questions, indent=1) + "\n")
 
 

@@ -13,6 +13,7 @@ from ..diagnosis.library import mechanisms
 from ..diagnosis.linear import Linear
 from ..diagnosis.noise import white
 from ..diagnosis.problem import Problem
+from ..diagnosis.recorded_run import RecordedRun
 from ..diagnosis.search import Search
 from ..ground.errors import program
 from ..ground.files import write_text
@@ -45,7 +46,7 @@ def noise_free(case: Case) -> tuple[Problem, Array]:
     if case.thermocouple:
         channels["temperature_c"] = shown.temperature_c
     run = parse_run(bench.described("twin", load=False), Path("twin/run.yaml").resolve())
-    problem = engine.make_problem([run], [pd.DataFrame(channels)], most=len(shown.time_s))
+    problem = engine.make_problem([RecordedRun(run, pd.DataFrame(channels))], most=len(shown.time_s))
     return frozen(problem, problem.nominal()), shown.displacement_mm - bare.displacement_mm
 
 

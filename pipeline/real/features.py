@@ -25,7 +25,7 @@ def low_pass(signal: Array, step_s: float, band_hz: float) -> Array:
 def memory(motion: Array, width: float) -> Array:
     """Which way the motion came, between -1 and 1: it takes `width` of travel to turn from zero to either end.
 
-    Shape (samples,).
+    Shape (samples,), without a unit; motion and width in one unit.
     """
     state, remembered = 0.0, np.empty(len(motion))
     for row, step in enumerate(np.diff(motion, prepend=motion[0]).tolist()):

@@ -1,6 +1,5 @@
 """A folder of downloaded files → the runs to make of them: which rig each shows, and which belong together."""
 
-import hashlib
 import re
 from collections import Counter
 from dataclasses import dataclass
@@ -8,11 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
-from ..ground.names import PERIODIC
+from ..ground.names import slug
 from .rigs import MAPPINGS, Rig, read_rigs
 
 LEAST_TOGETHER = 2
-LONGEST_SLUG = 60
 MOST_LISTED = 500  # of them on a page
 SHOWN = 8  # files that a sentence names
 ALL_OTHERS = "all others"  # where a method learnt from every other run of the group
@@ -79,15 +77,6 @@ class RealPlan:
         if not self.recordings:
             raise BadInput("configuration", "recordings", "is not given", NONE_GIVEN)
         return [f"processed/real/table/{rig}.csv" for rig in self.rigs]
-
-
-def slug(text: str) -> str:
-    """A text in the letters that a run's name may have, never empty; too long, or too often the same, it is cut."""
-    plain = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
-    if plain and len(plain) <= LONGEST_SLUG and not PERIODIC.search(f"-{plain}"):
-        return plain
-    told_apart = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:8]
-    return f"{plain[: LONGEST_SLUG - 9].strip('-') or 'unnamed'}-{told_apart}"
 
 
 def _known(pattern: str, file: Path) -> re.Match[str] | None:

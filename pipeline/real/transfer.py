@@ -1,6 +1,8 @@
 """What was learnt on recordings, asked about others of the same thing: the diagnosis and the black boxes."""
 
 import argparse
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TypedDict
 
@@ -9,27 +11,31 @@ import pandas as pd
 
 from ..diagnosis.content import Simulated
 from ..diagnosis.own_rate import at_own_rate
+from ..diagnosis.problem import Problem
+from ..diagnosis.recorded_run import RecordedRun
 from ..diagnosis.simulation import read_diagnosis, state_of, tare
+from ..diagnosis.written import JSON
 from ..ground.errors import BadInput, program
 from ..ground.files import whole
 from ..run.description import Run
-from ..run.samples import read_samples
-from .ask import ask
+from ..string.from_raw import read
+from ..string.history import Recorded
+from ..string.jumps_beside import Beside
+from .black_box import Asked, Learnt, learn
 from .black_boxes import looks
-from .blackbox import Asked, Learnt, learn
 from .bring import usable
 from .features import Array, span_of
 from .plan import ALL_OTHERS
+from .verdicts import ask
 
 COLUMNS = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]
 LEAST_OTHERS = 2
-Samples = tuple[Run, pd.DataFrame]
 
 
 def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tuple[float, float]:
     """Rms error with the zero set on the first second, where `tared`, and with the best zero of all.
 
-    Each given has the shape (samples,).
+    Each given has the shape (samples,): predicted and measured in the reading's unit, time in s.
     """
     left = measured - predicted
     first = left - tare(predicted, measured, time_s) if tared else left
@@ -38,23 +44,43 @@ def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tup
     )
 
 
-def simulated(content: Simulated, about: Samples, path: Path) -> tuple[Array, Array, Array]:
-    """Prediction of a diagnosis for another recording, what that measured, and its time; its zero is left open.
+@dataclass(frozen=True, eq=False)
+class About:
+    """A recording that others are asked about and learn from: read and cut once, and one problem for all diagnoses."""
 
-    Each of shape (samples,), in the reading's unit and s.
-    """
-    run, samples = about
-    problem = at_own_rate([run], [samples])
-    return problem.simulate(state_of(content, problem, path, run.run)), problem.measured, problem.record.time_s
+    recorded: Recorded
+
+    @property
+    def run(self) -> Run:
+        """What its run.yaml says."""
+        return self.recorded.run
+
+    @property
+    def samples(self) -> pd.DataFrame:
+        """Its samples, one row each."""
+        return self.recorded.table
+
+    @cached_property
+    def problem(self) -> Problem:
+        """The simulator's problem at the recording's own rate."""
+        return at_own_rate([RecordedRun(self.run, self.samples, self.recorded.strokes, self.recorded.folder)])
+
+    def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
+        """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.
+
+        Each of shape (samples,), in the reading's unit and s.
+        """
+        state = state_of(content, self.problem, path, self.run.run)
+        return self.problem.simulate(state), self.problem.measured, self.problem.record.time_s
 
 
 class Source:
     """Recordings that every method learnt from, and their diagnosis where there is one."""
 
-    def __init__(self, recordings: list[Samples], diagnosis: Path) -> None:
-        self.span, self.diagnosis = max(span_of(samples) for _, samples in recordings), diagnosis
-        parts = [Asked.of(run, samples, self.span) for run, samples in recordings]
-        self.seen = Asked.joined(parts, recordings[0][0].system.free_zero)
+    def __init__(self, recordings: list[About], diagnosis: Path) -> None:
+        self.span, self.diagnosis = max(span_of(about.samples) for about in recordings), diagnosis
+        parts = [Asked.of(about.run, about.samples, self.span) for about in recordings]
+        self.seen = Asked.joined(parts, recordings[0].run.system.free_zero)
         self._learnt: dict[tuple[str, ...], Learnt] = {}
 
     def learnt(self, method: str, columns: list[str]) -> Learnt:
@@ -64,17 +90,16 @@ class Source:
             self._learnt[key] = learn(method, self.seen, len(self.seen.table), columns)
         return self._learnt[key]
 
-    def asked_about(self, about: Samples) -> dict[str, tuple[float, float]]:
+    def asked_about(self, about: About) -> dict[str, tuple[float, float]]:
         """Both errors of every method on all of another recording, in the median of its seeds."""
-        run, samples = about
-        tared = run.system.free_zero
+        tared = about.run.system.free_zero
         predicted_by_run = {}
         if self.diagnosis.is_file():
             content = read_diagnosis(self.diagnosis)
             bare: Simulated = {"parameters": {}, "simulation": []}
             for method, verdict in (("nominal", bare), ("explained", content)):
-                predicted_by_run[method] = errors(*simulated(verdict, about, self.diagnosis), tared)
-        question = Asked.of(run, samples, self.span)
+                predicted_by_run[method] = errors(*about.simulated(verdict, self.diagnosis), tared)
+        question = Asked.of(about.run, about.samples, self.span)
         columns = [name for name in self.seen.table if name in question.table]
         for method in looks():
             predicted = self.learnt(method, columns).predict(question)
@@ -96,11 +121,11 @@ class Row(TypedDict):
     unit: str
 
 
-def rows_of(source: Source, learnt_from: str, runs: dict[str, Samples]) -> list[Row]:
+def rows_of(source: Source, learnt_from: str, runs: dict[str, About]) -> list[Row]:
     """A row for every run that is asked about and every method: rms error in the reading's unit."""
     rows: list[Row] = []
     for name, about in runs.items():
-        unit = about[0].system.channel.rpartition("_")[2]
+        unit = about.run.system.channel.rpartition("_")[2]
         for method, (first, best) in source.asked_about(about).items():
             rows.append(Row(
                 learnt_from=learnt_from, asked_about=name, method=method, rms=first, centred_rms=best, unit=unit
@@ -108,7 +133,7 @@ def rows_of(source: Source, learnt_from: str, runs: dict[str, Samples]) -> list[
     return rows
 
 
-def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[Row]:
+def of_group(runs: dict[str, About], diagnoses: dict[str, Path]) -> list[Row]:
     """Rows for every ordered pair of runs."""
     rows: list[Row] = []
     for name, recording in runs.items():
@@ -117,22 +142,28 @@ def of_group(runs: dict[str, Samples], diagnoses: dict[str, Path]) -> list[Row]:
     return rows
 
 
-def left_out(runs: dict[str, Samples], folders: dict[str, Path], out: Path) -> list[Row]:
+def left_out(runs: dict[str, About], out: Path) -> list[Row]:
     """Rows for every run after learning from all the others together, whose diagnosis goes to `out`/<run>."""
     rows: list[Row] = []
     out.mkdir(parents=True, exist_ok=True)  # also where too few are left to learn from
+    held = {about.recorded.folder.resolve(): about.recorded for about in runs.values()}
+
+    def reader(folder: Path) -> Recorded:
+        return held.get(folder.resolve()) or read(folder)
+
+    beside = Beside(reader=reader)
     for name in runs if len(runs) > LEAST_OTHERS else ():
-        others = [other for other in runs if other != name]
-        ask([folders[other] for other in others], out / name)
-        source = Source([runs[other] for other in others], out / name / "diagnosis.json")
+        others = [runs[other] for other in runs if other != name]
+        ask([about.recorded.folder for about in others], out / name, reader, beside)
+        source = Source(others, out / name / JSON)
         rows += rows_of(source, ALL_OTHERS, {name: runs[name]})
     return rows
 
 
-def _read(folder: Path) -> Samples | None:
-    """A run and its samples, or None when it is not usable, for which the report has the reason."""
+def _read(folder: Path) -> About | None:
+    """A run as it was recorded, or None when it is not usable, for which the report has the reason."""
     try:
-        return read_samples(folder) if usable(folder) else None
+        return About(read(folder)) if usable(folder) else None
     except BadInput:
         return None
 
@@ -151,9 +182,8 @@ def main() -> None:
     arguments = parser.parse_args()
     read = {folder.name: _read(folder) for folder in arguments.run_dir}
     runs = {name: rig_read for name, rig_read in read.items() if rig_read is not None}
-    folders = {folder.name: folder for folder in arguments.run_dir}
-    rows = of_group(runs, {name: arguments.diagnoses / name / "diagnosis.json" for name in runs})
-    rows += left_out(runs, folders, arguments.others)
+    rows = of_group(runs, {name: arguments.diagnoses / name / JSON for name in runs})
+    rows += left_out(runs, arguments.others)
     table = pd.DataFrame([{"group": arguments.group, **row} for row in rows], columns=COLUMNS)
     with whole(arguments.out) as temporary:
         table.to_csv(temporary, index=False, float_format="%.5g")

@@ -11,7 +11,7 @@ from ..ground.names import SYNTHETIC
 from . import paper
 from .agreement import agreement
 from .marks import add_mark, mark_from, write_page
-from .plain import plain
+from .plain_markdown import plain
 from .strokes_there import missing_of, tabled, there_of
 from .titles import titles_of
 

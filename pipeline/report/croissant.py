@@ -15,6 +15,7 @@ import pyarrow as pa
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import sha256, write_text
+from ..ground.units import unit_of
 from .made_by import MadeBy, sentence
 from .marks import add_mark, mark_from
 
@@ -64,7 +65,7 @@ def fields(names: list[str]) -> list[dict[str, Any]]:
     """Each column of a dataset as a field: type, unit and what it holds."""
     entries = []
     for name in names:
-        unit = schemas.unit_of(name)
+        unit = unit_of(name)
         entries.append(
             {
                 "@type": "cr:Field",

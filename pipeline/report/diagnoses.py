@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from ..ground.schemas import unit_of
+from ..ground.units import unit_of
 from .web.glossary import word
 from .web.page import Text, link, paragraph, picture, together
 

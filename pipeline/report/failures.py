@@ -5,7 +5,7 @@ from pathlib import Path
 
 ALL_ELSE = "All else that was asked for is made. Left out until mended:"
 FAILS = "Until then the main job ends as failed. Nothing else went wrong, whatever Snakemake says below."
-LAST = "all_taken"  # the rule that fails where a run was left out, after everything else
+LAST = "left_out"  # the rule that fails where a run was left out, after everything else
 ELSE = "What other runs need is made with --keep-going."
 
 

@@ -14,14 +14,14 @@ from markupsafe import Markup
 
 from ..ground.errors import program
 from ..ground.files import write_text
-from ..ground.words import SIGN
+from ..ground.words_by_file import SIGN
 from ..run.left_out import LeftOut
 from ..string.jump_notes import read_jumps
 from . import diagnoses, jumps, left_out
-from .glance import glance
+from .index_head import glance
 from .made_by import MadeBy
 from .marks import add_mark, mark_from
-from .parts import FOLDER, Parts, of_materials, of_runs
+from .page_parts import FOLDER, Parts, of_materials, of_runs
 from .web.glossary import glossary
 from .web.page import Text, anchor, document, folded, paragraph, together
 

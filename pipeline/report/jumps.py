@@ -6,7 +6,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from .plain import plain
+from .plain_markdown import plain
 from .web.page import paragraph, together
 
 

@@ -70,7 +70,7 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.yaxis.set_major_formatter("{x:g}")
         axes.yaxis.set_minor_formatter(NullFormatter())
     for axes in (forward, inverse, steep):
-        axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=8)
+        axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=7)
         axes.set_xlabel("product of permutations, loss")
         axes.set_xlim(-0.6, len(GROUPS) - 0.4)
         axes.grid(axis="x", visible=False)

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..ground.errors import BadInput
 from ..ground.files import write_text
 from .made_by import MadeBy, unpacked
-from .plain import note
+from .plain_markdown import note
 from .web.markdown import web_page
 
 

@@ -8,7 +8,7 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
-from ..ground.words import SIGN
+from ..ground.words_by_file import SIGN
 from .marks import add_mark, mark_from
 from .sidecar import Column, describe
 

@@ -12,7 +12,7 @@ from ..ground.files import write_text
 from . import paper
 from .comparison import line
 from .marks import add_mark, mark_from, write_page
-from .plain import plain
+from .plain_markdown import plain
 from .sidecar import Column, describe
 from .titles import titles_of
 
@@ -49,7 +49,7 @@ that leans towards winding or unwinding below the floor without direction, in th
 def columns(metrics: pd.DataFrame) -> dict[str, tuple[str, str, str]]:
     """Heads of the columns and the stroke, phase and angle band that each is of.
 
-    Strokes are those that the paper tables, and the first and last held out where it tables none but one.
+    Strokes are the paper's; if at most one of them is there, also the first and the last held-out stroke.
     """
     strokes = sorted({int(stroke) for stroke in metrics["stroke"] if stroke != "all"})
     shown = [stroke for stroke in strokes if stroke in paper.STROKES]

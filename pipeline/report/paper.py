@@ -20,6 +20,6 @@ TABLES = {
 
 
 def header(number: int) -> list[str]:
-    """Column heads of Table I or II, as the contract words them."""
+    """Column heads of Table I or II; they never change, since programs read the csv by them."""
     unit = UNITS[number]
     return ["Model", "Stroke times", f"Average error ({unit})", f"Maximum error ({unit})", f"RMSE ({unit})"]

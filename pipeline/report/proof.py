@@ -7,7 +7,7 @@ from pathlib import Path
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from .marks import add_mark, mark_from
-from .plain import note
+from .plain_markdown import note
 from .sidecar import Column, describe
 from .web.markdown import web_page
 

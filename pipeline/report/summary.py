@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from .diagnoses import verdicts
-from .plain import spoken
+from .plain_markdown import spoken
 
 PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
 FIGURES = ("figure_4.png", "figure_5.png")

@@ -6,7 +6,7 @@ import re
 from itertools import pairwise
 
 from . import paper
-from .plain import plain
+from .plain_markdown import plain
 
 Row = tuple[str, str, list[str]]  # model's title, stroke, cells
 TEX = {

@@ -14,7 +14,7 @@ from ..string.jump_notes import read_jumps
 from . import jumps, left_out, paper
 from .made_by import MadeBy, sentence, warning
 from .marks import add_mark, mark_from
-from .plain import note
+from .plain_markdown import note
 from .sidecar import Column, describe
 from .strokes_there import missing_of, tabled, there_of
 from .table_forms import Row, to_csv, to_latex, to_markdown

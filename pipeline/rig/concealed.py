@@ -3,28 +3,15 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar
 
 import numpy as np
 
 from ..ground.kinematics import Array, Geometry
 from .motion import Commands
+from .otherwise import Otherwise
 
 Parameters = dict[str, Any]  # arguments of an effect's `Model`: numbers, or lists of them
-Other = Literal[
-    "in no time",
-    "infinitely slowly",
-    "at half speed",
-    "a hundred times as fast",
-    "without load",
-    "under one load",
-    "under twice the load",
-    "at rest",
-    "wound up once",
-    "half wound",
-    "never unwound",
-    "by whole turns",
-]  # a motion that is otherwise than the recorded one; `pipeline.proof.referee` makes each
 
 
 @dataclass(frozen=True)
@@ -32,8 +19,8 @@ class Claim:
     """What an effect says of itself: its driver, a motion in which that stands still, motions that change nothing."""
 
     driver: str
-    frozen: Other
-    indifferent: tuple[Other, ...] = ()
+    frozen: Otherwise
+    indifferent: tuple[Otherwise, ...] = ()
 
 
 @dataclass(frozen=True)

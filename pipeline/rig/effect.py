@@ -23,7 +23,7 @@ class Lived:
     turned_rad: Array  # what the motor turned in each step
     twist_rad: Array  # the motor's, then as each twist effect leaves it
     radius_mm: Array  # under load, then as each radius effect leaves it
-    helix_tangent: Array  # of the helix angle
+    helix_tangent: Array  # of the helix angle, without a unit
     helix_mm: Array  # contraction of the helix, as the twist and the radius make it
     advance_mm: Array  # what the helix contracted in each step
     contraction_mm: Array  # the helix' less what the string is longer, then as each contraction effect leaves it
@@ -32,7 +32,7 @@ class Lived:
 
     @property
     def helix_sine(self) -> Array:
-        """Sine of the helix angle. Without a unit."""
+        """Sine of the helix angle. Shape (steps,), without a unit."""
         return self.helix_tangent / np.hypot(1.0, self.helix_tangent)
 
 
@@ -56,7 +56,7 @@ class Effect(ABC):
 def settle(target: Array, share: float, state: Array) -> Array:
     """A state that closes a share of its gap to its target in every step; of the shape of `target`.
 
-    Shape (steps,).
+    Shape (steps,), in the target's unit; `share` is one of 1.
     """
     out = np.empty(len(target))
     for step in range(len(target)):

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
 from ..ground.kinematics import Array
-from ..ground.schemas import unit_of
+from ..ground.units import unit_of
 from ..wire.hello import INTEGERS, Channel
 
 
@@ -28,7 +28,7 @@ def declare(sensors: dict[str, Sensor]) -> tuple[Channel, ...]:
 def read(sensor: Sensor, truth: Array, rng: np.random.Generator) -> Array:
     """Counts of a sensor, whole numbers within its integer's range; of the shape of `truth`.
 
-    `truth` has the shape (samples,).
+    `truth` has the shape (samples,), in the sensor's unit.
     """
     value = truth - (truth[0] if sensor.zeroed else 0.0) + sensor.noise * rng.standard_normal(len(truth))
     range_ = np.iinfo(INTEGERS[sensor.type])

@@ -23,10 +23,10 @@ class Simulated:
     """One recording before it is sent, and the truth behind it."""
 
     hello: Hello
-    samples: NDArray[np.void]  # (samples,), of the HELLO's sample type
+    samples: NDArray[np.void]  # (samples,), of the HELLO's sample type, each field in its channel's unit
     events: list[tuple[int, int, Event, int]]  # the sample that it comes before, t_us, code, value
     time_s: Array  # (samples,)
-    truth: dict[str, Array]  # by channel, each (samples,)
+    truth: dict[str, Array]  # by channel, each (samples,), in the channel's unit
 
 
 def simulate(setup: SetUp, seed: int) -> Simulated:

@@ -11,7 +11,7 @@ def campaign_settings(wildcards):
 
 
 def code_of_learner(wildcards):
-    return fingerprint("pipeline.campaign.fewshot", f"pipeline.models.{wildcards.learner}")
+    return fingerprint("pipeline.campaign.few_shot", f"pipeline.models.{wildcards.learner}")
 
 
 wildcard_constraints:
@@ -87,7 +87,7 @@ rule few_shot:
     message:
         "ask {wildcards.learner} about new strings, from few of their strokes"
     shell:
-        "exec python -m pipeline.campaign.fewshot {input:q} --model {wildcards.learner:q}"
+        "exec python -m pipeline.campaign.few_shot {input:q} --model {wildcards.learner:q}"
         " --settings {params.settings:q} --out {output:q} > {log:q} 2>&1"
 
 

@@ -11,10 +11,14 @@ def folders_of_runs(wildcards):
     return expand("raw/{run}", run=runs_of(wildcards))
 
 
+# What says of runs what they are and when they began: by its content, as a recording.
+def described(runs):
+    return ancient([file for run in runs for file in RECORDED[run] if Path(file).name in ("run.yaml", "capture.json")])
+
+
 def stages_of_runs(wildcards):
     runs, stages = runs_of(wildcards), ["samples", "strokes"]
-    described = [file for run in runs for file in RECORDED[run] if Path(file).name in ("run.yaml", "capture.json")]
-    return ancient(described) + expand("processed/{run}/{stage}.parquet", run=runs, stage=stages)
+    return described(runs) + expand("processed/{run}/{stage}.parquet", run=runs, stage=stages)
 
 
 rule dataset:

@@ -1,6 +1,12 @@
+# What ingest made of the recording; beside it, what the run is, and when it began.
+def made_of_run(wildcards):
+    stages = expand("processed/{run}/{stage}.parquet", run=wildcards.run, stage=["samples", "strokes"])
+    return described([wildcards.run]) + stages
+
+
 rule diagnose:
     input:
-        recording,
+        made_of_run,
     output:
         directory("reports/diagnosis/{run}"),
     log:
@@ -14,4 +20,5 @@ rule diagnose:
     message:
         "diagnose {wildcards.run}"
     shell:
-        "exec python -m pipeline.diagnose raw/{wildcards.run:q} --out reports/diagnosis --note-refusals > {log:q} 2>&1"
+        "exec python -m pipeline.diagnose raw/{wildcards.run:q} --processed processed --out reports/diagnosis"
+        " --note-refusals > {log:q} 2>&1"

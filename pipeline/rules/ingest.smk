@@ -16,7 +16,8 @@ rule ingest:
     input:
         recording,
     output:
-        "processed/{run}/samples.parquet",
+        samples="processed/{run}/samples.parquet",
+        strokes="processed/{run}/strokes.parquet",
     log:
         "processed/logs/ingest-{run}.log",
     resources:
@@ -25,6 +26,7 @@ rule ingest:
         content=content,
         code=fingerprint("pipeline.stages.ingest"),
     message:
-        "ingest {wildcards.run}"
+        "ingest {wildcards.run}, and cut it into strokes"
     shell:
-        "exec python -m pipeline.stages.ingest raw/{wildcards.run:q} --out {output:q} $NOTE_REFUSALS > {log:q} 2>&1"
+        "exec python -m pipeline.stages.ingest raw/{wildcards.run:q} --out {output.samples:q}"
+        " --out-strokes {output.strokes:q} $NOTE_REFUSALS > {log:q} 2>&1"

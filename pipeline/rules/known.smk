@@ -9,7 +9,7 @@ elif not COPY:
     STORED = [
         *stored(config["models"], PLAN),
         *expand(rules.floor.output, material=MATERIALS),
-        *expand(rules.leak_fit.output, material=LEAKED, variant=LEAKING, seed=LEAK_SEEDS),
+        *expand(rules.train_leak.output, material=LEAKED, variant=LEAKING, seed=LEAK_SEEDS),
         *expand(rules.leak.output, material=LEAKED),
     ]
     DAMAGED = KNOWN.damaged(STORED)

@@ -16,19 +16,19 @@ def settings_of_leaking(wildcards):
     return json.dumps({**config["models"]["inn"]["settings"], **config["leak"]["settings"], **own}, sort_keys=True)
 
 
-rule leak_fit:
+rule train_leak:
     input:
         "processed/{material}/dataset.parquet",
     output:
         predictions="processed/{material}/leak/{variant}/within-{seed}.predictions.parquet",
         model="processed/{material}/leak/{variant}/within-{seed}.model",
     log:
-        "processed/logs/leak_fit-{material}-{variant}-{seed}.log",
+        "processed/logs/train_leak-{material}-{variant}-{seed}.log",
     wildcard_constraints:
         variant="|".join(LEAKING),
     threads: 1
     resources:
-        **NEEDS["leak_fit"],
+        **NEEDS["train_leak"],
     params:
         settings=settings_of_leaking,
         code=fingerprint("pipeline.stages.train", "pipeline.models.inn"),

@@ -36,5 +36,5 @@ DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml
 MODELS = table_order(config["models"], DEFAULT["models"])
 # What jobs may take, and where they start: without a shared file system, in a machine's own copy of the storage, in which
 # a job's raw/, processed/ and reports/ lie.
-NEEDS, COPY = Needs(), copy_of_storage(workflow.storage_settings)
+NEEDS, COPY = Needs(PLAN.materials), copy_of_storage(workflow.storage_settings)
 TO_COPY = f"mkdir -p {shlex.quote(COPY)} && cd {shlex.quote(COPY)} || exit 1; " if COPY else ""

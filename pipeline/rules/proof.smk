@@ -69,11 +69,11 @@ rule verdict:
     params:
         without=without,
         author=author,
-        code=fingerprint("pipeline.proof.ask", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
+        code=fingerprint("pipeline.proof.verdicts", "pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.ask {input:q} --out {output:q} --without={params.without:q}"
+        "exec python -m pipeline.proof.verdicts {input:q} --out {output:q} --without={params.without:q}"
         " --untaught-by={params.author:q} > {log:q} 2>&1"
 
 
@@ -88,11 +88,11 @@ rule carry_on:
         **NEEDS["carry_on"],
     params:
         cases=cases_of,
-        code=fingerprint("pipeline.proof.addon", "pipeline.rig.effects.*"),
+        code=fingerprint("pipeline.proof.carry_on", "pipeline.rig.effects.*"),
     message:
         "carry out what the ties of {wildcards.batch} ask for"
     shell:
-        "exec python -m pipeline.proof.addon --cases {params.cases:q} --verdicts {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.proof.carry_on --cases {params.cases:q} --verdicts {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule settle:
@@ -145,11 +145,11 @@ rule baselines:
         **NEEDS["baselines"],
     params:
         runs=compared_of,
-        code=fingerprint("pipeline.proof.compare", "pipeline.proof.baselines.*"),
+        code=fingerprint("pipeline.proof.ask_baselines", "pipeline.proof.baselines.*"),
     message:
         "ask the baselines about {wildcards.batch}"
     shell:
-        "exec python -m pipeline.proof.compare {params.runs:q} --runs {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.proof.ask_baselines {params.runs:q} --runs {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule twins:

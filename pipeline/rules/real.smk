@@ -71,14 +71,14 @@ rule real_verdict:
     resources:
         **NEEDS["real_verdict"],
     params:
-        code=fingerprint("pipeline.real.ask", "pipeline.diagnosis.*", "pipeline.systems.*"),
+        code=fingerprint("pipeline.real.verdicts", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.run}"
     shell:
-        "exec python -m pipeline.real.ask {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.real.verdicts {input:q} --out {output:q} > {log:q} 2>&1"
 
 
-rule real_together:
+rule real_verdict_together:
     input:
         real_group,
     output:
@@ -86,13 +86,13 @@ rule real_together:
     log:
         "processed/logs/real-together-{rig}-{group}.log",
     resources:
-        **NEEDS["real_together"],
+        **NEEDS["real_verdict_together"],
     params:
-        code=fingerprint("pipeline.real.ask", "pipeline.diagnosis.*", "pipeline.systems.*"),
+        code=fingerprint("pipeline.real.verdicts", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose all of {wildcards.group} of {wildcards.rig} together"
     shell:
-        "exec python -m pipeline.real.ask {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.real.verdicts {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule black_boxes:
@@ -105,11 +105,11 @@ rule black_boxes:
     resources:
         **NEEDS["black_boxes"],
     params:
-        code=fingerprint("pipeline.real.blackbox"),
+        code=fingerprint("pipeline.real.black_box"),
     message:
         "ask black boxes about {wildcards.run}"
     shell:
-        "exec python -m pipeline.real.blackbox {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.real.black_box {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule transfer:

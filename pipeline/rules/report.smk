@@ -1,5 +1,5 @@
-from pipeline.ground.words import by_file
-from pipeline.report.ended import WORDS
+from pipeline.ground.words_by_file import by_file
+from pipeline.report.stale_reports import WORDS
 from pipeline.run.left_out import to_json
 
 
@@ -187,20 +187,20 @@ rule index:
 
 # It asks in a second, so a cluster's own machine does.
 localrules:
-    all_taken,
+    left_out,
 
 
 # It fails where a run was refused, after everything else is made, so that this is not overlooked.
-rule all_taken:
+rule left_out:
     input:
         LEFT_OUT,
         last=["reports/index.html", "reports/metrics.csv"],
     output:
         "processed/left_out.json",
     log:
-        "processed/logs/all_taken.log",
+        "processed/logs/left_out.log",
     resources:
-        **NEEDS["all_taken"],
+        **NEEDS["left_out"],
     params:
         words=words_of_left_out,
         code=fingerprint("pipeline.report.left_out"),

@@ -2,7 +2,7 @@ import snakemake.exceptions
 from snakemake.exceptions import WorkflowError
 
 from pipeline.ground.errors import BadInput
-from pipeline.report.ended import remove_stale, rewrite, unmade
+from pipeline.report.stale_reports import remove_stale, rewrite, unmade
 from pipeline.report.failures import told, without
 from pipeline.report.left_out import noted_in
 

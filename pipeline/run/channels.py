@@ -12,27 +12,9 @@ from ..formats.time_stamps import Stamps, holds_stamps
 from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
 from ..ground.units import conversion
+from .column_places import check_columns, place_of
 from .description import STRING_ACTUATORS, Channel, Run
 from .named_units import in_its_unit
-
-
-def _place(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool, described: Path) -> int:
-    """Index of a channel's column, which `described` tells; raises BadInput where the file has none, or two."""
-    key = name if channel.column is None else channel.column
-    if isinstance(key, int):
-        if not 0 <= key < table.shape[1]:
-            mend = f"correct channels.{name}.column"
-            raise BadInput(path, f"column {key}", f"is not among its {table.shape[1]} columns", mend)
-        return key
-    places = [place for place, column in enumerate(table.columns) if column == key]
-    if len(places) > 1:
-        mend = f"give the index of the right one under channels.{name}.column"
-        raise BadInput(path, name, f"the column {key!r} is there {len(places)} times", mend)
-    if not places:
-        there = ", ".join(key_name(name) for name in table.columns[:12])
-        where = f"correct channels.{name}.column" if given else f"name the column under channels.{name}.column"
-        raise BadInput(path, name, f"there is no column {key!r}, only {there}", f"{where} in {described.name}")
-    return places[0]
 
 
 def _plain(value: object) -> object:
@@ -67,21 +49,27 @@ class Channels:
         """Where a channel stands; None for one that is not there and need not be."""
         if name in self.run.channels:
             return self.run.channels[name]
-        asked = [channel.column for channel in self.run.channels.values()]
+        named = [channel.column for channel in self.run.channels.values()]
         if name not in table.columns:
             known = self.run.system.columns
-            free = [column for column in table.columns if column not in (*known, *asked)]
-            if there := in_its_unit(name, free):
+            free = [column for column in table.columns if column not in (*known, *named)]
+            if in_unit := in_its_unit(name, free):
                 if name not in self._said:
                     self._said.add(name)
-                    print(f"{self.path}: {name} is read from its column {there[0]}, in {there[1]}", file=sys.stderr)
-                return Channel.model_validate({"column": there[0], "unit": there[1]})
+                    print(f"{self.path}: {name} is read from its column {in_unit[0]}, in {in_unit[1]}", file=sys.stderr)
+                return Channel.model_validate({"column": in_unit[0], "unit": in_unit[1]})
             if name not in known[:3]:
                 return None
         return Channel.model_validate({})
 
     def _placed(self, table: pd.DataFrame, name: str, channel: Channel) -> int:
-        return _place(table, name, channel, self.path, name in self.run.channels, self.mapping)
+        return place_of(table, name, channel, self.path, name in self.run.channels, self.mapping)
+
+    def _check_columns(self, table: pd.DataFrame) -> None:
+        """Raise BadInput that names all columns at once, where several are missing."""
+        channels = {name: self._channel(table, name) for name in self.run.system.columns}
+        wanted = {name: channel for name, channel in channels.items() if channel and channel.step_s is None}
+        check_columns(table, wanted, self.path, self.run.channels, self.mapping)
 
     def _asked(self, table: pd.DataFrame, first: int) -> pd.DataFrame:
         """The rows of a piece that `file.rows` asks for, or all; `first` is the number of its first row."""
@@ -93,6 +81,7 @@ class Channels:
     def look(self, table: pd.DataFrame) -> bool:
         """Note the time stamps of a piece that are dates or times of day; whether the next is to be looked at too."""
         table, self._looked = self._asked(table, self._looked), self._looked + len(table)
+        self._check_columns(table)
         channel = self._channel(table, "time_s")
         if channel is None or channel.step_s is not None:
             return False
@@ -155,8 +144,8 @@ class Channels:
                 raise ValueError("is not the unit of dates and times of day, which are read in s; take it out")
         except ValueError as error:
             problem, _, mend = str(error).partition("; ")
-            said = key_name(channel.unit)
-            raise BadInput(self.mapping, f"channels.{name}.unit", f"{said} {problem}", mend) from None
+            unit_name = key_name(channel.unit)
+            raise BadInput(self.mapping, f"channels.{name}.unit", f"{unit_name} {problem}", mend) from None
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused as no number
             return factor * (channel.scale * self._numbers(column, name) + channel.offset) + shift
 

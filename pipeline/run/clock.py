@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..ground import order
+from ..ground import quantiles
 from ..ground.kinematics import Array
 from ..ground.rows import Rows
 
@@ -49,4 +49,4 @@ class Clock:
                 most, leap = float(step_s.max()), first + int(np.argmax(step_s))
             least = min(least, float(step_s.min()))
         before, after = samples.read("time_s", leap, leap + 2).tolist()
-        return Clock(least, most, order.median(steps, last), wrong, first_wrong, leap, (before, after))
+        return Clock(least, most, quantiles.median(steps, last), wrong, first_wrong, leap, (before, after))

@@ -3,18 +3,11 @@
 from pathlib import Path
 from typing import Annotated, Any, Literal, Required
 
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    ValidationError,
-    model_validator,
-)
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from typing_extensions import TypedDict
 
 from ..ground import names
+from ..ground.bare_columns import all_written_out
 from ..ground.complaint import bad_section, key_name, meant, short
 from ..ground.errors import BadInput
 from ..ground.kinematics import usual_stiffness
@@ -103,7 +96,9 @@ class Adopted(_Section):
     tied: list[list[str]] = Field(default_factory=list)
     diagnosis: str | None = Field(None, description="the diagnosis.json that was adopted")
     runs: list[str] | None = Field(None, description="the runs that the effects were fitted to")
-    next_experiment: str | None = Field(None, description="the run that decides between what tied, in words")
+    next_experiment: list[str] | str | None = Field(
+        None, description="the run that decides between what tied, in words"
+    )
     dimensions: dict[str, Fitted] | None = Field(None, description="the dimensions that fit with the effects")
 
 
@@ -129,11 +124,9 @@ class Run(_Section):
     rig: dict[str, Number] = Field(default_factory=dict, description="the rig's dimensions")
     tolerance: dict[str, Positive] = Field(default_factory=dict)
     simulation: list[Included] = Field(default_factory=list)
-    adopted: list[Adopted] = Field(
-        default_factory=list, description="where `simulation` came from, one entry a verdict"
-    )
+    adopted: list[Adopted] = Field(default_factory=list, description="where `simulation` came from, by verdict")
     file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
-    channels: dict[str, Channel] = Field(default_factory=dict)
+    channels: Annotated[dict[str, Channel], BeforeValidator(all_written_out)] = Field(default_factory=dict)
     tare: Literal["string", "run"] = Field(
         "string", description='"run" where the zero was moved since the run before of the same string'
     )
@@ -160,8 +153,15 @@ class Run(_Section):
                 raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig{self._or_else}")
         for key in self.tolerance:
             if key not in system.tolerance:
-                raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {meant(key, system.tolerance)}")
+                raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {self._as_share(key)}")
         return self
+
+    def _as_share(self, key: str) -> str:
+        """How to write a tolerance under an unknown key, such as one in mm where a share belongs."""
+        share, nominal, known = key.removesuffix("_mm"), getattr(self.string, key, None), self.system.tolerance
+        if share not in known or not nominal:
+            return meant(key, known)
+        return f"write {share}: {self.tolerance[key] / nominal:.3g}, which is a share of {nominal:g} mm"
 
     @property
     def _or_else(self) -> str:

@@ -40,6 +40,11 @@ def _of_another_rig(folder: Path) -> bool:
     return not isinstance(hello, dict) or hello.get("device") != SYNTHETIC_DEVICE
 
 
+def has_recording(folder: Path) -> bool:
+    """Whether a run folder holds anything by the name of a recording, whole or not."""
+    return any((folder / name).exists() for name in RECORDINGS)
+
+
 def recording_path(folder: Path | str) -> Path:
     """The one recording of a run folder; raises BadInput when there is none, more than one, or it is unfinished."""
     folder = Path(folder)
@@ -72,6 +77,11 @@ def capture_info(folder: Path | str) -> CaptureJson:
     if not isinstance(info, dict):
         raise BadInput(path, "capture.json", "is not what the capture program writes", "restore it, or use --recover")
     return cast(CaptureJson, info)
+
+
+def started_utc(folder: Path | str) -> str:
+    """When a run began, by the capture program, or nothing for a run that it did not record; raises BadInput."""
+    return str(capture_info(folder).get("started_utc", ""))
 
 
 def checked_info(folder: Path | str) -> CaptureJson:

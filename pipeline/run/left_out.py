@@ -61,16 +61,13 @@ def read_left_out(path: Path) -> list[LeftOut]:
 
 
 @contextmanager
-def noted(run_dir: Path, out: Path, note: bool) -> Iterator[None]:
-    """Where a stage refuses its run, write the refusal in place of its table if `note` says so; else let it pass.
+def noted(run_dir: Path, tables: list[Path], note: bool) -> Iterator[None]:
+    """Where ingest refuses its run, write the refusal in place of each of its tables if `note` says so; else raise it.
 
-    A refusal by an earlier stage is always handed on. A fault of ours in one run costs that run, and is shown in full.
+    A fault of ours in one run costs that run, and is shown in full.
     """
     try:
         yield
-    except schemas.Refused as error:
-        schemas.write_refusal(error, out)
-        print(f"left out: {error}")
     except Exception as error:
         if not note or isinstance(error, schemas.Damaged):
             raise
@@ -78,5 +75,6 @@ def noted(run_dir: Path, out: Path, note: bool) -> Iterator[None]:
             traceback.print_exc()
             problem = f"could not be read: {type(error).__name__}: {error}"
             error = BadInput(run_dir, "recording", problem, "please report it, with its log")
-        schemas.write_refusal(error, out)
+        for table in tables:
+            schemas.write_refusal(error, table)
         print(f"left out: {error}")

@@ -1,4 +1,4 @@
-"""A recording's motion without outliers, and its speed, in any part of it: no more of it is read than that part."""
+"""A recording's motion without spikes and outliers, and its speed, in any part of it: no more than that is read."""
 
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
@@ -6,10 +6,11 @@ from functools import cached_property, lru_cache
 import numpy as np
 from scipy.ndimage import median_filter
 
-from ..ground import order
+from ..ground import quantiles
 from ..ground.kinematics import Array
 from ..ground.rows import Rows
 from ..ground.spans import Places
+from .spikes import spikes, without_spikes
 
 OUTLIER_SAMPLES = 5  # width of the median that keeps outliers of the motor channel out
 SPEED_WINDOW_S = 0.2
@@ -23,30 +24,37 @@ class Motion:
         self.speed = lru_cache(maxsize=2)(self._speed)
 
     def time_s(self, first: int, stop: int) -> Array:
-        """Time from sample `first` until `stop`; shape (stop - first,)."""
+        """Time from sample `first` until `stop`, in s; shape (stop - first,)."""
         return self.rows.read("time_s", first, stop)
 
+    @cached_property
+    def _spikes(self) -> Places:
+        return spikes(self.rows, self.driver)
+
     def smooth(self, first: int, stop: int) -> Array:
-        """Motion from sample `first` until `stop`, each the median of the samples about it; shape (stop - first,)."""
-        begin = max(first - OUTLIER_SAMPLES // 2, 0)
-        about = self.rows.read(self.driver, begin, min(stop + OUTLIER_SAMPLES // 2, self.length))
+        """Motion from sample `first` until `stop`, each the median of the samples about it.
+
+        In the driver's unit, shape (stop - first,).
+        """
+        begin, end = max(first - OUTLIER_SAMPLES // 2, 0), min(stop + OUTLIER_SAMPLES // 2, self.length)
+        about = without_spikes(self.rows, self.driver, self._spikes, begin, end)
         return np.asarray(median_filter(about, OUTLIER_SAMPLES, mode="nearest")[first - begin : stop - begin])
 
     def smooth_at(self, places: Places) -> Array:
-        """Motion at some samples, in any order; shape (places,)."""
+        """Motion at some samples, in any order; shape (places,), in the driver's unit."""
         values = np.empty(len(places))
         piece = np.searchsorted(self.rows.borders, places, side="right") - 1
         for number in np.unique(piece).tolist():
-            here, (first, stop) = piece == number, self.rows.spans[number]
-            values[here] = self.smooth(first, stop)[places[here] - first]
+            inside, (first, stop) = piece == number, self.rows.spans[number]
+            values[inside] = self.smooth(first, stop)[places[inside] - first]
         return values
 
     def pieces(self) -> Iterator[Array]:
-        """All of the motion, piece by piece, each of shape (samples,)."""
+        """All of the motion, piece by piece, each of shape (samples,), in the driver's unit."""
         return (self.smooth(*span) for span in self.rows.spans)
 
     def steps_s(self, first: int, stop: int) -> Array:
-        """Time from each sample to the next, the last one's 0; shape (stop - first,)."""
+        """Time from each sample to the next, the last one's 0; shape (stop - first,), in s."""
         time_s = self.time_s(first, min(stop + 1, self.length))
         return np.diff(time_s, append=time_s[-1:]) if stop == self.length else np.diff(time_s)
 
@@ -54,7 +62,7 @@ class Motion:
     def step_s(self) -> float:
         """The usual time from one sample to the next: the median."""
         ends = (self.rows.spans, self.length - 1)
-        return order.median(lambda: (self.steps_s(a, min(b, ends[1])) for a, b in ends[0] if a < ends[1]), ends[1])
+        return quantiles.median(lambda: (self.steps_s(a, min(b, ends[1])) for a, b in ends[0] if a < ends[1]), ends[1])
 
     @cached_property
     def reach(self) -> int:

@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable
 
-from ..ground.schemas import unit_of
-from ..ground.units import UNITS, conversion
+from ..ground.units import UNITS, conversion, unit_of
 
 TIMES = {"time_ms": "ms", "t_ms": "ms", "time_us": "us", "t_us": "us", "millis": "ms", "micros": "us"}
 

@@ -9,39 +9,64 @@ from ..formats.stored import read_table
 from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
 from .description import STRING_ACTUATORS, Run
+from .recording import to_samples
 from .samples import check_clock, check_finite
 
-STANDS, UNWOUND, SHORT_S = 0.02, 0.05, 1.0  # of the highest speed: slower stands; of the range; not worth a word
-LONGER = 2.0  # times the longest hold that was recorded: what is slow goes on in a longer one
-ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
 SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
+SAME = 0.01  # of a step: a point that is so near to a corner is that corner, but for rounding
 LONGEST_S = 86_400.0  # a plan that is made of corners
 
 
-def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> pd.DataFrame:
-    """Samples of a motion that a .csv or .parquet at `path` plans for a run's rig; other columns are left out.
+def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> tuple[pd.DataFrame, bool]:
+    """Samples of a motion that a .csv or .parquet at `path` plans for a run's rig, and whether it was drawn by corners.
 
     The file has `time_s`, the motion (`motor_turns` of a string) and, where the rig has them, load and temperature,
-    under these names and in these units. Points of a string that lie further apart than samples do are joined by
-    straight lines. A load that it lacks is `rig.load_n`, or that of what was `recorded` if it stood still. Raises
-    BadInput, also where nothing tells the load.
+    under these names and in these units, or under the names that run.yaml gives to the columns of the recording, and
+    in the units that it gives to them. Points of a string that lie further apart than samples do are joined by
+    straight lines. Other columns are left out. A load that it lacks is `rig.load_n`, or that of what was `recorded` if
+    it stood still. Raises BadInput, also where nothing tells the load.
     """
-    table, system = read_table(path, TextFile.model_validate({})), run.system
+    system, raw = run.system, read_table(path, TextFile.model_validate({}))
+    table = _by_own_names(run, raw, path)
     lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
     if lacking:
-        columns_there = ", ".join(map(str, table.columns[:12]))
+        columns_there = ", ".join(map(str, raw.columns[:12]))
         mend = f"give a table with time_s, {system.driver}{f', {system.load}' if system.load else ''} in these units"
-        raise BadInput(path, lacking[0], f"there is no such column, only {columns_there}", mend)
+        own = [f"{run.channels[name].column} for {name}" for name in lacking if _own_column(run, name)]
+        own_names = f", or with the columns of the recording: {' and '.join(own)}" if own else ""
+        no = "are no such columns" if len(lacking) > 1 else "is no such column"
+        raise BadInput(path, ", ".join(lacking), f"there {no}, only {columns_there}", f"{mend}{own_names}")
     kept = [name for name in system.columns if name in table.columns and name != system.channel]
     samples = table[kept].apply(pd.to_numeric, errors="coerce").astype(float)
     if system.load and system.load not in samples:
         samples[system.load] = _load(run, recorded, path)
-    if run.actuator in STRING_ACTUATORS:
-        samples = _joined(samples)
-    check_finite(samples, path)
-    check_clock(samples, path, float("inf"))
-    return samples.assign(**{system.channel: 0.0})
+    joined = _joined(samples) if run.actuator in STRING_ACTUATORS else samples
+    check_finite(joined, path)
+    check_clock(joined, path, float("inf"))
+    return joined.assign(**{system.channel: 0.0}), joined is not samples
+
+
+def _own_column(run: Run, name: str) -> str | None:
+    """The name that the column of a channel has in a run's recording; None where it has none of its own."""
+    column = run.channels[name].column if name in run.channels else None
+    return column if isinstance(column, str) and column != name else None
+
+
+def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
+    """A table with the channels that stand in it under the names of the recording, read as the recording's are."""
+    own = {
+        name: run.channels[name]
+        for name in run.system.columns
+        if name != run.system.channel and name not in table.columns and _own_column(run, name) in table.columns
+    }
+    if not own:
+        return table
+    raw = table[list(dict.fromkeys(channel.column for channel in own.values()))]
+    absent = {name: 0.0 for name in run.system.columns if name not in own}
+    reader = run.model_copy(update={"channels": own, "file": TextFile.model_validate({})})
+    read = to_samples(reader, raw.assign(**absent), path, Path("run.yaml"))
+    return table.assign(**{name: read[name] for name in own})
 
 
 def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
@@ -62,49 +87,7 @@ def _joined(samples: pd.DataFrame) -> pd.DataFrame:
     rises = len(time_s) > 1 and bool((np.diff(time_s) > 0.0).all()) and bool(np.isfinite(time_s).all())
     if not rises or float(np.diff(time_s).max()) <= SPARSE_S or time_s[-1] - time_s[0] > LONGEST_S:
         return samples
-    fine_s = np.union1d(time_s, np.arange(time_s[0], time_s[-1], STEP_S))
+    between_s = np.arange(time_s[0], time_s[-1], STEP_S)
+    corners = np.searchsorted(time_s, between_s + SAME * STEP_S) - np.searchsorted(time_s, between_s - SAME * STEP_S)
+    fine_s = np.union1d(time_s, between_s[corners == 0])
     return pd.DataFrame({name: np.interp(fine_s, time_s, samples[name]) for name in samples} | {"time_s": fine_s})
-
-
-def beyond(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame) -> str:
-    """Where a planned motion leaves what was recorded, in words: nothing there says how well a simulator does.
-
-    Nothing where it stays inside; a share `ROOM` of what was recorded is no leaving.
-    """
-    driver, ranges = run.system.driver, []
-    kept = [name for name in samples.columns if name not in ("time_s", run.system.channel) and name in recorded]
-    for name in kept:
-        least, most = float(recorded[name].min()), float(recorded[name].max())
-        room = ROOM * max(most - least, abs(most) * ROOM)
-        low, high = float(samples[name].min()), float(samples[name].max())
-        if low < least - room or high > most + room:
-            ranges.append(f"{name} of {low:.4g} to {high:.4g} ({least:.4g} to {most:.4g} were recorded)")
-    planned_speed, recorded_speed = _fastest(samples, driver), _fastest(recorded, driver)
-    if planned_speed > (1.0 + ROOM) * recorded_speed:
-        ranges.append(
-            f"{driver} that change by {planned_speed:.3g} a second (at most {recorded_speed:.3g} were recorded)"
-        )
-    for name, wound in (("hold", True), ("rest", False)):
-        stands_s, stood_s = (_longest_stand(table, driver, wound) for table in (samples, recorded))
-        if stands_s > LONGER * stood_s and stands_s > SHORT_S:
-            ranges.append(f"a {name} of {stands_s:.3g} s (at most {stood_s:.3g} s were recorded)")
-    return f"it asks for {'; '.join(ranges)}" if ranges else ""
-
-
-def _longest_stand(samples: pd.DataFrame, driver: str, wound: bool) -> float:
-    """The longest time, in s, that a motion stands `wound`, or unwound: within a part of its range of its lowest."""
-    time_s, way = samples["time_s"].to_numpy(), samples[driver].to_numpy()
-    step_s = np.diff(time_s)
-    speed = np.abs(np.diff(way)) / step_s
-    high = way[:-1] > way.min() + UNWOUND * np.ptp(way)
-    stands = (speed < STANDS * max(float(np.percentile(speed, 99.0)), 1e-9)) & (high == wound)
-    edges = np.flatnonzero(np.diff(stands)) + 1
-    spans = np.split(step_s, edges)
-    first = [0, *edges]
-    return max((float(span.sum()) for span, at in zip(spans, first, strict=True) if stands[at]), default=0.0)
-
-
-def _fastest(samples: pd.DataFrame, driver: str) -> float:
-    """The highest speed of a motion that lasts for more than a moment, per second."""
-    step_s, way = np.diff(samples["time_s"]), np.abs(np.diff(samples[driver]))
-    return float(np.percentile(way / step_s, 99.0))

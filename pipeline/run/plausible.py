@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground import order
+from ..ground import quantiles
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, Geometry
 from ..ground.rows import Rows
@@ -147,7 +147,7 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
 
 def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
     """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
-    (load_n,) = order.ordered(lambda: samples.pieces("load_n"), len(samples), [(len(samples) - 1) // 2])
+    (load_n,) = quantiles.ordered(lambda: samples.pieces("load_n"), len(samples), [(len(samples) - 1) // 2])
     if abs(load_n) > MOST_LOAD_N:
         raise BadInput(
             path, "load_n", f"is {load_n:.3g} N", "check channels.load_n, its unit and scale, and rig.load_n"

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground import order
+from ..ground import quantiles
 from ..ground.errors import BadInput
 from ..ground.kinematics import Geometry
 from ..ground.rows import Rows
@@ -17,7 +17,7 @@ DOUBT_STRETCH = 0.1  # and hardly one by so much
 
 def load_mistake(run: Run, samples: Rows, base: Geometry, path: Path, most: float) -> BadInput | None:
     """What speaks against a load: its stress on two such strings, or a stretch beyond the share `most`; else None."""
-    load_n = order.median(lambda: map(np.abs, samples.pieces("load_n")), len(samples))
+    load_n = quantiles.median(lambda: map(np.abs, samples.pieces("load_n")), len(samples))
     stress_mpa = load_n / (2.0 * np.pi * base.radius_mm**2)
     share = load_n / base.stiffness_n_per_mm / base.length_mm
     if stress_mpa <= STRONGEST_MPA and share <= most:
@@ -27,7 +27,7 @@ def load_mistake(run: Run, samples: Rows, base: Geometry, path: Path, most: floa
         if stress_mpa > STRONGEST_MPA
         else f"which would stretch the string by {share:.0%} of its length"
     )
-    told = "load_n" in run.rig and samples.extremes("load_n") == (run.rig["load_n"],) * 2
-    mend = "give rig.load_n in newtons" if told else "set channels.load_n.unit to gf"
+    from_run_yaml = "load_n" in run.rig and samples.extremes("load_n") == (run.rig["load_n"],) * 2
+    mend = "give rig.load_n in newtons" if from_run_yaml else "set channels.load_n.unit to gf"
     mend = f"are they grams? {mend}; else check radius_mm and stiffness_n_per_mm"
     return BadInput(path, "load_n", f"is {load_n:.4g} N, {would}", mend)

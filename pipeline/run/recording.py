@@ -17,10 +17,12 @@ __all__ = ["asked_columns", "check_lines", "read_frames", "read_recording", "rec
 
 def asked_columns(run: Run) -> list[str]:
     """Names of the columns that a run's channels are read from, where it has them by name."""
-    told = {name: channel.column for name, channel in run.channels.items()}
+    columns_given = {name: channel.column for name, channel in run.channels.items()}
     made = {name for name, channel in run.channels.items() if channel.step_s is not None}
     columns = [
-        told.get(name) if told.get(name) is not None else name for name in run.system.columns if name not in made
+        columns_given.get(name) if columns_given.get(name) is not None else name
+        for name in run.system.columns
+        if name not in made
     ]
     return [column for column in columns if isinstance(column, str)]
 
@@ -55,8 +57,8 @@ def recording_pieces(run: Run, folder: Path) -> Iterator[pd.DataFrame]:
     path = recording_path(folder)
     if path.suffix == ".frames":
         units, pieces = frame_pieces(path)
-        told = {name: Channel.model_validate({"unit": unit}) for name, unit in units.items()}
-        run = run.model_copy(update={"channels": {**told, **run.channels}})
+        on_the_wire = {name: Channel.model_validate({"unit": unit}) for name, unit in units.items()}
+        run = run.model_copy(update={"channels": {**on_the_wire, **run.channels}})
         return _samples(run, pieces, path, folder / "run.yaml")
     check_lines(path)
     return _samples(run, lambda: table_pieces(path, run.file), path, folder / "run.yaml")

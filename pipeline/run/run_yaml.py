@@ -52,6 +52,6 @@ class RunYaml(TypedDict, total=False):
     simulation: list[Included]
     adopted: list[Adopted]
     file: FileYaml
-    channels: dict[str, ChannelYaml]
+    channels: dict[str, ChannelYaml | str | int]  # a name or an index alone is its column
     tare: Literal["string", "run"]
     mended: dict[str, int]

@@ -1,4 +1,4 @@
-"""Recording → samples: a run's channels in our units, checked at the door."""
+"""Recording → samples: a run's channels in our units, checked at the door, and cut into strokes there."""
 
 import sys
 from collections.abc import Iterator
@@ -74,30 +74,30 @@ def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STE
         raise BadInput(path, "time_s", f"a sample every {clock.usual_s:g} s is no rate of a rig", mend)
 
 
-def _sound(run: Run, samples: Rows, path: Path) -> None:
-    """Raise BadInput unless finite samples can be what their names say and hold a stroke."""
+def _cut(run: Run, samples: Rows, path: Path) -> pd.DataFrame:
+    """Strokes of finite samples; raises BadInput unless these can be what their names say and hold a stroke."""
     check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S)
     if run.actuator not in STRING_ACTUATORS and len(set(samples.extremes(run.system.channel))) == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
         check_string(run, samples, geometry(run), path)
-    segment(samples, run.system.driver, path)
+    return segment(samples, run.system.driver, path)
 
 
-def check(run: Run, samples: pd.DataFrame, path: Path) -> pd.DataFrame:
-    """Samples of a run, read from `path`, without the few that are impossible, which it says on standard error.
+def check(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Samples of a run, read from `path`, without the few that are impossible, and its strokes.
 
-    Raises BadInput unless they can be what their names say and hold a stroke.
+    What is left out is said on standard error. Raises BadInput unless the samples can be what their names say and hold
+    a stroke.
     """
     check_finite(samples, path)
-    samples, said = without_wild(run, samples, path)
-    _warn(said)
-    _sound(run, rows_of(samples), path)
-    return samples
+    samples, warnings = without_wild(run, samples, path)
+    _warn(warnings)
+    return samples, _cut(run, rows_of(samples), path)
 
 
-def _warn(said: list[str]) -> None:
-    for sentence in said:
+def _warn(sentences: list[str]) -> None:
+    for sentence in sentences:
         print(f"warning: {sentence}", file=sys.stderr)
 
 
@@ -108,16 +108,21 @@ def questions(run: Run, samples: pd.DataFrame | Rows, path: Path) -> list[BadInp
 
 def read_samples(folder: Path | str) -> tuple[Run, pd.DataFrame]:
     """A run and its samples (`time_s` and the channels, one row a sample), checked; raises BadInput."""
+    run, samples, _ = read_strokes(folder)
+    return run, samples
+
+
+def read_strokes(folder: Path | str) -> tuple[Run, pd.DataFrame, pd.DataFrame]:
+    """A run, its samples as `read_samples` gives them, and its strokes (`schemas.STROKES`); raises BadInput."""
     folder = Path(folder)
     run = read_run(folder)
     checked_info(folder)
     samples = read_recording(run, folder)
-    path = recording_path(folder)
-    return run, check(run, samples, path)
+    return run, *check(run, samples, recording_path(folder))
 
 
-def stored_samples(folder: Path, temporary: Path) -> tuple[Run, Stored]:
-    """A run and its samples as `read_samples` gives them, but in a file that is written and read by row groups.
+def stored_strokes(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataFrame]:
+    """What `read_strokes` gives, but the samples in a file that is written and read by row groups.
 
     However long the recording, no more than a few row groups are held. Raises BadInput.
     """
@@ -129,18 +134,17 @@ def stored_samples(folder: Path, temporary: Path) -> tuple[Run, Stored]:
     schemas.put(chain([first], pieces), schema, temporary)
     samples = Stored(temporary)
     check_finite(samples, path)
-    gone, said = wild_samples(run, samples, path)
-    _warn(said)
-    if said:
+    gone, warnings = wild_samples(run, samples, path)
+    _warn(warnings)
+    if warnings:
         with whole(temporary) as other:
             schemas.put(_without(samples, gone), schema, other)
         samples = Stored(temporary)
-    _sound(run, samples, path)
-    return run, samples
+    return run, samples, _cut(run, samples, path)
 
 
 def _without(samples: Rows, gone: Places) -> Iterator[pd.DataFrame]:
     """Samples without some rows, piece by piece."""
     for first, stop in samples.spans:
-        one, last = np.searchsorted(gone, [first, stop])
-        yield samples.frame(first, stop).drop(index=gone[one:last] - first)
+        begin, end = np.searchsorted(gone, [first, stop])
+        yield samples.frame(first, stop).drop(index=gone[begin:end] - first)

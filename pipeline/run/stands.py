@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..ground import order, schemas, spans
+from ..ground import quantiles, schemas, spans
 from ..ground.kinematics import Array
 from ..ground.spans import Places, Spans
 from .motion import Motion
@@ -22,16 +22,16 @@ def _speeds(motion: Motion, parts: list[tuple[int, int]]) -> Iterator[Array]:
 
 def _slow(motion: Motion, legs: Places) -> Spans:
     """Where the motion is slower than a share of its leg's usual speed; where two legs meet, the second one's."""
-    found = []
+    slow = []
     for first, last in pairwise(legs.tolist()):
         parts = spans.blocks(first, last + 1, schemas.ROW_GROUP)
         # samples are near enough equally spaced: speed weighs as travel does
-        usual = order.half_of_sum(partial(_speeds, motion, parts), last + 1 - first)
+        usual = quantiles.half_of_sum(partial(_speeds, motion, parts), last + 1 - first)
         for begin, stop in parts:
             mask = motion.speed(begin, stop) < HOLD_SPEED * usual
             end = stop if last == motion.length - 1 else min(stop, last)
-            found.append(spans.of_mask(mask[: end - begin], begin))
-    return spans.joined(found)
+            slow.append(spans.of_mask(mask[: end - begin], begin))
+    return spans.joined(slow)
 
 
 def _jitter(motion: Motion, slow: Spans, legs: Places, span: float) -> Spans:

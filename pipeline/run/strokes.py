@@ -11,11 +11,12 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ..ground import order, schemas, spans
+from ..ground import quantiles, schemas, spans
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.rows import Rows, rows_of
 from ..ground.spans import Places, Spans
+from ..ground.units import unit_of
 from .motion import Motion
 from .stands import PHASE_REVERSAL, stands
 from .turning import turning_points
@@ -34,14 +35,14 @@ def _after_stands(points: Places, holding: Spans, reach: int, length: int) -> Pl
     """
     moved = points.copy()
     for first, last in holding.tolist():
-        one, two = np.searchsorted(points, [first - reach, last + reach])
-        moved[one:two] = last
+        begin, end = np.searchsorted(points, [first - reach, last + reach])
+        moved[begin:end] = last
     return np.clip(moved, 0, length - 1)
 
 
 def _stretches(motion: Motion) -> tuple[Places, Places, Phases]:
     """First sample, stroke and phase of each stretch of one phase of one stroke; all of shape (stretches,)."""
-    low, high = order.percentiles(motion.pieces, motion.length, [0.1, 99.9])
+    low, high = quantiles.percentiles(motion.pieces, motion.length, [0.1, 99.9])
     span = float(high - low)
     strokes, legs = (turning_points(motion.pieces(), share * span) for share in (STROKE_REVERSAL, PHASE_REVERSAL))
     holding = stands(motion, legs, span)
@@ -77,6 +78,12 @@ def label(time_s: Array, motion: Array) -> tuple[Places, Phases]:
     return np.repeat(stroke, times), np.repeat(phase, times)
 
 
+def of_samples(strokes: pd.DataFrame) -> tuple[Places, Phases]:
+    """What `label` says of every sample, by the strokes that `segment` cut them into; both of shape (samples,)."""
+    times = (strokes["last_sample"] - strokes["first_sample"] + 1).to_numpy()
+    return np.repeat(strokes["stroke"].to_numpy(np.intp), times), np.repeat(strokes["phase"].to_numpy(), times)
+
+
 def segment(samples: pd.DataFrame | Rows, driver: str, where: Path | str) -> pd.DataFrame:
     """Strokes of a run, one row for each stretch of one phase of one stroke; columns of `schemas.STROKES`.
 
@@ -86,7 +93,7 @@ def segment(samples: pd.DataFrame | Rows, driver: str, where: Path | str) -> pd.
     motion = Motion(rows, driver)
     reach = float(np.subtract(*rows.percentiles(driver, [99.9, 0.1])))
     first, stroke, phase = _stretches(motion)
-    if reach < LEAST_RANGE.get(schemas.unit_of(driver), 0.0) or not (phase[stroke > 0] == "winding").any():
+    if reach < LEAST_RANGE.get(unit_of(driver), 0.0) or not (phase[stroke > 0] == "winding").any():
         least, most = rows.extremes(driver)
         problem = f"there is no stroke in it: from {least:.3g} to {most:.3g} it never winds up"
         mend = "record at least one winding; is the column the motor's, and its unit right?"

@@ -22,8 +22,8 @@ def _extremes(pieces: Iterable[Array]) -> Iterator[tuple[int, float]]:
         moving = np.flatnonzero(step)
         signs = np.sign(step[moving])
         turned = np.diff(signs, prepend=direction or (signs[0] if len(signs) else 0.0)) != 0
-        found = moving[turned]
-        yield from zip((begin + found).tolist(), motion[found].tolist(), strict=True)
+        extremes = moving[turned]
+        yield from zip((begin + extremes).tolist(), motion[extremes].tolist(), strict=True)
         direction = float(signs[-1]) if len(signs) else direction
         at, value, before = at + len(piece), float(motion[-1]), motion[-1:]
     yield at, value

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 from scipy.ndimage import median_filter
 
-from ..ground import order
+from ..ground import quantiles
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.rows import Rows, rows_of
@@ -37,14 +37,14 @@ def _wild(samples: Rows, name: str, is_load: bool) -> Places:
         return (_beside(samples, name, *span) for span in samples.spans)
 
     with np.errstate(over="ignore", invalid="ignore"):
-        low, high = order.percentiles(pieces, len(samples), INSIDE)
-        size = order.median(lambda: map(np.abs, pieces()), len(samples))
+        low, high = quantiles.percentiles(pieces, len(samples), INSIDE)
+        size = quantiles.median(lambda: map(np.abs, pieces()), len(samples))
         reach = max(high - low, size, LEAST_LOAD) if is_load else (high - low) or size or 1.0
-        found = [
+        places = [
             first + np.flatnonzero(np.abs(samples.read(name, first, stop) - beside) > RANGES * reach)
             for (first, stop), beside in zip(samples.spans, pieces(), strict=True)
         ]
-    return np.concatenate(found)
+    return np.concatenate(places)
 
 
 def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]]:
@@ -53,7 +53,7 @@ def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]
     An ordinary outlier stays: a sample goes only where its value is further from its neighbours' median than three
     times the channel's whole range (of a load: or its size). Raises BadInput where that is over 1 % of all samples.
     """
-    gone, said = np.zeros(0, np.intp), []
+    gone, warnings = np.zeros(0, np.intp), []
     for name in (run.system.driver, run.system.channel, run.system.load):
         if name is None or name not in samples.columns:
             continue
@@ -69,11 +69,11 @@ def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]
             raise BadInput(
                 path, name, problem, "check the sensor and its cable, then remove these rows or record again"
             )
-        said.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
-    return gone, said
+        warnings.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
+    return gone, warnings
 
 
 def without_wild(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFrame, list[str]]:
     """Samples without those of `wild_samples`, and its sentences; raises BadInput as it does."""
-    gone, said = wild_samples(run, rows_of(samples), path)
-    return (samples.drop(index=samples.index[gone]).reset_index(drop=True) if said else samples), said
+    gone, warnings = wild_samples(run, rows_of(samples), path)
+    return (samples.drop(index=samples.index[gone]).reset_index(drop=True) if warnings else samples), warnings

@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 
+from ..ground.figure_file import write_page
 from ..ground.kinematics import Array
-from ..ground.page import write_page
-from ..run.samples import read_samples
 from .proposed import Curves, ProposedRun
 
 SIZE_INCHES, DOTS = (8.0, 7.0), 150
@@ -16,8 +16,8 @@ STANDS_TURNS = 0.02
 SMOOTH_S = 0.25  # over which a recording is averaged before the small differences are drawn
 
 
-def draw(run: ProposedRun, path: Path, title: str, came: Path | None = None) -> None:
-    """Draw a proposed run, and over it the run folder that came, as PNG and PDF; `path` goes without an ending.
+def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = None) -> None:
+    """Draw a proposed run, and over it the samples that came, as PNG and PDF; `path` goes without an ending.
 
     Where no explanations tie yet the simulator is drawn alone.
     """
@@ -34,10 +34,9 @@ def draw(run: ProposedRun, path: Path, title: str, came: Path | None = None) -> 
         reading.plot(time_s, curve, color=colour, lw=1.2)
         apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5, label=name)
     if came is not None:
-        _, table = read_samples(came)
-        at_s = table["time_s"].to_numpy() - table["time_s"].iloc[0]
-        turns = table["motor_turns"].to_numpy()
-        came_mm = table["displacement_mm"].to_numpy() - zero_mm(turns, table["displacement_mm"].to_numpy())
+        at_s = came["time_s"].to_numpy() - came["time_s"].iloc[0]
+        turns = came["motor_turns"].to_numpy()
+        came_mm = came["displacement_mm"].to_numpy() - zero_mm(turns, came["displacement_mm"].to_numpy())
         reading.plot(at_s, came_mm, "k", lw=0.8)
         beyond_mm = came_mm - simulated_mm(curves, at_s, turns)
         apart.plot(at_s, averaged(at_s, beyond_mm), "k", lw=1.2, label="what came")

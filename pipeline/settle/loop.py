@@ -1,13 +1,16 @@
 """The loop itself: each turn takes the last step one state further, so that it goes on wherever it was killed."""
 
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 from ..capture.motion import as_legs
-from ..diagnose import diagnose
+from ..diagnose import Options, diagnose
 from ..ground.errors import BadInput
 from ..ground.files import write_text
 from ..run.folder import read_run
+from ..string.from_raw import read
+from ..string.jumps_beside import Reader
 from . import move
 from .answers import Answers
 from .approve import approved, told
@@ -26,7 +29,10 @@ DONE, FAULT, STOPPED = 0, 1, 130
 
 @dataclass(frozen=True)
 class Loop:
-    """What the loop was asked for; the folder of its steps, and what may move and be spent."""
+    """What the loop was asked for; the folder of its steps, and what may move and be spent.
+
+    Its `reader` reads each recording once, however many steps are diagnosed with it.
+    """
 
     runs: list[Path]
     place: Place
@@ -34,6 +40,7 @@ class Loop:
     way: str
     budget: Budget
     answers: Answers = field(init=False)
+    reader: Reader = field(default_factory=lambda: cache(read))
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "answers", Answers(self.place.out))
@@ -101,7 +108,7 @@ class Loop:
         out = self.place.folder(step.number)
         if step.legs and step.used:
             self._draw(step, Path(step.run_dir or ""))
-        diagnose(folders, out, together=len(folders) > 1, rivals=True)
+        diagnose(folders, out, Options(together=len(folders) > 1, rivals=True, reader=self.reader))
         verdict = self.place.diagnosis(step.number)["verdict"]
         print(
             f"step {step.number}: the verdict of {len(folders)} run{'s' * (len(folders) > 1)} is {verdict}", flush=True
@@ -111,7 +118,8 @@ class Loop:
     def _draw(self, step: Step, came: Path | None = None) -> None:
         path = self.place.folder(step.number) / ("came" if came else "proposed")
         foretells = "each explanation foretells" if step.number else "the simulator foretells"
-        draw(self.place.proposed_run(step.number), path, f"{step.proposal['title']}: what {foretells}", came)
+        title = f"{step.proposal['title']}: what {foretells}"
+        draw(self.place.proposed_run(step.number), path, title, self.reader(came).table if came else None)
 
     def _proposed(self, steps: list[Step]) -> Step | None:
         """The next run, drawn before it is made; None, and settled.json, where there is none."""

@@ -8,8 +8,8 @@ from ..capture.commit import recover
 from ..capture.log import NAME, in_use
 from ..capture.stream import PERSON
 from ..new_run import make_run
+from ..run.copied_run import as_in, with_given
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
-from ..run.like import as_in, with_given
 from .step import Step
 
 LEAST_SAMPLES = 200  # of a recording that was cut short, to be of use

@@ -46,12 +46,14 @@ class Dataset:
         self._moving: list[Piece] = []
         for runs in by_string(recorded):
             done = 0
-            for one, offset_mm in zip(runs, offsets_mm(runs), strict=True):
-                assert one.run.string is not None
-                done = max(done, one.run.string.strokes_before)
-                if one.run.run not in without:
-                    self._moving += moving(one, done, offset_mm, (left_out or {}).get(one.run.run, frozenset()))
-                done += int(one.strokes["stroke"].max())
+            for recorded_run, offset_mm in zip(runs, offsets_mm(runs), strict=True):
+                assert recorded_run.run.string is not None
+                done = max(done, recorded_run.run.string.strokes_before)
+                if recorded_run.run.run not in without:
+                    self._moving += moving(
+                        recorded_run, done, offset_mm, (left_out or {}).get(recorded_run.run.run, frozenset())
+                    )
+                done += int(recorded_run.strokes["stroke"].max())
         strokes: dict[str, set[int]] = {}
         for piece in self._moving:
             strokes.setdefault(piece.recorded.run.string_id, set()).add(piece.number)
@@ -108,16 +110,18 @@ def main() -> None:
         file_to_write(getattr(arguments, name) or arguments.out, f"--{name.replace('_', '-')}", stored)
     recorded, refused = read_usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
-    for one in recorded:
-        lossy = touched(one.strokes, checked_info(one.folder))
+    for recorded_run in recorded:
+        lossy = touched(recorded_run.strokes, checked_info(recorded_run.folder))
         if lossy:
-            print(f"{one.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": ")
+            print(
+                f"{recorded_run.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": "
+            )
             print("kept all the same" if arguments.keep_lossy else "left out")
-            strokes_left[one.run.run] = frozenset() if arguments.keep_lossy else lossy
-            if arguments.note_refusals and strokes_left[one.run.run] >= moving_strokes(one.strokes):
-                refused.append(LeftOut.of(one.run.run, all_lossy(one.run.run)))
-    without = frozenset(one.run for one in refused)
-    if without >= {one.run.run for one in recorded}:
+            strokes_left[recorded_run.run.run] = frozenset() if arguments.keep_lossy else lossy
+            if arguments.note_refusals and strokes_left[recorded_run.run.run] >= moving_strokes(recorded_run.strokes):
+                refused.append(LeftOut.of(recorded_run.run.run, all_lossy(recorded_run.run.run)))
+    without = frozenset(refusal.run for refusal in refused)
+    if without >= {recorded_run.run.run for recorded_run in recorded}:
         raise all_lossy(", ".join(sorted(without)))
     jumped = [jump for runs in by_string(recorded) for jump in jumps(runs)]
     print("".join(f"{jump.advice}\n" for jump in jumped), end="")
@@ -130,8 +134,8 @@ def main() -> None:
     if arguments.out_left_out:
         write_text(arguments.out_left_out, to_json(refused) + "\n")
     if arguments.out_jumps:
-        said = [jump.advice for jump in jumped if not jump.taken_off]
-        write_text(arguments.out_jumps, jump_notes.to_json(said) + "\n")
+        to_confirm = [jump.advice for jump in jumped if not jump.taken_off]
+        write_text(arguments.out_jumps, jump_notes.to_json(to_confirm) + "\n")
     for name, split in (("within", dataset.within), ("later", dataset.later)):
         print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 

@@ -36,8 +36,8 @@ def slopes(model: Inn, outputs: torch.Tensor) -> Array:
 
     It is a number without a unit.
     """
-    asked = outputs[:: max(len(outputs) // SLOPE_POINTS, 1)].clone().requires_grad_(True)
-    (gradient,) = torch.autograd.grad(model.network.inverse(asked)[:, 0].sum(), asked)
+    sampled = outputs[:: max(len(outputs) // SLOPE_POINTS, 1)].clone().requires_grad_(True)
+    (gradient,) = torch.autograd.grad(model.network.inverse(sampled)[:, 0].sum(), sampled)
     return np.asarray(gradient.abs().double().numpy())
 
 

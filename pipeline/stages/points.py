@@ -71,13 +71,13 @@ def moving(
     lengths = stretches["last_sample"] - stretches["first_sample"] + 1
     by_phase = lengths.groupby([stretches["stroke"], stretches["phase"]])
     before, samples = by_phase.cumsum() - lengths, by_phase.transform("sum")
-    told = (stretches["stroke"], stretches["phase"], stretches["first_sample"], lengths, before, samples)
-    found = []
-    for stroke, phase, begin, length, earlier, every in zip(*told, strict=True):
+    columns = (stretches["stroke"], stretches["phase"], stretches["first_sample"], lengths, before, samples)
+    moving_pieces = []
+    for stroke, phase, begin, length, earlier, every in zip(*columns, strict=True):
         for first, stop in blocks(int(begin), int(begin + length), schemas.ROW_GROUP):
             number, place = int(stroke) + strokes_before, int(earlier) + first - int(begin)
-            found.append(Piece(recorded, offset_mm, number, str(phase), first, stop, place, int(every)))
-    return found
+            moving_pieces.append(Piece(recorded, offset_mm, number, str(phase), first, stop, place, int(every)))
+    return moving_pieces
 
 
 def points_of(

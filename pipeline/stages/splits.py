@@ -53,12 +53,12 @@ class Thinned:
         """Which points of the next piece are chosen; shape (points,)."""
         rows = np.flatnonzero(may)
         if self._places is not None:
-            here = self._places - self._before
+            in_piece = self._places - self._before
             self._before += len(rows)
-            rows = rows[here[(here >= 0) & (here < len(rows))]]
-        found = np.zeros(len(may), bool)
-        found[rows] = True
-        return found
+            rows = rows[in_piece[(in_piece >= 0) & (in_piece < len(rows))]]
+        mask = np.zeros(len(may), bool)
+        mask[rows] = True
+        return mask
 
 
 class Split:
@@ -71,7 +71,7 @@ class Split:
         self.train, self.test = Thinned(learnt, TRAINING_POINTS), Thinned(held, HELD_OUT_POINTS)
 
     def labels(self, test: Mask, may: Mask) -> NDArray[np.object_]:
-        """The labels of the next piece; shape (points,)."""
+        """The labels of the next piece, of which both masks are given; shape (points,), as labels."""
         labels = np.full(len(test), "", object)  # a pointer each: text side by side is as large as all channels
         labels[self.train.chosen(may & ~test)] = "train"
         labels[self.test.chosen(test)] = "test"

@@ -105,24 +105,24 @@ def arguments(words: list[str]) -> Any:
 
 def main() -> None:
     """Fit, save, predict."""
-    asked = arguments(sys.argv[1:])
+    options = arguments(sys.argv[1:])
     # A stream handler flushes every line: progress shows while the fit runs, also through a pipe.
-    logging.basicConfig(level=logging.INFO, stream=sys.stdout, format=f"{asked.model}: %(message)s")
-    model = configured(asked.model, asked.settings)
-    for option, path in (("--out-model", asked.out_model), ("--out-predictions", asked.out_predictions)):
-        file_to_write(path, option, reads=[asked.dataset])
-    dataset = opened(asked.dataset, schemas.DATASET, f"make it: {command('stages.dataset')}")
-    train, test = divided(dataset, asked.split, asked.dataset)
+    logging.basicConfig(level=logging.INFO, stream=sys.stdout, format=f"{options.model}: %(message)s")
+    model = configured(options.model, options.settings)
+    for option, path in (("--out-model", options.out_model), ("--out-predictions", options.out_predictions)):
+        file_to_write(path, option, reads=[options.dataset])
+    dataset = opened(options.dataset, schemas.DATASET, f"make it: {command('stages.dataset')}")
+    train, test = divided(dataset, options.split, options.dataset)
     if test.empty:
-        print(f"skipped: too few strokes for the split {asked.split}; an empty model and no predictions say so")
-        write_bytes(asked.out_model, b"")
-        schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, asked.out_predictions)
+        print(f"skipped: too few strokes for the split {options.split}; an empty model and no predictions say so")
+        write_bytes(options.out_model, b"")
+        schemas.write(pd.DataFrame(columns=schemas.PREDICTIONS.names), schemas.PREDICTIONS, options.out_predictions)
         return
-    with fitting(asked.model):
-        model.fit(train, asked.seed)
+    with fitting(options.model):
+        model.fit(train, options.seed)
         predicted = predictions(model, test)
-    model.save(asked.out_model)
-    schemas.write(predicted, schemas.PREDICTIONS, asked.out_predictions)
+    model.save(options.out_model)
+    schemas.write(predicted, schemas.PREDICTIONS, options.out_predictions)
 
 
 if __name__ == "__main__":

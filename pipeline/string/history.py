@@ -6,17 +6,18 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
+from typing import Protocol, TypeVar
 
 import numpy as np
 import pandas as pd
 
-from ..ground import order, schemas
+from ..ground import quantiles, schemas
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.rows import Rows, opened, rows_of
 from ..ground.spans import blocks
 from ..run.description import Run
-from ..run.folder import capture_info, read_run
+from ..run.folder import read_run, started_utc
 from ..run.left_out import LeftOut
 from ..run.samples import geometry
 
@@ -39,6 +40,11 @@ class Recorded:
         return rows_of(self.samples)
 
     @property
+    def table(self) -> pd.DataFrame:
+        """Its samples as a table in memory."""
+        return self.samples if isinstance(self.samples, pd.DataFrame) else self.samples.frame(0, len(self.samples))
+
+    @property
     def span_s(self) -> tuple[float, float]:
         """Time stamps of its first and last sample."""
         first, last = self.rows.at("time_s", np.array([0, len(self.rows) - 1])).tolist()
@@ -50,13 +56,29 @@ class Recorded:
 
         def pieces() -> Iterator[Array]:
             for part in blocks(first, stop, schemas.ROW_GROUP):
-                turns, load_n, there = (self.rows.read(name, *part) for name in LEVEL)
-                yield there - nominal.contraction_mm(turns, load_n)
+                turns, load_n, displacement_mm = (self.rows.read(name, *part) for name in LEVEL)
+                yield displacement_mm - nominal.contraction_mm(turns, load_n)
 
-        return order.median(pieces, stop - first)
+        return quantiles.median(pieces, stop - first)
 
 
-def _strokes_before(recorded: Recorded) -> int | None:
+class Dated(Protocol):
+    """A run of which is known what tells when it was recorded."""
+
+    @property
+    def run(self) -> Run: ...
+
+    @property
+    def started_utc(self) -> str: ...
+
+    @property
+    def span_s(self) -> tuple[float, float]: ...
+
+
+OneRun = TypeVar("OneRun", bound=Dated)
+
+
+def _strokes_before(recorded: Dated) -> int | None:
     """Strokes that run.yaml says the string had done, or None where it does not say."""
     string = recorded.run.string
     return string.strokes_before if string and "strokes_before" in string.model_fields_set else None
@@ -67,22 +89,24 @@ def _natural(name: str) -> list[tuple[int, str]]:
     return [(int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", name)]
 
 
-def in_order(runs: list[Recorded]) -> list[Recorded]:
+def in_order(runs: list[OneRun]) -> list[OneRun]:
     """Runs of one string in the order in which they were recorded.
 
     The capture program notes when it began. Where it did not record every run, their own time stamps tell as long
     as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
     names, 2 before 10.
     """
-    by_name = sorted(runs, key=lambda one: _natural(one.run.run))
-    if all(one.started_utc for one in runs):
-        return sorted(by_name, key=lambda one: one.started_utc)
-    spans = sorted(one.span_s for one in runs)
+    by_name = sorted(runs, key=lambda recorded: _natural(recorded.run.run))
+    if all(recorded.started_utc for recorded in runs):
+        return sorted(by_name, key=lambda recorded: recorded.started_utc)
+    spans = sorted(recorded.span_s for recorded in runs)
     if all(before[1] <= after[0] for before, after in pairwise(spans)):
-        return sorted(by_name, key=lambda one: one.span_s[0])
-    told = [_strokes_before(one) for one in by_name]
-    if None not in told:
-        return [one for _, one in sorted(zip(told, by_name, strict=True), key=lambda pair: pair[0] or 0)]
+        return sorted(by_name, key=lambda recorded: recorded.span_s[0])
+    strokes_before = [_strokes_before(recorded) for recorded in by_name]
+    if None not in strokes_before:
+        return [
+            recorded for _, recorded in sorted(zip(strokes_before, by_name, strict=True), key=lambda pair: pair[0] or 0)
+        ]
     return by_name
 
 
@@ -102,7 +126,7 @@ def read_recorded(run_dir: Path, processed: Path) -> Recorded:
     run = read_run(run_dir)
     samples = opened(processed / run.run / "samples.parquet")
     strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
-    return Recorded(run, str(capture_info(run_dir).get("started_utc", "")), samples, strokes, run_dir)
+    return Recorded(run, started_utc(run_dir), samples, strokes, run_dir)
 
 
 def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:

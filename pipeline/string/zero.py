@@ -5,24 +5,18 @@ winds the string, so the rest before a run's first stroke should read what the l
 noise and for what a string does by itself. Where it does not, a clamp or the sensor was moved: a jump.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 
 import numpy as np
-import pandas as pd
 
-from ..ground import order, schemas
-from ..ground.kinematics import Array
-from ..ground.spans import blocks
 from .history import Recorded, in_order, tare_mm
+from .rests import Rests
 
 FLOORS = 6.0  # noise floors that a jump is larger than
 STROKES = 3.0  # times the usual change of the rest from stroke to stroke, that it is larger than too
 SAME_TWIST, SAME_LOAD = 0.05, 0.05  # of the range of twist, and of the load, within which two rests compare
 LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
-Rest = tuple[int, int]  # its first sample, and the first after it
 
 
 @dataclass(frozen=True)
@@ -38,6 +32,11 @@ class Jump:
     floor_mm: float
     unrecorded: int = 0
     taken_off: bool = False  # by `tare: run` in the run's run.yaml
+
+    @property
+    def entry(self) -> dict[str, str | float]:
+        """What a diagnosis' `zero_jumps` says of it."""
+        return {"before": self.before, "run": self.run, "jump_mm": self.jump_mm, "floor_mm": self.floor_mm}
 
     @property
     def may_be_wear(self) -> bool:
@@ -71,12 +70,17 @@ class Jump:
 
 def jumps(runs: list[Recorded]) -> list[Jump]:
     """The jumps of the zero among runs of one string, in their order."""
+    return jumps_among([Rests.of(recorded) for recorded in runs]) if len(runs) > 1 else []
+
+
+def jumps_among(runs: list[Rests]) -> list[Jump]:
+    """The jumps of the zero among runs of one string, of which the rests are known, in their order."""
     runs, jumps_found, done = in_order(runs), [], 0
-    for number, recorded in enumerate(runs):
-        assert recorded.run.string is not None
-        unrecorded = max(recorded.run.string.strokes_before - done, 0) if number else 0
-        done = max(done, recorded.run.string.strokes_before) + int(recorded.strokes["stroke"].max())
-        jump = _jump(runs[number - 1], recorded, unrecorded) if number else None
+    for number, rests in enumerate(runs):
+        assert rests.run.string is not None
+        unrecorded = max(rests.run.string.strokes_before - done, 0) if number else 0
+        done = max(done, rests.run.string.strokes_before) + rests.strokes
+        jump = _jump(runs[number - 1], rests, unrecorded) if number else None
         if jump is not None:
             jumps_found.append(jump)
     return jumps_found
@@ -93,76 +97,34 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
     for before, after in pairwise(runs):
         offset = offsets[-1]
         if after.run.tare == "run" or after.run.run in moved:
-            change = _change_mm(before, after)
+            change = _change_mm(Rests.of(before), Rests.of(after))
             offset = tare_mm(after) if change is None else offset - change
         offsets.append(offset)
     return offsets
 
 
-def _jump(before: Recorded, after: Recorded, unrecorded: int) -> Jump | None:
+def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     """The jump of the zero between two runs, None where there is none or the rests do not compare."""
     change = _change_mm(before, after)
     if change is None:
         return None
-    floor_mm = max(noise_mm(before), noise_mm(after), LEAST_FLOOR_MM)
+    floor_mm = max(before.noise_mm, after.noise_mm, LEAST_FLOOR_MM)
     if abs(change) <= max(FLOORS * floor_mm, STROKES * _usual_mm(before, after)):
         return None
     return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded, after.run.tare == "run")
 
 
-def _change_mm(before: Recorded, after: Recorded) -> float | None:
+def _change_mm(before: Rests, after: Rests) -> float | None:
     """By how much a run's first rest reads more than the last rest of the run before, both against the model."""
-    rests = [_rests(before)[-1:], _rests(after)[:1]]
-    if not all(rests):
+    load_n = before.load_n[1], after.load_n[0]
+    if abs(after.turns[0] - before.turns[1]) > SAME_TWIST * before.range_turns:
         return None
-    (one,), (two,) = rests
-    turns, load_n = ([_middle(run, name, rest) for run, rest in ((before, one), (after, two))]
-                     for name in ("motor_turns", "load_n"))  # fmt: skip
-    span = float(np.ptp(before.rows.extremes("motor_turns")))
-    if abs(turns[1] - turns[0]) > SAME_TWIST * span or abs(load_n[1] - load_n[0]) > SAME_LOAD * max(map(abs, load_n)):
+    if abs(load_n[1] - load_n[0]) > SAME_LOAD * max(map(abs, load_n)):
         return None
-    return after.level_mm(*two) - before.level_mm(*one)
+    return after.levels_mm[0] - before.levels_mm[-1]
 
 
-def _rests(recorded: Recorded) -> list[Rest]:
-    """The rest before the first stroke, without one the first sample, and each rest after a stroke."""
-    table = recorded.strokes[recorded.strokes["phase"] == "rest"]
-    first, later = table[table["stroke"] == 0][-1:], table[table["stroke"] > 0]
-    both = pd.concat([first, later])
-    found = [(int(a), int(b) + 1) for a, b in zip(both["first_sample"], both["last_sample"], strict=True)]
-    return found if len(first) else [(0, 1), *found]
-
-
-def _read(recorded: Recorded, name: str, rest: Rest) -> Iterator[Array]:
-    """A channel in a rest, piece by piece."""
-    return (recorded.rows.read(name, *part) for part in blocks(*rest, schemas.ROW_GROUP))
-
-
-def _middle(recorded: Recorded, name: str, rest: Rest) -> float:
-    """Median of a channel in a rest."""
-    return order.median(partial(_read, recorded, name, rest), rest[1] - rest[0])
-
-
-def _usual_mm(*runs: Recorded) -> float:
+def _usual_mm(*runs: Rests) -> float:
     """How much the rest changes from one stroke to the next, the median over runs; 0 where none has two strokes."""
-    changes = [np.diff([one.level_mm(*rest) for rest in _rests(one)]) for one in runs]
-    every = np.abs(np.concatenate(changes))
+    every = np.abs(np.concatenate([np.diff(rests.levels_mm) for rests in runs]))
     return float(np.median(every)) if len(every) else 0.0
-
-
-def noise_mm(recorded: Recorded) -> float:
-    """Noise floor of a run's displacement in mm: the spread of what is not smooth, and of its rests if that is more."""
-    rows, name = recorded.rows, "displacement_mm"
-    last = len(rows) - 2
-    spans = [(first, min(stop, last)) for first, stop in rows.spans if first < last]
-    rough = order.median(lambda: (np.abs(np.diff(rows.read(name, first, stop + 2), 2)) for first, stop in spans), last)
-    spreads = [_spread_mm(recorded, rest) for rest in _rests(recorded) if rest[1] - rest[0] > 2]
-    return max(1.4826 * rough / np.sqrt(6.0), float(np.median(spreads)) if spreads else 0.0)
-
-
-def _spread_mm(recorded: Recorded, rest: Rest) -> float:
-    """How far the displacement of a rest scatters about its median, robustly."""
-    name = "displacement_mm"
-    middle = _middle(recorded, name, rest)
-    off = order.median(lambda: (np.abs(part - middle) for part in _read(recorded, name, rest)), rest[1] - rest[0])
-    return 1.4826 * off

@@ -1,4 +1,7 @@
-"""A rigid cable drive: the motor's angle, through a constant gear, is the jaw's angle in degrees."""
+"""A rigid cable drive: the motor's angle, through a constant gear, is the jaw's angle in degrees.
+
+Source: Townsend, The Effect of Transmission Design on Force-Controlled Manipulator Performance, MIT, 1988.
+"""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,8 @@
-"""Two tanks, one above the other, and a pump: the pump's voltage → the water level in the lower tank, both in volts."""
+"""Two tanks, one above the other, and a pump: the pump's voltage → the water level in the lower tank, both in volts.
+
+Source: Schoukens and Noël, "Three benchmarks addressing open challenges in nonlinear system identification", IFAC-
+PapersOnLine 50, 2017.
+"""
 
 from collections.abc import Mapping
 

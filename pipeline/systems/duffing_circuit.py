@@ -1,4 +1,8 @@
-"""An electronic oscillator: its output, twice differentiated, is the voltage that drives it, in volts."""
+"""An electronic oscillator: its output, twice differentiated, is the voltage that drives it, in volts.
+
+Source: Wigren and Schoukens, "Three free data sets for development and benchmarking in nonlinear system
+identification", ECC 2013.
+"""
 
 from collections.abc import Mapping
 

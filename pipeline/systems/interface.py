@@ -52,11 +52,11 @@ class Inputs(Protocol):
 
     @property
     def rate(self) -> Array:
-        """Its rate, per second. Shape (samples,)."""
+        """Its rate. In the driver's unit a second, shape (samples,)."""
 
     @property
     def acceleration(self) -> Array:
-        """Its acceleration, per second squared. Shape (samples,)."""
+        """Its acceleration. In the driver's unit a second squared, shape (samples,)."""
 
     @property
     def load(self) -> Array:

@@ -1,4 +1,8 @@
-"""A moving mass: its position, twice differentiated, is the motor's force in newtons."""
+"""A moving mass: its position, twice differentiated, is the motor's force in newtons.
+
+Source: Janot, Gautier and Brunot, "Data set and reference models of EMPS", Workshop on Nonlinear System Identification
+Benchmarks, 2019.
+"""
 
 from collections.abc import Mapping
 

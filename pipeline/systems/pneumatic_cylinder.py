@@ -1,4 +1,7 @@
-"""A pneumatic cylinder: the pressure on its piston, less what its mass takes, is the force of its rod in newtons."""
+"""A pneumatic cylinder: the pressure on its piston, less what its mass takes, is the force of its rod in newtons.
+
+Source: Beater, Pneumatic Drives, 2007.
+"""
 
 from collections.abc import Mapping
 

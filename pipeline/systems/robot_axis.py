@@ -1,4 +1,7 @@
-"""One axis of a robot that moves alone: its angle, twice differentiated, and its weight are the torque in Nm."""
+"""One axis of a robot that moves alone: its angle, twice differentiated, and its weight are the torque in Nm.
+
+Source: Khalil and Dombre, Modeling, Identification and Control of Robots, 2002.
+"""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,7 @@
-"""A pendulum on a position servo: its angle and the voltage that it takes are the goal that the servo was told."""
+"""A pendulum on a position servo: its angle and the voltage that it takes are the goal that the servo was told.
+
+Source: Duclusaud and others, "Extended friction models for the physics simulation of servo actuators", 2024.
+"""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,8 @@
-"""A tendon in a sheath: what is pulled in at one end turns a pulley at the other, in degrees."""
+"""A tendon in a sheath: what is pulled in at one end turns a pulley at the other, in degrees.
+
+Source: Kaneko, Yamashita and Tanie, "Basic considerations on transmission characteristics for tendon drive robots",
+1991.
+"""
 
 from collections.abc import Mapping
 

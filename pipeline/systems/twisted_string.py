@@ -1,4 +1,8 @@
-"""The twisted string, with a separator (eqs 1–4) and as a pair without: twist, load and acts → displacement in mm."""
+"""The twisted string, with a separator (eqs 1–4) and as a pair without: twist, load and acts → displacement in mm.
+
+Source: Liu, Wei, Gao and Gong, "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks" (eqs
+1–4); Würtz and others, "The twisted string actuation system: modeling and control", IEEE/ASME AIM 2010 (pair).
+"""
 
 from collections.abc import Mapping
 from dataclasses import replace

@@ -20,7 +20,7 @@ class Noise:
         self._pieces: deque[float] = deque(maxlen=KEPT)
 
     def add(self, readings: Array) -> None:
-        """Take samples of one channel, shape (samples,)."""
+        """Take samples of one channel, shape (samples,), in the channel's unit."""
         if len(readings) < LEAST:
             return
         apart = np.diff(readings, 2)

@@ -23,7 +23,10 @@ class Nominal:
         self._columns = columns
 
     def at(self, rows: Array) -> Array:
-        """Displacement at samples of shape (samples, 1 + channels), shape (samples,); the first call sets the zero."""
+        """Displacement at samples of shape (samples, 1 + channels), shape (samples,); the first call sets the zero.
+
+        Time in s, each channel in its own unit.
+        """
         assert self._run is not None
         system = self._run.system
         motion = rows[:, 1 + self._columns.index(system.driver)]

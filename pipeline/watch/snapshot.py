@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.kinematics import Array
-from .beside import strokes_left, verdicts
 from .envelope import Envelope
 from .recording import Followed
+from .reports_of_run import strokes_left, verdicts
 
 
 def numbers(values: Array) -> list[float | None]:

@@ -54,6 +54,7 @@ def unstuff_rows(rows: Bytes) -> tuple[Bytes, NDArray[np.bool_]]:
     """Unstuff stuffed frames of one length, at most LONGEST_SHORT: shapes (n, length) → (n, length − 1), (n,).
 
     The second array says which rows were stuffed properly. No row may hold a zero.
+    Rows hold frames, as bytes.
     """
     length = rows.shape[1]
     code_at = rows[:, 0].astype(np.int16)  # where the next code byte stands
@@ -67,7 +68,7 @@ def unstuff_rows(rows: Bytes) -> tuple[Bytes, NDArray[np.bool_]]:
 
 
 def checksum_rows(rows: Bytes, protocol: int = PROTOCOL) -> NDArray[np.unsignedinteger[Any]]:
-    """A protocol's check of every row: shape (n, length) → (n,)."""
+    """A protocol's check of every row: shape (n, length) → (n,). Rows are given as bytes; a check is without a unit."""
     if protocol == 1:
         short = np.full(len(rows), 0xFFFF, np.uint16)
         for column in range(rows.shape[1]):
@@ -130,7 +131,7 @@ def read_batch(data: bytes, protocol: int = PROTOCOL) -> Batch:
 def samples_of(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArray[np.void]]:
     """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type.
 
-    Both of shape (samples,).
+    Both of shape (samples,): places, and numbers of a sample, as counts of the channel's quantum.
     """
     layout = np.dtype(hello.sample_type)
     as_they_came = np.argsort(frames, kind="stable")

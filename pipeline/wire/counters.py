@@ -9,7 +9,7 @@ Whole = NDArray[np.int64]
 def steps_of(stamps: NDArray[np.uint32], first: int) -> Whole:
     """Steps from each stamp of a wrapping 32-bit counter to the next, the first one's from `first`; (stamps,).
 
-    Shape (stamps,).
+    Shape (stamps,), in the counter's unit.
     """
     steps = np.diff(stamps, prepend=np.uint32(first % 2**32)).astype(np.uint32)
     return steps.view(np.int32).astype(np.int64)

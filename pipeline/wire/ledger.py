@@ -44,7 +44,7 @@ class Ledger:
     _end: End | None = None
 
     def feed(self, chunk: bytes) -> tuple[Whole, NDArray[np.void]] | None:
-        """Enter what ends in a chunk; numbers and contents, (samples,), of samples that had not come before, rising."""
+        """Enter a chunk; numbers, as counts, and contents of samples that had not come before, rising: (samples,)."""
         zero = chunk.rfind(b"\0") + 1
         whole, rest = (self._rest + chunk[:zero], chunk[zero:]) if zero else (b"", self._rest + chunk)
         self._cut = (0 if zero else self._cut) + max(len(rest) - MAX_STUFFED - 1, 0)

@@ -16,6 +16,7 @@ from .mending import Mending, Steps, steps_between
 from .stamps import Array
 
 PIECE = 1 << 20  # bytes that are decoded at once
+KEPT = 1 << 24  # bytes of decoded samples that are kept for the next time that they are asked for
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ class Recording:
 class Pieces:
     """What a byte log holds, piece by piece: in memory that goes by what went wrong in it, not by its length.
 
-    The log is decoded anew for `mended`, and each time that its samples are asked for.
+    A log whose samples are more than `KEPT` is decoded anew for `mended`, and each time that they are asked for.
     """
 
     hello: Hello | None
@@ -110,9 +111,19 @@ def _parts(ledger: Ledger, chunks: Iterable[bytes]) -> Iterator[Part]:
 
 def read_pieces(chunks: Callable[[], Iterable[bytes]]) -> Pieces:
     """What a byte log holds that comes in chunks, the same ones each time; as `read_recording` reads it."""
-    ledger = Ledger()
-    firsts = np.array([numbers[0] for numbers, _ in _parts(ledger, chunks())], np.int64)
-    return Pieces(ledger.hello, ledger.account(), lambda: _parts(Ledger(counts_only=True), chunks()), firsts)
+    ledger, firsts, kept, size = Ledger(), list[int](), list[Part](), 0
+    for numbers, samples in _parts(ledger, chunks()):
+        firsts.append(int(numbers[0]))
+        size += numbers.nbytes + samples.nbytes
+        if size <= KEPT:
+            kept.append((numbers, samples))
+        else:
+            kept.clear()
+
+    def parts() -> Iterator[Part]:
+        return iter(kept) if size <= KEPT else _parts(Ledger(counts_only=True), chunks())
+
+    return Pieces(ledger.hello, ledger.account(), parts, np.array(firsts, np.int64))
 
 
 def read_recording(data: bytes) -> Recording:

@@ -1,26 +1,32 @@
-"""What a job of each rule may take on a machine: memory, minutes and threads, from `config/resources.yaml`."""
+"""What a job of each rule may take on a machine: memory and minutes, from `config/resources.yaml`."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 MEASURED = Path(__file__).resolve().parents[1] / "config" / "resources.yaml"
+BESIDE_MB = 300  # of memory, beside a job on a node: Snakemake, which starts it there (174 MB), and what waits for it
+FURTHER = {"mem_mb": "more_mb", "runtime": "more_min"}
 
 
 class Needs(dict[str, dict[str, Any]]):
-    """By rule, what its `resources:` say; a job that is tried again is given as much again."""
+    """By rule, what its `resources:` say; `materials` holds the runs of each material.
 
-    def __init__(self, measured: Path = MEASURED) -> None:
+    A job that is tried again is given as much again. A job of a material is given more for each further run of it.
+    """
+
+    def __init__(self, materials: Mapping[str, Sequence[str]], measured: Path = MEASURED) -> None:
         rules: Mapping[str, Mapping[str, int]] = yaml.safe_load(measured.read_text(encoding="utf-8"))
-        super().__init__({rule: {name: _more(value) for name, value in needs.items()} for rule, needs in rules.items()})
 
+        def given(needs: Mapping[str, int], name: str) -> Callable[..., int]:
+            once, further = needs[name] + (BESIDE_MB if name == "mem_mb" else 0), needs.get(FURTHER[name], 0)
 
-def _more(value: int) -> Callable[..., int]:
-    """A resource that grows with the attempt."""
+            def least(wildcards: Any, attempt: int) -> int:
+                runs = len(materials.get(getattr(wildcards, "material", ""), ()))
+                return (once + further * max(runs - 1, 0)) * attempt
 
-    def given(wildcards: Any, attempt: int) -> int:
-        return value * attempt
+            return least
 
-    return given
+        super().__init__({rule: {name: given(needs, name) for name in FURTHER} for rule, needs in rules.items()})

@@ -66,14 +66,14 @@ def main() -> None:
     """Print, a line of JSON a run, why ingest would refuse it: an empty list for one that it takes."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("run_dir", type=Path, nargs="+")
-    from ..run.samples import stored_samples
+    from ..run.samples import stored_strokes
 
     for folder in parser.parse_args().run_dir:
         refused: list[LeftOut] = []
         with contextlib.redirect_stderr(io.StringIO()):  # its warnings stand in the log of ingest
             try:
                 with TemporaryDirectory() as temporary:
-                    stored_samples(folder, Path(temporary) / "samples.parquet")
+                    stored_strokes(folder, Path(temporary) / "samples.parquet")
             except BadInput as error:
                 refused = [LeftOut.of(folder.name, error)]
         print(to_json(refused), flush=True)

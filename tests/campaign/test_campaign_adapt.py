@@ -5,7 +5,7 @@ import pytest
 from made_strings import NOISE_MM
 
 from pipeline.campaign.adapt import Adaptation, terms
-from pipeline.campaign.fewshot import SHOTS, asked_and_shown, errors
+from pipeline.campaign.few_shot import SHOTS, asked_and_shown, errors
 from pipeline.models.interface import make_model
 
 

@@ -4,6 +4,7 @@ import otherhand
 import pytest
 
 from pipeline.diagnosis.engine import make_problem
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.run.samples import read_samples
 
 
@@ -27,11 +28,11 @@ def conceal(tmp_path_factory: pytest.TempPathFactory):
 def problem(conceal):
     """A problem with nothing concealed in it."""
     run, samples = read_samples(conceal()[0])
-    return make_problem([run], [samples])
+    return make_problem([RecordedRun(run, samples)])
 
 
 @pytest.fixture(scope="session")
 def one_load(conceal):
     """A problem recorded under one load at one speed without pauses, and its run."""
     run, samples = read_samples(conceal("creep", rich=False)[0])
-    return make_problem([run], [samples]), run
+    return make_problem([RecordedRun(run, samples)]), run

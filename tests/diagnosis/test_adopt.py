@@ -14,6 +14,7 @@ import yaml
 
 from pipeline.adoption.block import adopted, bare, with_block, without_block
 from pipeline.diagnosis.adopt import fitted
+from pipeline.diagnosis.adopted_run import as_list
 from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.words import commands
@@ -335,7 +336,7 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
         and "2 other explanations were likely too: creep or thermal + wear. Adopted is " in flat(done)
     )
     first = {"effects": ["sensor_drift"], "verdict": "ambiguous", "tied": TIED, "runs": [folder.name]}
-    first |= {"diagnosis": str(diagnosis), "next_experiment": NEXT}
+    first |= {"diagnosis": str(diagnosis), "next_experiment": [NEXT]}
     text = (folder / "run.yaml").read_text()
     assert yaml.safe_load(text)["adopted"] == [first] and "# measured by hand" in text
     assert "holds sensor_drift already" in flat(programs.run("pipeline.adopt", diagnosis, folder))
@@ -359,9 +360,8 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     assert own["dimensions"]["radius_mm"]["nominal"] == content["parameters"]["radius_mm"]["nominal"]
     asked = content["next_experiment"]
     useless = "Hardly worth making" in (asked or "")
-    own |= (
-        {"next_experiment": "Hardly worth making: no run that was tried decides" if useless else asked} if asked else {}
-    )
+    none = ["Hardly worth making: no run that was tried decides"]
+    own |= {"next_experiment": none if useless else as_list(asked)} if asked else {}
     assert "last 30 % of strokes (seen before)" in said and "unseen" not in said
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
     assert programs.run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0

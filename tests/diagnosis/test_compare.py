@@ -96,11 +96,11 @@ def test_every_further_event_costs_two_numbers():
     [
         (10.0, 11.0, 2000.0, False),  # too little to tell
         (10.1, 11.0, 2000.0, True),
-        (900.0, 1000.0, 0.0, True),  # nearly all that its truth implies: bending is not asked
+        (900.0, 1000.0, 0.0, True),  # nearly all that is expected if it is true: its discrepancy does not count
         (840.0, 1000.0, 0.0, False),  # less: then the other one, bent, must be worse too
         (840.0, 1000.0, 500.0, True),
         (840.0, 1000.0, 399.0, False),
-        (400.0, 1000.0, 2000.0, False),  # its truth implies far more
+        (400.0, 1000.0, 2000.0, False),  # if it were true, far more would be expected
         (401.0, 1000.0, 2000.0, True),
         (900.0, 10.0, 2000.0, False),  # nothing was to be seen
     ],

@@ -1,4 +1,4 @@
-"""Of what ties, the smallest that foresees as well as any stands first."""
+"""Of tied explanations, the smallest that predicts about as well as the best stands first."""
 
 from types import SimpleNamespace
 
@@ -6,6 +6,7 @@ import pytest
 
 from pipeline.diagnosis import cross_validation
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
 from pipeline.run.samples import read_samples
@@ -31,10 +32,10 @@ def test_the_smallest_that_foresees_as_well_stands_first_and_the_rest_stay(monke
     assert ordered == [first, *(" ".join(one.ids) for one in tied if " ".join(one.ids) != first)]
 
 
-def test_what_is_there_foresees_stretches_that_what_is_not_does_not(tmp_path):
+def test_true_mechanisms_predict_left_out_stretches_and_others_do_not(tmp_path):
     write_run(cases.make("mass-two", 312), tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
-    search = study(make_problem([run], [samples])).search
+    search = study(make_problem([RecordedRun(run, samples)])).search
     both = search.explain(("friction_hysteresis", "viscous_loss"))
     tried = [both, search.explain(("sensor_drift",)), search.nothing]
     true, false, nothing = cross_validation.left_out_errors(search.linear, tried)

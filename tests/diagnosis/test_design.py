@@ -1,12 +1,13 @@
 """A run that is built for a tie, on gaps that the test makes."""
 
+from itertools import pairwise
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from pipeline.diagnosis import design
-from pipeline.diagnosis.protocol import Leg, Rig
+from pipeline.diagnosis.legs import AFTER_UNKNOWN, CANDIDATES, Leg, Rig
 
 TIME_S = np.arange(0.0, 100.0, 0.1)
 TURNS = 10.0 - np.abs(TIME_S % 20.0 - 10.0)
@@ -40,6 +41,29 @@ def test_no_part_comes_twice_and_the_dear_one_comes_last():
     name, _ = design.designed(RIG, lambda legs: 0.01 * len(legs), 0.1, True, True)
     parts = name.split("; ")
     assert len(set(parts)) == len(parts) == design.MOST_PARTS and "a rest of 120 s" not in parts
+
+
+def test_a_run_that_would_only_rest_ends_with_a_stroke():
+    name, legs = design.designed(RIG, lambda legs: 30.0 * any(leg[0] == 120.0 for leg in legs), 0.1, True, True)
+    assert name == "a rest of 120 s, then one stroke as before" and legs[-4:] == RIG.stroke()
+    moves = [RIG.home(), *RIG.stroke(top=0.25)]
+    assert design.with_stroke("a quarter", moves, RIG) == ("a quarter", moves)
+
+
+def strokes(legs: list[Leg]) -> int:
+    """Legs that wind by a tenth of the range at least."""
+    ends = [RIG.low, *(leg[1] for leg in legs)]
+    return sum(after - before >= 0.1 * (RIG.high - RIG.low) for before, after in pairwise(ends))
+
+
+@pytest.mark.parametrize("driver", AFTER_UNKNOWN)
+def test_what_is_recorded_after_unknown_has_a_stroke(driver: str):
+    assert strokes(AFTER_UNKNOWN[driver][1](RIG)) > 0
+
+
+@pytest.mark.parametrize("name", CANDIDATES)
+def test_every_candidate_has_a_stroke(name: str):
+    assert strokes(CANDIDATES[name](RIG)) > 0
 
 
 @pytest.mark.parametrize("faster", [True, False])

@@ -1,13 +1,17 @@
-"""The commands: `diagnosis.json` as the contract has it, byte for byte again; adoption; simulation alone; bad input."""
+"""The commands: `diagnosis.json` has the keys of `diagnosis/content.py` and comes out byte for byte again.
+
+Then adoption, simulation alone, and bad input.
+"""
 
 import contextlib
-import importlib
+import importlib.util
 import io
 import json
 import re
 import shutil
 import subprocess
 import sys
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,8 +26,12 @@ from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.noise import resolution
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.simulation import read_diagnosis, state_of
+from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.run import strokes
+from pipeline.run.motion import Motion
 from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -64,11 +72,11 @@ def diagnosed(conceal, tmp_path_factory) -> tuple[Path, dict, Path, dict]:
     return folder, truth, here, json.loads((here / "diagnosis.json").read_text())
 
 
-def test_the_json_is_the_contracts(diagnosed) -> None:
+def test_the_json_has_the_keys_that_programs_read(diagnosed) -> None:
     folder, _, here, content = diagnosed
     assert list(content) == [
         "run", "verdict", "mismatch", "mechanisms", "alternatives", "next_experiment", "next_run", "parameters",
-        "fit", "simulation", "code", "evidence",
+        "fit", "simulation", "code", "evidence", "uncertainty", "without_last_strokes",
     ]  # fmt: skip
     assert content["run"] == folder.name and content["verdict"] == "explained"
     assert set(content["mismatch"]) == {"rms_mm", "location", "driver"}
@@ -83,6 +91,13 @@ def test_the_json_is_the_contracts(diagnosed) -> None:
     assert (here / "diagnosis.pdf").read_bytes().startswith(b"%PDF")
     with Image.open(here / "diagnosis.png") as image:
         assert image.info["dpi"][0] >= 200
+
+
+def test_what_the_recording_covers_holds_the_temperature_that_was_logged(diagnosed) -> None:
+    folder, _, _, content = diagnosed
+    low, high = content["evidence"]["covered"]["temperature_c"]
+    logged = read_samples(folder)[1]["temperature_c"]
+    assert logged.min() < low < logged.quantile(0.05) and logged.quantile(0.95) < high < logged.max()
 
 
 def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagnosed) -> None:
@@ -268,10 +283,110 @@ def test_what_cannot_be_diagnosed_is_named_and_the_rest_is(conceal, tmp_path, mo
     assert done.returncode == 2 and "Traceback" not in done.stderr
     done = command("pipeline.diagnose", good, other, "--together", "--out", tmp_path / "out")
     assert done.returncode == 2 and "other: string: is not that of" in done.stderr
-    monkeypatch.setattr(diagnose, "read_samples", lambda folder: 1 / 0)
-    said, fine = diagnose._one(good, tmp_path / "out", frozenset(), note=True)
-    assert not fine and "ZeroDivisionError" in said and not (tmp_path / "out").exists()
+    monkeypatch.setattr(diagnose, "read", lambda folder: 1 / 0)
+    outcome = diagnose._one(good, tmp_path / "out", diagnose.Options(), note=True)
+    assert outcome.fine is None and "ZeroDivisionError" in outcome.text and not (tmp_path / "out").exists()
     assert command("pipeline.diagnose", good, "--out", tmp_path / "out").returncode == 1  # no bad input
+
+
+@pytest.fixture
+def cuts(monkeypatch) -> list[Motion]:
+    """Every motion that is cut into strokes, one entry a cut; processes apart are none, so that all are seen."""
+    motions, cut = [], strokes._stretches
+    monkeypatch.setattr(strokes, "_stretches", lambda motion: motions.append(motion) or cut(motion))
+    monkeypatch.setattr(diagnose, "each_alone", lambda work, items, *rest, **_: [work(item, *rest) for item in items])
+    return motions
+
+
+@pytest.fixture
+def strings_runs(conceal, tmp_path) -> list[Path]:
+    """Three runs of one string in one folder, the second and third of which begin elsewhere than the one before."""
+    good, raw = conceal()[0], tmp_path / "raw"
+    table, runs = pd.read_parquet(good / "recording.parquet"), []
+    for number, name in enumerate(("a", "b", "c")):
+        moved = {"displacement_mm": table["displacement_mm"] + 2.0 * number, "time_s": table["time_s"] + 1e4 * number}
+        runs.append(edited(good, raw / name, table.assign(**moved), string=string_of(good) | {"id": "one"}))
+    return runs
+
+
+def test_a_recording_is_cut_into_strokes_once(conceal, cuts, tmp_path) -> None:
+    """The door's cut is handed on: to the diagnosis, to what it is scored on, and to the zeros of the string's runs."""
+    diagnose.diagnose([conceal()[0]], tmp_path / "out")
+    assert len(cuts) == 1
+
+
+def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnosed, cuts, tmp_path) -> None:
+    """As the main job asks: the recording itself is gone, and what is damaged or was refused is said."""
+    folder, _, out, _ = diagnosed
+    made = tmp_path / "processed" / folder.name
+    files = ("--out", made / "samples.parquet", "--out-strokes", made / "strokes.parquet")
+    assert command("pipeline.stages.ingest", folder, *files).returncode == 0
+    edited(folder, tmp_path / "raw" / folder.name)
+    (tmp_path / "raw" / folder.name / "recording.parquet").unlink()
+    asked = ("pipeline.diagnose", tmp_path / "raw" / folder.name, "--processed", made.parent, "--out")
+    cuts.clear()
+    assert command(*asked, tmp_path / "out").returncode == 0 and not cuts
+    for name in ("diagnosis.json", "simulation.yaml"):
+        then, again = ((place / folder.name / name).read_text() for place in (out.parent, tmp_path / "out"))
+        assert again.replace(str(tmp_path / "out"), str(out.parent)) == then
+    refusal = BadInput(folder, "motor_turns", "there is no stroke in it", "record at least one winding")
+    schemas.write_refusal(refusal, made / "samples.parquet")
+    done = command(*asked, tmp_path / "noted", "--note-refusals")
+    assert done.returncode == 0 and [path.name for path in (tmp_path / "noted").iterdir()] == [folder.name]
+    assert (tmp_path / "noted" / folder.name / "verdict.txt").read_text() == f"{folder.name}: not decided: {refusal}\n"
+
+
+def test_runs_of_one_string_are_cut_once_each_and_told_of_each_others_zeros(
+    strings_runs, cuts, tmp_path, monkeypatch
+) -> None:
+    *asked, beside = strings_runs
+    verdicts, write_words = [], diagnose.write_words
+    monkeypatch.setattr(diagnose, "write_words", lambda *given: verdicts.append(given[3]) or write_words(*given))
+    assert command("pipeline.diagnose", *asked, "--out", tmp_path / "out").returncode == 0
+    assert len(cuts) == 3
+    assert verdicts == [tmp_path / "out" / run.name for run in asked]  # each is written once, with what it is told
+    contents = [json.loads((tmp_path / "out" / run.name / "diagnosis.json").read_text()) for run in asked]
+    (jump,) = contents[1]["zero_jumps"]
+    assert "zero_jumps" not in contents[0] and (jump["before"], jump["run"]) == ("a", "b")
+    text = " ".join((tmp_path / "out" / "b" / "verdict.txt").read_text().split())
+    assert "The zero jumps between two runs of one string: at rest b reads" in text
+    cuts.clear()
+    assert command("pipeline.diagnose", asked[1], "--out", tmp_path / "alone").returncode == 0
+    assert len(cuts) == 3  # its own, and each run's beside it
+    assert (tmp_path / "alone" / "b" / "diagnosis.json").read_bytes() == (
+        tmp_path / "out" / "b" / "diagnosis.json"
+    ).read_bytes()
+    assert beside.is_dir()
+
+
+def test_a_verdict_that_waits_for_others_is_written_also_where_they_die(strings_runs, tmp_path, monkeypatch) -> None:
+    def dies(work, items, *rest, **_):
+        yield work(items[0], *rest)
+        assert not (tmp_path / "out" / "a" / "verdict.txt").exists()
+        raise BrokenProcessPool
+
+    monkeypatch.setattr(diagnose, "each_alone", dies)
+    with pytest.raises(BrokenProcessPool):
+        command("pipeline.diagnose", *strings_runs[:2], "--out", tmp_path / "out")
+    assert (tmp_path / "out" / "a" / "verdict.txt").read_text().startswith("a: parameters")
+
+
+def test_adopting_explaining_and_simulating_cut_a_recording_once(diagnosed, cuts, tmp_path) -> None:
+    folder, _, place, _ = diagnosed
+    run = edited(folder, tmp_path / folder.name)
+    for number, words in enumerate((
+        ("adopt", place / "diagnosis.json", run),
+        ("adopt", "--explain", run),
+        ("simulate", run, "--out", tmp_path / "simulated.csv"),
+    ), 1):  # fmt: skip
+        done = command(f"pipeline.{words[0]}", *words[1:])
+        assert done.returncode == 0, done.stderr
+        assert len(cuts) == number, words[0]
+
+
+def test_what_is_imported_beforehand_for_many_runs_is_there() -> None:
+    """A name of no module would be passed over without a word, and each run would import all of it again."""
+    assert [module for module in diagnose.MODULES if importlib.util.find_spec(module) is None] == []
 
 
 def test_runs_of_one_string_may_name_it_or_not(conceal, tmp_path) -> None:
@@ -287,4 +402,4 @@ def test_a_coarse_sensor_does_not_stick(conceal) -> None:
     said = samples["displacement_mm"].to_numpy()
     coarse = samples.assign(displacement_mm=np.round(said / 0.1) * 0.1)
     assert resolution(coarse["displacement_mm"].to_numpy()) == pytest.approx(0.1, rel=1e-3)
-    assert study(make_problem([run], [coarse])).verdict in ("consistent", "parameters")
+    assert study(make_problem([RecordedRun(run, coarse)])).verdict in ("consistent", "parameters")

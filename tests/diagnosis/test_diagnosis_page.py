@@ -8,15 +8,16 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from pipeline.diagnosis import figures, panels
+from pipeline.diagnosis import driver_panels, figures, panels
 from pipeline.diagnosis.adopt import adoptions
 from pipeline.diagnosis.bounds import BOUND
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.judged import HELD
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words.holdout import heading
 from pipeline.diagnosis.words.quantity import percent
-from pipeline.diagnosis.words.sight import heading
 from pipeline.diagnosis.words.unseen import noises
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.run.description import Adopted
@@ -28,7 +29,7 @@ from pipeline.systems import systems
 def drawn(conceal, tmp_path_factory, request):
     """The page of a run with creep, or with what the parameter says, and its diagnosis. Tests leave both alone."""
     run, samples = read_samples(conceal(*getattr(request, "param", ("creep",)))[0])
-    found = study(make_problem([run], [samples]))
+    found = study(make_problem([RecordedRun(run, samples)]))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())
     kept, draw, page = [], figures.drawn, tmp_path_factory.mktemp("drawn") / "page"
     with pytest.MonkeyPatch.context() as patch:
@@ -43,6 +44,7 @@ def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what
     bottom = figure.subfigs[-1]
     small = [axes for axes in bottom.axes if axes.get_lines()]
     assert small and all(axes.get_legend() is None for axes in small)
+    assert "time (s), means of whole strokes" in [axes.get_xlabel() for axes in small], "in bins of time it would beat"
     (legend,) = bottom.legends
     labels = [text.get_text() for text in legend.get_texts()]
     assert labels[:2] == ["calibrated", "as diagnosed"] and labels[2].startswith("± noise")
@@ -149,7 +151,7 @@ def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_js
     wide = run.model_copy(update={"tolerance": sure})
     more = samples.assign(displacement_mm=1.05 * samples["displacement_mm"])  # 3 sigma of the gain are 1.5 %
     for one, table, bound in ((wide, more, "upper"), (run, samples, None)):
-        found = study(make_problem([one], [table]))
+        found = study(make_problem([RecordedRun(one, table)]))
         content = diagnosis(found, found.problem, None, [one], None, frozenset())
         assert content["parameters"]["scale"].get("at_bound") == bound
         far = [name for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= BOUND]
@@ -159,7 +161,7 @@ def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_js
 @pytest.mark.parametrize("count", range(1, 7))
 def test_the_small_panels_leave_no_hole(count) -> None:
     figure = plt.figure(layout="constrained").subfigures(1, 1)
-    made = panels.filled(figure, count)
+    made = driver_panels.filled(figure, count)
     figure.canvas.draw()
     rows = {round(axes.get_position().y0, 2) for axes in made}
     assert len(made) == count and len(rows) == min(count, 2)
@@ -172,7 +174,7 @@ def test_the_small_panels_leave_no_hole(count) -> None:
 
 def test_a_load_that_is_constant_but_for_noise_drives_nothing(problem) -> None:
     for loaded in (True, False):
-        shown = panels.listeners(replace(problem.drivers, loaded=loaded))
+        shown = driver_panels.listeners(replace(problem.drivers, loaded=loaded))
         assert any(label.startswith("load (") for label in shown) == loaded
 
 
@@ -236,10 +238,10 @@ def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_abov
 def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_that_nobody_uses(conceal) -> None:
     folder = conceal("creep")[0]
     run, samples = read_samples(folder)
-    first, _ = diagnosed([run], [samples], [folder])
+    first, _ = diagnosed([RecordedRun(run, samples, folder=folder)])
     adopted = [Adopted.model_validate(one) for one in adoptions(first, "a.json", run.run)]
     again = run.model_copy(update={"simulation": first["simulation"], "adopted": adopted})
-    verdict, studied = diagnosed([again], [samples], [folder])
+    verdict, studied = diagnosed([RecordedRun(again, samples, folder=folder)])
     assert verdict["verdict"] in ("consistent", "parameters")
     kept = figures.as_adopted(studied, verdict)
     assert kept is not None

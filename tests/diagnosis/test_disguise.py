@@ -12,6 +12,7 @@ from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.problem import Act
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.shared_laws import hinge
 from pipeline.run.samples import read_samples
 
@@ -31,7 +32,7 @@ def test_slack_that_is_taken_up_below_the_lowest_twist_is_no_name(problem, lowes
     assert disguise.outside(moved, terms) == is_outside
     state = replace(moved.nominal(), acts=(Act("slack", (SLACK,), (1.0,)),))
     dimensions = Linear(moved, moved.nominal(), white(1.0), {})
-    assert disguise.no_name(moved, state, dimensions) == is_outside
+    assert disguise.no_name(moved, state, dimensions) == (("outside", ("slack",)) if is_outside else None)
 
 
 @pytest.mark.parametrize(("share", "is_outside"), [(-0.5, True), (0.5, False), (1.5, True)])
@@ -81,7 +82,7 @@ def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch)
     real = engine.judged
     monkeypatch.setattr(engine, "judged", judged)
     monkeypatch.setattr(calibrate, "refine", to_nothing)
-    found = engine.study(engine.make_problem([run], [samples]))
+    found = engine.study(engine.make_problem([RecordedRun(run, samples)]))
     assert found.verdict == "unknown" and not found.best_ids and not found.sets
 
 
@@ -120,5 +121,6 @@ def test_an_explanation_is_calibration_in_disguise_by_its_corner_or_by_its_whole
     asked = []
     monkeypatch.setattr(disguise, "outside", lambda problem, terms: outside)
     monkeypatch.setattr(disguise, "only_calibration", lambda effect, dimensions: asked.append(effect) or back)
-    assert disguise.disguised(linear, one, None) is (outside or back)
+    why = "outside" if outside else "dimensions"
+    assert disguise.in_disguise(linear, one, None) == ((why, ("creep",)) if outside or back else None)
     assert outside or [effect.tolist() for effect in asked] == [[32.0, 64.0]]

@@ -6,12 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnose import diagnose
+from pipeline.diagnose import Options, diagnose
 from pipeline.diagnosis.calibrate import base
 from pipeline.diagnosis.engine import make_problem
 from pipeline.diagnosis.flexible import foretold
 from pipeline.diagnosis.heldout import first_held_out, quick
 from pipeline.diagnosis.outcome import rms
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.run.samples import read_samples
 
 DIRECTED = ("friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip", "x_clock", "load_swing")
@@ -21,7 +22,7 @@ DIRECTED = ("friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "st
 def rig(conceal):
     """The problem of a run, its calibrated state, and the rows that are held out."""
     run, samples = read_samples(conceal("friction_hysteresis")[0])
-    problem = make_problem([run], [samples])
+    problem = make_problem([RecordedRun(run, samples)])
     row = first_held_out(problem)
     return problem, base(problem.until(row)), problem.record.time_s >= problem.record.time_s[row]
 
@@ -53,7 +54,7 @@ def test_noise_from_sample_to_sample_counts_no_slower_structure(rig):
 
 
 def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physics_has_to_reach(conceal, tmp_path):
-    words = diagnose([conceal("friction_hysteresis")[0]], tmp_path / "out", without=frozenset(DIRECTED))
+    words = diagnose([conceal("friction_hysteresis")[0]], tmp_path / "out", Options(without=frozenset(DIRECTED)))
     content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
     held = content["fit"]["heldout"]
     assert held["without_physics_mm"] < 0.67 * held["explained_mm"]

@@ -1,6 +1,7 @@
-"""The interface test: every mechanism in the folder keeps the contract, whoever wrote it."""
+"""The interface test: every mechanism in the folder keeps to `diagnosis/interface.py`, whoever wrote it."""
 
 import ast
+import re
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,9 @@ from imported import imported
 import pipeline.diagnosis
 from pipeline.diagnosis.adopt import acts_from, entries
 from pipeline.diagnosis.drivers import drivers_of
+from pipeline.diagnosis.legs import Rig
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.nextrun import appended
-from pipeline.diagnosis.protocol import Rig
 from pipeline.systems import systems
 
 KNOWN_PHYSICS = [  # the names that a verdict may give; any other begins with x_
@@ -22,6 +23,7 @@ KNOWN_PHYSICS = [  # the names that a verdict may give; any other begins with x_
     "load_swing",
 ]
 HERE = Path(pipeline.diagnosis.__file__).parent
+PUBLISHED = re.compile(r"[A-Z][a-zé]+.*\b(1[6-9]|20)\d\d\b")  # an author or a standard, then its year
 
 
 def test_all_known_physics_is_there_and_what_is_new_begins_with_x() -> None:
@@ -34,6 +36,13 @@ def test_a_mechanism_is_in_the_file_of_its_name_and_says_what_it_is() -> None:
         for text in (mechanism.driver, mechanism.equation, mechanism.source, mechanism.told_apart_by):
             assert text
         assert "{size}" in mechanism.sentence
+
+
+@pytest.mark.parametrize("id_", mechanisms())
+def test_a_mechanism_names_whom_to_read_by_author_and_year(id_: str) -> None:
+    source = mechanisms()[id_].source
+    assert PUBLISHED.search(source), source
+    assert not re.search(r"text ?book|^none\b", source, re.IGNORECASE), source
 
 
 @pytest.mark.parametrize("id_", mechanisms())

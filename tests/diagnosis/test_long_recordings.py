@@ -6,10 +6,11 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.diagnosis import own_rate, record
+from pipeline.diagnosis import own_rate
 from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.record import despiked, lonely
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.run.description import parse_run
+from pipeline.run.spikes import despiked
 from pipeline.systems import systems
 
 ROWS, STEP_S = 3_000, 0.02
@@ -35,7 +36,7 @@ def recorded(rows: int = ROWS) -> pd.DataFrame:
 def test_what_is_scored_are_own_samples_at_most_so_many(monkeypatch, most, rows):
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", most)
     made = recorded()
-    scored = own_rate.to_score([described()], [made])
+    scored = own_rate.to_score([RecordedRun(described(), made)])
     assert len(scored.record) == rows
     np.testing.assert_array_equal(scored.measured, made["displacement_mm"].to_numpy()[:: ROWS // rows])
 
@@ -45,37 +46,28 @@ def test_a_system_that_follows_derivatives_is_scored_on_all_it_has(monkeypatch):
     assert followers
     asked = []
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", 10)
-    monkeypatch.setattr(own_rate, "at_own_rate", lambda runs, tables: asked.append(len(tables[0])))
+    monkeypatch.setattr(own_rate, "at_own_rate", lambda runs: asked.append(len(runs[0].samples)))
     run = type("Told", (), {"system": followers[0]})()
-    own_rate.to_score([run], [recorded()])  # type: ignore[list-item]
+    own_rate.to_score([RecordedRun(run, recorded())])  # type: ignore[arg-type]
     assert asked == [ROWS]
 
 
 def test_a_long_recording_is_polished_on_averages_and_a_short_one_as_it_is(monkeypatch):
-    runs, tables = [described()], [recorded()]
-    fine: Problem = own_rate.to_score(runs, tables)
-    assert own_rate.to_polish(runs, tables, fine) is fine
+    runs = [RecordedRun(described(), recorded())]
+    fine: Problem = own_rate.to_score(runs)
+    assert own_rate.to_polish(runs, fine) is fine
     monkeypatch.setattr(own_rate, "POLISHED_SAMPLES", 1_000)
-    averaged = own_rate.to_polish(runs, tables, fine)
+    averaged = own_rate.to_polish(runs, fine)
     assert len(averaged.record) == 1_000
-    plain = tables[0]["displacement_mm"].to_numpy()
+    plain = runs[0].samples["displacement_mm"].to_numpy()
     assert averaged.measured == pytest.approx(despiked(plain).reshape(-1, 3).mean(axis=1))
-
-
-def test_spikes_are_the_same_whether_looked_at_in_one_block_or_in_many(monkeypatch):
-    signal = np.random.default_rng(3).normal(0.0, 1.0, 1_000)
-    signal[[0, 99, 200, 350, 500, 699, 998]] += 50.0
-    whole = lonely(signal, 10.0)
-    assert whole.sum() >= 3
-    monkeypatch.setattr(record, "BLOCK", 100)
-    np.testing.assert_array_equal(lonely(signal, 10.0), whole)
 
 
 def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
     from pipeline.diagnosis import problem as module
     from pipeline.diagnosis.library import mechanisms
 
-    problem = own_rate.to_score([described()], [recorded()])
+    problem = own_rate.to_score([RecordedRun(described(), recorded())])
     options = [(one, nonlinear) for one in mechanisms().values() for nonlinear in one.candidates(problem.drivers)][:5]
     numbers = [ROWS * len(problem.terms(mechanism, nonlinear)) for mechanism, nonlinear in options]
     problem._terms.clear()

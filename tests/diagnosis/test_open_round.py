@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.run.samples import read_samples
 
 ROUND = Path(__file__).parent.parent / "data" / "blind" / "round-1"
@@ -25,7 +26,7 @@ def outcomes() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for case in json.loads((ROUND / "truth.json").read_text(encoding="utf-8")):
         run, samples = read_samples(ROUND / f"case-{case['case']:03d}")
-        result = study(make_problem([run], [samples]))
+        result = study(make_problem([RecordedRun(run, samples)]))
         truth, sets = set(case["effects"]), [set(one.ids) for one in result.sets]
         outcome = result.verdict
         if outcome in ("explained", "ambiguous"):

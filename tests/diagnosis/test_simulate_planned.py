@@ -44,7 +44,8 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
     simulated(folder, diagnosis, tmp_path / "own.parquet")
     done = simulated(folder, diagnosis, tmp_path / "planned.parquet", "--motion", plan)
     own, planned = (pd.read_parquet(tmp_path / f"{name}.parquet") for name in ("own", "planned"))
-    assert np.allclose(own, planned, rtol=0.0, atol=1e-9)
+    assert np.allclose(own, planned[own.columns], rtol=0.0, atol=1e-9)
+    assert (planned["outside"] == 0.0).all()
     assert f"its zero is that of the recording of {folder.name}" in done.stdout and "rms error" not in done.stdout
     assert not done.stderr, "it stays inside what was recorded"
     samples.assign(motor_turns=1.5 * samples["motor_turns"], load_n=40.0).to_csv(plan, index=False)
@@ -52,12 +53,16 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
     far = simulated(folder, diagnosis, tmp_path / "far.csv", "--motion", plan).stderr
     assert f"to {1.5 * most:.4g} (" in far and "Nothing says how well the simulator does there" in far
     assert "load_n of 40 to 40" in far and "a second (at most" in far and "a hold" not in far
+    assert (pd.read_csv(tmp_path / "far.csv")["outside"] == 1).all(), "the load is too high everywhere"
     top = samples["motor_turns"].max()
     pd.DataFrame({"time_s": [0, 20, 140, 160], "motor_turns": [0, 0.9 * top, 0.9 * top, 0], "load_n": 15.0}).to_csv(
         plan, index=False
     )
     held = simulated(folder, diagnosis, tmp_path / "held.csv", "--motion", plan).stderr
     assert "it asks for a hold of 120 s (at most" in held
+    answer = pd.read_csv(tmp_path / "held.csv")
+    assert set(answer["time_s"][answer["outside"] == 1].between(22.0, 140.2)) == {True}, "the hold's end alone"
+    assert (answer["outside"] == 1).sum() > 2000
 
 
 def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosis, tmp_path):
@@ -68,10 +73,13 @@ def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosi
     other = json.loads(diagnosis.read_text()) | {"run": "another"}
     diagnosis.write_text(json.dumps(other))
     done = simulated(folder, diagnosis, tmp_path / "answer.csv", "--motion", tmp_path / "plan.csv")
-    assert f"{tmp_path / 'answer.csv'} holds time_s and displacement_mm" in done.stdout
+    columns = ["time_s", "displacement_mm", "outside", "without_effects_mm", "motor_turns", "load_n"]
+    assert f"{tmp_path / 'answer.csv'} holds {', '.join(columns[:-1])} and load_n" in done.stdout
     assert "its zero is the reading in the first second" in done.stdout
     answer = pd.read_csv(tmp_path / "answer.csv")
-    assert list(answer) == ["time_s", "displacement_mm"] and len(answer) == len(plan)
+    assert list(answer) == columns and len(answer) == len(plan)
+    assert np.allclose(answer[["motor_turns", "load_n"]], plan[["motor_turns", "load_n"]])
+    assert np.allclose(answer["without_effects_mm"], answer["displacement_mm"]), "no effect acts"
     wound = answer["displacement_mm"].iloc[-1]
     assert wound > 1.0 and answer["displacement_mm"][time_s > 8.0].std() < 1e-6, "the motor stands, the string too"
     assert abs(answer["displacement_mm"].iloc[0]) < 0.1 * wound
@@ -81,6 +89,10 @@ def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosi
     ("change", "says"),
     [
         (lambda plan: plan.drop(columns="motor_turns"), "motor_turns: there is no such column, only time_s"),
+        (
+            lambda plan: plan.rename(columns={"motor_turns": "turns", "time_s": "t"}),
+            "time_s, motor_turns: there are no such columns, only t, turns, load_n",
+        ),
         (lambda plan: plan.assign(motor_turns=np.nan), "motor_turns: is not a number in 600 rows"),
         (lambda plan: plan.assign(motor_turns="fast"), "motor_turns: is not a number in 600 rows"),
         (lambda plan: plan[::-1], "time_s: runs backwards"),
@@ -127,4 +139,87 @@ def test_a_load_that_hangs_still_need_not_be_planned(make_run, tmp_path):
             folder, tmp_path / "diagnosis.json", tmp_path / f"{name}-answer.csv", "--motion", tmp_path / f"{name}.csv"
         )
     without, given = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("without", "with"))
-    assert np.allclose(without, given, atol=1e-4)
+    assert np.allclose(without["load_n"], 20.0, atol=0.01)
+    assert np.allclose(without.drop(columns="load_n"), given.drop(columns="load_n"), atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        {"id": "viscous_loss", "parameters": {"loaded": 0.0, "steepest": 0.5, "straight_mm_per_turn_s": 0.1}},
+        {"id": "sensor_lag", "parameters": {"filter_0.1_s": 1.0}},
+        {"id": "sensor_lag", "parameters": {"clock_skew": 0.01}},
+    ],
+)
+def test_nothing_moves_before_the_motor_does(folder, diagnosis, tmp_path, entry):
+    diagnosis.write_text(json.dumps(json.loads(diagnosis.read_text()) | {"simulation": [entry]}))
+    corners = {"time_s": [0.0, 6.0, 25.56, 32.0], "motor_turns": [0.0, 8.0, 8.0, 0.0], "load_n": 15.0}
+    pd.DataFrame(corners).to_csv(tmp_path / "plan.csv", index=False)
+    simulated(folder, diagnosis, tmp_path / "answer.csv", "--motion", tmp_path / "plan.csv")
+    answer = pd.read_csv(tmp_path / "answer.csv").set_index("time_s")["displacement_mm"]
+    assert np.diff(answer.index).min() > 0.001, "no corner is there twice"
+    assert np.ptp(answer[(answer.index > 9.0) & (answer.index <= 25.56)]) < 1e-9
+    assert abs(answer[25.66] - answer[25.56]) > 1e-4
+
+
+def four_strokes(make_run) -> tuple[Path, pd.DataFrame]:
+    """A run of triangles between 0 and one twist at one speed, and its recording."""
+    table = recording(4).assign(load_n=20.0)
+    return make_run("triangles", table), table
+
+
+def acting(tmp_path: Path, entry: dict) -> Path:
+    """A diagnosis of another run in which one effect acts."""
+    (tmp_path / "diagnosis.json").write_text(json.dumps({"run": "other", "parameters": {}, "simulation": [entry]}))
+    return tmp_path / "diagnosis.json"
+
+
+SLOWED = {"id": "viscous_loss", "parameters": {"loaded": 0.0, "steepest": 0.5, "straight_mm_per_turn_s": 0.1}}
+LOOP = {"id": "backlash", "parameters": {"half_width_turns": 0.5, "share": 0.8}}
+
+
+def test_slower_than_recorded_and_reversals_inside_are_outside(make_run, tmp_path):
+    folder, table = four_strokes(make_run)
+    top, plan = float(table["motor_turns"].max()), tmp_path / "plan.csv"
+    speed = float(np.abs(np.diff(table["motor_turns"])).max() / np.diff(table["time_s"]).min())
+    slow_s = top / (0.2 * speed)
+
+    def asked(corners: dict, entry: dict) -> tuple[str, pd.DataFrame]:
+        pd.DataFrame(corners).to_csv(plan, index=False)
+        done = simulated(folder, acting(tmp_path, entry), tmp_path / "a.csv", "--motion", plan)
+        return done.stderr, pd.read_csv(tmp_path / "a.csv")
+
+    said, answer = asked({"time_s": [0.0, slow_s, 1.2 * slow_s], "motor_turns": [0.0, top, 0.0]}, LOOP)
+    assert "motor_turns that change by only" in said and "(at least" in said and "a reversal" not in said
+    rows = answer["outside"] == 1
+    assert rows[answer["time_s"] < 0.95 * slow_s].all() and not rows[answer["time_s"] > 1.05 * slow_s].any()
+
+    legs = np.cumsum([0.0, top, 0.5 * top, 0.3 * top, 0.8 * top]) / speed
+    inner = {"time_s": legs, "motor_turns": [0.0, top, 0.5 * top, 0.8 * top, 0.0]}
+    said, answer = asked(inner, LOOP)
+    assert f"2 reversals inside the range, the first at motor_turns of {0.5 * top:.4g}" in said
+    rows = answer["outside"] == 1
+    assert rows[answer["time_s"] > legs[2] + 0.1].all() and not rows[answer["time_s"] < legs[2] - 0.1].any()
+    said, answer = asked(inner, SLOWED)
+    assert not said and not answer["outside"].any(), "no effect at work remembers where the motion turned"
+
+
+def test_a_plan_may_use_the_names_and_units_of_the_recordings_columns(make_run, tmp_path):
+    table = recording(4).assign(angle_deg=lambda made: 360.0 * made["motor_turns"], t=lambda made: made["time_s"])
+    channels = {"time_s": "t", "motor_turns": {"column": "angle_deg", "unit": "deg"}}
+    folder = make_run("named", table.drop(columns=["motor_turns", "time_s"]), channels=channels)
+    path, out = tmp_path / "diagnosis.json", tmp_path / "a.csv"
+    path.write_text(json.dumps({"run": "named", "parameters": {}, "simulation": []}))
+    ours = {"time_s": [0.0, 5.0, 10.0], "motor_turns": [0.0, 20.0, 0.0]}
+    own = {"t": [0.0, 5.0, 10.0], "angle_deg": [0.0, 7200.0, 0.0]}
+    answers = []
+    for plan in (ours, own):
+        pd.DataFrame(plan).to_csv(tmp_path / "plan.csv", index=False)
+        simulated(folder, path, out, "--motion", tmp_path / "plan.csv")
+        answers.append(pd.read_csv(out))
+    assert np.allclose(*answers) and np.ptp(answers[0]["displacement_mm"]) > 1.0
+    pd.DataFrame({"t": [0.0, 5.0], "x": [0.0, 1.0]}).to_csv(tmp_path / "plan.csv", index=False)
+    words = ["--simulation", path, "--motion", tmp_path / "plan.csv", "--out", out]
+    wrong = programs.run("pipeline.simulate", folder, *words).stderr
+    assert "motor_turns: there is no such column, only t, x. Mend: " in wrong
+    assert "or with the columns of the recording: angle_deg for motor_turns" in wrong

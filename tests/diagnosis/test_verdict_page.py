@@ -1,13 +1,23 @@
 """The page of a verdict: short, the effects in a table, the dimensions to measure, what to do in numbered steps."""
 
-import pytest
-from made_content import SYSTEMS, confident, content, page, told, weighed
+import copy
+from pathlib import Path
 
+import pytest
+from made_content import SYSTEMS, confident, content, page, parameter, spoken, told, weighed
+
+from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.sections import WIDE, wrapped
 
 STEPS = "What to do, in this order"
 NEAR = {"radius_mm": 0.4}
 NOTHING = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+
+
+def details(made):
+    """The details beside the page, on one line."""
+    made = spoken(made, SYSTEMS["mm"])
+    return " ".join(details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3")).split())
 
 
 def under(heading, text):
@@ -138,6 +148,36 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     assert "Do not report how much creep does alone." in steps(near)
     sure = "- at work, by the library's names: friction_hysteresis (probability 93 %);"
     assert sure in steps(confident(0.93, 0.46)), "creep is not sure"
+
+
+@pytest.mark.parametrize(
+    ("changes", "advice"),
+    [
+        ({}, "Do not adopt before the radius is measured again."),
+        (
+            {"evidence__moved_sigma": {"radius_mm": 2.9, "length_mm": -2.8}},
+            "the radius and the length are measured again.",
+        ),
+        ({"evidence__moved_sigma": NEAR}, "may adopt this to predict motions like the recorded ones, though another "),
+        (
+            {"evidence__moved_sigma": NEAR, "verdict": "explained", "alternatives": []},
+            "predict motions like the recorded",
+        ),
+        ({"evidence__moved_sigma": NEAR, "fit__heldout__explained_mm": 0.81}, "Adopting gains nothing: on the unseen "),
+        ({"fit__heldout__explained_mm": 0.95}, "Adopt nothing: on the unseen strokes the explanation makes"),
+    ],
+)
+def test_one_sentence_says_whether_to_adopt_and_page_and_details_agree(changes, advice):
+    made = content(**changes)
+    if "length_mm" in made["evidence"]["moved_sigma"]:
+        made["parameters"]["length_mm"] = {"nominal": 300.0, "value": 295.0}
+    assert advice in steps(made) and advice in details(made).partition("To use it")[2]
+    poorly = copy.deepcopy(made)
+    for entry in poorly["mechanisms"]:
+        entry["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    if "may adopt" in steps(made):
+        assert "do not report its sizes" not in steps(made)
+        assert "; do not report its sizes." in steps(poorly) and "; do not report its sizes." in details(poorly)
 
 
 def test_an_explanation_that_makes_things_worse_is_not_to_be_used():
@@ -317,12 +357,18 @@ def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_record
     said = steps(content(**ALONE, evidence__covered=covered))
     holds = "holds of up to 3.7 s and rests of up to 6.5 s under 24.8 N or more."
     assert f"This one has loads of 24.8 to 36.9 N, speeds of 1.9 to 5.8 turns/s, and {holds}" in said
-    assert "a recording should hold what tells the effect from others: - friction_hysteresis: " in said
+    assert "record what tells the effect from others: - friction_hysteresis: " in said
     assert "- creep: a hold under load, then a rest without it" in said
     covered["speed_per_s"] = [5.0, 5.8]
     under_one = steps(content(**ALONE, evidence__loaded=False, evidence__covered=covered))
     assert "This one has one load, one speed, 5.8 turns/s, and holds of up to" in under_one
-    assert "- creep: a hold" not in under_one, "slow effects under one load have a test of their own"
+    longest = "(13 s or longer each, twice the longest one here, under 36.9 N as recorded here)."
+    assert longest in under_one and longest.replace("36.9", "24.8 to 36.9") in said
+    made = content(**ALONE, evidence__covered=covered)
+    made["mechanisms"][1]["parameters"]["slowest_s"] = parameter(60.0, "s")
+    assert "(2 min or longer each, twice its longest time constant, under 24.8 to 36.9 N as" in steps(made)
+    assert "Its speeds count as two: the fastest is 3.1 times the slowest. Its loads count as more than one." in said
+    assert "no second speed: 2.9 or 11.6 turns/s, half or twice, would do. It has no second load: 18.4 or" in under_one
     assert "what tells the effect from others" not in steps(), "where explanations tie a run is proposed"
 
 
@@ -359,3 +405,117 @@ def test_what_was_adopted_and_still_fits_is_said_first_to_do_so():
     )
     made["evidence"]["adopted_mm"] = 0.2
     assert "what was adopted explains the recording" not in " ".join(page(made).split())
+
+
+def test_a_sure_effect_whose_interval_reaches_0_says_why_both_hold():
+    made = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
+    made["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    said = " ".join(page(copy.deepcopy(made)).split())
+    assert "sure, 93 %" in said and "friction_hysteresis is sure though the interval reaches 0, and both hold" in said
+    made["mechanisms"][0]["rms_mm"]["low"] = 0.1
+    assert "both hold" not in page(copy.deepcopy(made))
+    made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    assert "both hold" not in page(made), "creep is not sure"
+
+
+def test_a_temperature_that_was_logged_and_is_not_needed_is_said_in_one_sentence():
+    alone = {"alternatives": [], "verdict": "explained", "evidence__moved_sigma": NEAR}
+    covered = {"temperature_c": [21.04, 25.5], "load": [19.0, 21.0], "speed_per_s": [1.0, 2.0]}
+    covered |= {"longest_hold_s": 2.0, "longest_rest_s": 3.0}
+    logged = content(**alone, evidence__covered=covered)
+    sentence = "A temperature was logged (21 to 25.5 °C), and was not needed: nothing that is named follows it."
+    assert sentence in " ".join(page(logged).split())
+    logged["fit"]["detectable_mm"]["thermal"] = 0.03
+    assert f"{sentence} An effect of it would have been seen from 0.030 mm rms on." in " ".join(page(logged).split())
+    assert "temperature was logged" not in page(content(**alone))
+    logged["alternatives"] = [["thermal"]]
+    assert "temperature was logged" not in page(logged), "something that ties may follow it"
+    for verdict in ("consistent", "parameters"):
+        made = content(
+            **NOTHING | {"verdict": verdict}, mismatch=None, evidence__covered={"temperature_c": [21.0, 25.5]}
+        )
+        made["evidence"]["explanations"], made["simulation"] = [], []
+        assert sentence in " ".join(page(made).split()), verdict
+
+
+AT_LIMIT = {"evidence__moved_sigma": {"radius_mm": 3.0, "torsion_zone_mm": 3.0, "scale": -3.0}}
+
+
+def at_limit(radius_sigma=3.0):
+    """A verdict with the radius, the torsion zone and the sensor's gain at their limits."""
+    made = confident(0.93, 0.96, **ALONE, **copy.deepcopy(AT_LIMIT))
+    made["evidence"]["moved_sigma"]["radius_mm"] = radius_sigma
+    made["evidence"]["tolerance"] = {"radius_mm": 0.0117, "torsion_zone_mm": 1.0, "scale": 0.005}
+    for name, nominal, value in (
+        ("radius_mm", 0.39, 0.39 + 0.0117 * radius_sigma),
+        ("torsion_zone_mm", 124.6, 127.6),
+        ("scale", 1, 0.985),
+    ):
+        made["parameters"][name] = {"nominal": nominal, "value": value, "low": value, "high": value}
+    return made
+
+
+def test_a_dimension_at_its_limit_is_measured_for_a_gross_error_not_to_the_tolerance_that_it_has():
+    table = under(STEPS, page(at_limit()))
+    assert any(row.strip().startswith("radius") and "0.012 mm is enough" in row for row in table)
+    assert any("torsion zone" in row and "1 mm is enough" in row for row in table)
+    assert any("gain" in row and "0.005 or better" in row for row in table), "nobody has measured it"
+    off = "three tolerances away, 0.035 mm for the radius and 3 mm for the torsion zone."
+    assert f"look for a gross error: what fits best is {off}" in steps(at_limit())
+    assert "Measure the radius again (0.012 mm is enough): run.yaml says" in told(at_limit())
+    near = under(STEPS, page(at_limit(2.8)))
+    assert any(row.strip().startswith("radius") and "0.011 mm or better" in row for row in near)
+
+
+@pytest.mark.parametrize(("shared", "said"), [(0.95, "correlation 0.95"), (-0.9, "correlation -0.90"), (0.5, "")])
+def test_dimensions_that_take_each_others_place_in_the_fit_are_measured_in_one_go(shared, said):
+    made = at_limit()
+    rest = (1.0 - shared**2) ** 0.5
+    made["uncertainty"] = [
+        {"name": "zero_mm", "moves": [0.01]},
+        {"name": "radius_mm", "moves": [0.0, 0.003]},
+        {"name": "torsion_zone_mm", "moves": [0.0, 0.0, 2.0]},
+        {"name": "scale", "moves": [0.0, 0.0, 0.01 * shared, 0.01 * rest]},
+        {"name": "scale", "moves": [1.0], "id": "creep", "entry": 0},
+    ]
+    text = steps(made)
+    assert ("one of them alone settles little" in text) == bool(said) and said in text
+    if said:
+        assert "Measure the torsion zone and the gain of the displacement sensor in one go" in text
+
+
+def test_no_effect_is_called_sure_while_a_dimension_stands_at_its_limit():
+    text = " ".join(page(at_limit()).split())
+    limit = "the radius, the torsion zone and the gain of the displacement sensor stand at their limit"
+    assert "friction_hysteresis probable, 93 %" in text and "sure, 9" not in text
+    assert f"creep and friction_hysteresis are probable, not sure, while {limit}." in text.replace(
+        "friction_hysteresis and creep are", "creep and friction_hysteresis are"
+    )
+    details = told(at_limit())
+    assert f"Probable while {limit} (80 % or more): " in details
+    assert "None is needed before dimensions are measured again" in details
+    near = told(confident(0.93, 0.96, **ALONE, evidence__moved_sigma=NEAR))
+    assert "None is needed: no other explanation" in near and "Sure (80 % or more): " in near
+
+
+def test_standard_deviations_beside_odds_are_said_to_count_the_noise_alone():
+    assert told().count("Standard deviations count the noise alone") == 1
+    made = content()
+    made["evidence"]["explanations"] = [one for one in made["evidence"]["explanations"] if one.get("worse") != 400.0]
+    assert "Standard deviations count" not in told(made)
+
+
+def test_a_hidden_effect_says_how_much_of_it_looks_the_same_as_which_dimensions():
+    made = confident(0.93, 0.96)
+    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
+    made["evidence"] |= {
+        "beyond_dimensions_mm": {"creep": 0.031, "friction_hysteresis": 0.08},
+        "moved_sigma": {"radius_mm": 2.9, "scale": -1.0, "length_mm": 0.1},
+        "moved_alone_sigma": {"radius_mm": 1.0, "scale": 1.6, "length_mm": 0.3},
+    }
+    looks = "looks the same as a slightly different gain of the displacement sensor and radius."
+    text = " ".join(page(copy.deepcopy(made)).split())
+    assert f"Mostly hidden: 1.5 mm rms is creep, but all of it except 0.031 mm {looks}" in text
+    assert "far larger than the" not in text and "length" not in text.partition("Mostly hidden")[2].partition(". ")[0]
+    made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
+    assert f"Partly hidden: 0.60 mm rms is creep, but all of it except 0.031 mm {looks}" in " ".join(page(made).split())

@@ -10,13 +10,13 @@ import pytest
 import yaml
 from made_content import CONTENT, SYSTEMS, confident, content, explanation, leg, parameter, told, weighed
 
+from pipeline.diagnosis.adopted_run import as_list
 from pipeline.diagnosis.bounds import at_bound
 from pipeline.diagnosis.figures import title
 from pipeline.diagnosis.heldout import worse_than_nominal
-from pipeline.diagnosis.idle import without_idle
 from pipeline.diagnosis.interface import Mechanism
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.naming import Units
+from pipeline.diagnosis.system_units import Units
 from pipeline.diagnosis.words import (
     certainty,
     effects,
@@ -24,13 +24,14 @@ from pipeline.diagnosis.words import (
     in_run_yaml,
     level,
     quantity,
-    seen,
     tolerances,
+    unexplained_pattern,
     worth,
 )
 from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.spoken import spoken
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.diagnosis.zero_effects import without_zero_effects
 from pipeline.ground.glossary import MEANING
 from pipeline.systems import systems
 
@@ -51,8 +52,8 @@ def test_sentences_say_size_reach_and_what_was_found():
     made = spoken(content(), SYSTEMS["mm"])
     friction, creep = (entry["sentence"] for entry in made["mechanisms"])
     assert friction == (
-        "Friction makes the displacement of winding differ from that of unwinding, by up to 0.20 mm (0.082 mm rms): "
-        "half the loop is 0.101 mm (0.0909 to 0.111)."
+        "Friction makes the displacement of winding differ from that of unwinding, by 0.20 mm from the lowest to "
+        "the highest value (0.082 mm rms): half the loop is 0.101 mm (0.0909 to 0.111)."
     )
     assert "by up to 0.90 mm (0.41 mm rms), best with time constants of 15 s to 60 s of those that were tried" in creep
 
@@ -254,7 +255,10 @@ def test_other_rigs_have_their_own_words_and_units(ending, driver, unit, load):
     text = others(ending, ending, driver, unit, load)
     assert not re.search(r"\b(string|twist|twisted|wind|winding|unwinding|turns|mm|displacement)\b", text), text
     reading, motion = {"deg": ("jaw angle", "deg"), "n": ("force", "m")}[ending]
-    assert f"Friction makes the {reading} of the way up differ from that of the way down, by up to 0.20 {unit}" in text
+    assert (
+        f"Friction makes the {reading} of the way up differ from that of the way down, by 0.20 {unit} from the lowest"
+        in text
+    )
     assert f"2. Go to 30.7 {motion} in 16 s" in text and f"4. Go back to 0 {motion}" in text
 
 
@@ -282,7 +286,7 @@ def idle_beside_friction(**changes):
     made = content(**changes)
     made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
     made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
-    return without_idle(made, "mm")
+    return without_zero_effects(made, "mm")
 
 
 def test_a_mechanism_without_strength_is_not_named_adopted_or_shared_and_the_verdict_says_why():
@@ -302,30 +306,32 @@ def test_an_explanation_that_is_the_best_one_without_its_idle_part_ties_no_more(
     assert made["verdict"] == "explained" and not made["alternatives"] and made["next_run"] is None
     alone = content(mechanisms=[{"id": "creep", "rms_mm": parameter(0.0, "mm"), "parameters": {}}])
     alone["simulation"] = [{"id": "creep", "parameters": {}}]
-    assert without_idle(alone, "mm") == alone | {"simulation": []}
+    assert without_zero_effects(alone, "mm") == alone | {"simulation": []}
     whole = content() | {"simulation": [{"id": "creep", "parameters": {}}]}
-    assert without_idle(whole, "mm") == whole
+    assert without_zero_effects(whole, "mm") == whole
     assert not to_adopt(simulation=[])
 
 
 @pytest.mark.parametrize(
-    ("grows", "said"),
+    ("opened", "said"),
     [
-        (0.0, "by up to 0.60 mm (0.30 mm rms): half the loop is 0.3 mm (0.27 to 0.33)."),
         (
-            0.24,
-            "by up to 0.60 mm (0.30 mm rms): 0.36 mm of its width are the same under every load and at every twist.",
+            {"width_mm": 0.058, "motor_turns": 16.2},
+            "that of unwinding, by up to 0.058 mm, most near 16 turns (0.030 mm",
         ),
+        (None, "that of unwinding, by 0.077 mm from the lowest to the highest value (0.030 mm rms)"),
     ],
 )
-def test_half_a_loop_is_told_only_where_it_is_half_of_the_size_beside_it(grows, said):
-    half = 0.3 if not grows else 0.18
-    found = {"half_loop_mm": parameter(half, "mm"), "sharp_mm": parameter(half, "mm"),
-             "sharp_load_twist_mm_per_10_n": parameter(grows, "mm/10N")}  # fmt: skip
-    entry = {"id": "friction_hysteresis", "rms_mm": parameter(0.3, "mm"), "parameters": found}
-    words = Vocabulary.of(SYSTEMS["mm"])
-    told_ = effects.sentence(mechanisms()["friction_hysteresis"], entry, 0.6, words, Units.of(SYSTEMS["mm"]))
-    assert told_.endswith(said)
+def test_how_far_winding_and_unwinding_part_is_told_at_one_twist_or_the_span_is_called_what_it_is(opened, said):
+    made = content(mechanisms=[{"id": "friction_hysteresis", "rms_mm": parameter(0.03, "mm"), "parameters": {}}])
+    made["evidence"]["spans_mm"]["friction_hysteresis"] = 0.077
+    made["evidence"] |= {"loops": {"friction_hysteresis": opened}} if opened else {}
+    assert said in told(made)
+
+
+@pytest.mark.parametrize("id_", ["friction_hysteresis", "backlash"])
+def test_no_sentence_calls_the_span_of_an_effect_the_difference_between_winding_and_unwinding(id_):
+    assert "{loop}" in mechanisms()[id_].sentence and "{span}" not in mechanisms()[id_].sentence
 
 
 def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimensions():
@@ -580,7 +586,7 @@ def test_what_is_named_comes_with_the_command_that_adopts_it():
     simulate = "python -m pipeline.simulate raw/nylon-3 --simulation reports/nylon-3/diagnosis.json --out FILE"
     assert f"  {simulate}\n" in to_adopt()
     assert "Another explanation" not in to_adopt(verdict="explained", next_run=None)
-    assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Do not: on the unseen strokes")
+    assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Adopt nothing: on the unseen strokes")
     assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
 
 
@@ -786,7 +792,9 @@ def test_two_explanations_that_an_idle_effect_made_different_share_one_probabili
     made["alternatives"] = [["friction_hysteresis"]]
     made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
     made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
-    (best,) = [one for one in without_idle(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"]
+    (best,) = [
+        one for one in without_zero_effects(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"
+    ]
     assert best["ids"] == ["friction_hysteresis"] and best["probability"] == pytest.approx(0.6)
 
 
@@ -859,6 +867,10 @@ def test_a_sure_effect_whose_size_may_be_nothing_says_so():
     for confidence, said in ((0.85, True), (0.6, False)):
         found["mechanisms"][0]["confidence"] = confidence
         assert (sure in told(copy.deepcopy(found))) is said
+    found["mechanisms"][0]["confidence"], found["evidence"]["moved_sigma"] = 0.85, {"radius_mm": 3.0}
+    at_its_limit = " ".join(told(found).split())
+    assert sure not in at_its_limit
+    assert "That it is there is probable while the radius stands at its limit, its size is not:" in at_its_limit
 
 
 def test_a_run_of_the_adopted_verdict_keeps_its_loads():
@@ -985,10 +997,12 @@ def test_adopting_is_told_with_its_command_and_after_measuring_where_dimensions_
     text = details_text(spoken(made, system), system, [Path("raw/nylon-3")], Path("reports/nylon 3"))
     use = " ".join(text.partition("\nTo use it\n")[2].partition("\n\n")[0].split())
     assert use.startswith(
-        "To predict with it, dimensions included: python -m pipeline.simulate raw/nylon-3 --simulation"
+        "To predict with it, dimensions included (PLAN.csv is a motion that you plan: time_s, motor_turns and, unless "
+        "it stands still, load_n; its corners will do): python -m pipeline.simulate raw/nylon-3 --simulation"
     )
+    assert "--simulation 'reports/nylon 3/diagnosis.json' --motion PLAN.csv --out FILE.csv" in use
     assert "--simulation 'reports/nylon 3/diagnosis.json' --out FILE" in use
-    assert ("Measure again first: adopting takes effects" in use) is first
+    assert ("Do not adopt before the radius is measured again." in use) is first
     assert "with the dimensions that fit with them; yours stay as measured" in use
     assert "python -m pipeline.adopt 'reports/nylon 3/diagnosis.json' raw/nylon-3" in use
 
@@ -997,14 +1011,14 @@ def test_adopting_is_told_with_its_command_and_after_measuring_where_dimensions_
 def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little_away(alone, said):
     shown = [{"ids": [], "left_mm": 0.4}, {"ids": ["creep"], "left_mm": 0.55}, {"ids": ["wear"], "left_mm": 0.5}]
     made = content(evidence__explanations=shown, evidence__calibrated_mm=alone)
-    lines = seen.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+    lines = unexplained_pattern.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
     assert len(lines) == said
     if said:
         assert lines[0].startswith("The best that an effect could do: with wear 0.50 mm rms (")
         assert lines[0].endswith("would be left instead of 0.60 mm. That gain is too small to name it.")
         made["evidence"]["explanations"][2]["ids"] = ["x_swelling"]
         made["simulation"] = [{"id": "backlash", "parameters": {}}]
-        (line,) = seen.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+        (line,) = unexplained_pattern.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
         assert "that one more effect could do: with x_swelling (x_marks a stand-in" in line.replace("x_ m", "x_m")
 
 
@@ -1228,3 +1242,34 @@ def test_the_pattern_that_the_best_explanation_leaves_is_told_with_place_and_dri
 )
 def test_a_run_raises_the_gap_where_more_than_a_standard_deviation_is_seen_after_it(now, then, said):
     assert worth.raises({"gap_now": now, "gap_then": then}) is said
+
+
+def test_the_run_that_decides_is_a_short_list_in_run_yaml_that_the_next_verdict_reads_as_the_paragraph():
+    made = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
+    held = as_list(made)
+    assert held[0] == "One stroke under half the load: 3.5 min in all." and held[2].startswith("2. Wind to 30.7 turns")
+    assert [line[:2] for line in held[1:6]] == ["1.", "2.", "3.", "4.", "5."] and len(held) < 12
+    assert all(line.count(". ") <= 1 for line in held), "a line says one thing"
+    assert held[-1].startswith("It is to tell friction_hysteresis + creep from")
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    texts = [adopted(adopted=[one | {"next_experiment": experiment}]) for experiment in (made, held)]
+    steps = [re.findall(r"^    \d\. .*$", text, re.M) for text in texts]
+    assert steps[0] == steps[1] and len(steps[0]) == 5
+    load = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0)]
+    run = {"title": "another load", "legs": load, "load": 20.0, "follows": "twist", "fixed_load": True}
+    held = as_list(spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"])
+    assert "--load-n 30" in adopted(adopted=[one | {"next_experiment": held}])
+
+
+@pytest.mark.parametrize(
+    ("verdict", "means"),
+    [
+        ("parameters", "with creep in the simulator, and dimensions moved, nothing further can be named"),
+        ("consistent", "with creep in the simulator nothing further can be named"),
+    ],
+)
+def test_after_adopting_the_page_says_what_its_words_now_mean(verdict, means):
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    text = " ".join(adopted(adopted=[one], verdict=verdict).split())
+    assert f"`{verdict}` now means: {means}. `nominal` now means the simulator with creep and the dim" in text
+    assert "now means" not in told()

@@ -77,10 +77,9 @@ def test_on_the_simulated_uno_it_is_recorded_without_a_loss_and_cut_into_strokes
     string = {"material": "UHMWPE", "radius_mm": RADIUS_MM, "length_mm": LENGTH_MM, "stiffness_n_per_mm": 30}
     (folder / "run.yaml").write_text(yaml.safe_dump({"run": "uno-1", "actuator": "twisted_pair", "string": string}))
     samples, strokes = processed / "samples.parquet", processed / "strokes.parquet"
-    for stage, read, made in (("ingest", folder, samples), ("strokes", samples, strokes)):
-        program = start(f"pipeline.stages.{stage}", read, "--out", made)
-        said, _ = program.communicate(timeout=120)
-        assert program.returncode == 0, said
+    program = start("pipeline.stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
+    said, _ = program.communicate(timeout=120)
+    assert program.returncode == 0, said
     found = schemas.read(strokes, schemas.STROKES)
     assert found.loc[found["phase"] == "winding", "stroke"].tolist() == [1, 2]
     assert found.loc[found["phase"] == "unwinding", "stroke"].tolist() == [1, 2]

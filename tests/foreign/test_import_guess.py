@@ -186,6 +186,18 @@ def test_a_file_with_several_axes_makes_a_run_of_each(two_axes):
         assert read["displacement_mm"].to_numpy() == pytest.approx(X.to_numpy())
 
 
+def test_an_axis_may_name_its_column_alone_and_keep_the_unit_that_all_share(two_axes):
+    shared = "channels: {time_s: t, displacement_mm: {scale: -1}}\naxes:"
+    mapping = AXES.replace("channels: {time_s: {column: t}}\naxes:", shared)
+    mapping = mapping.replace("{column: m2}", "m2").replace("{column: x2, scale: -1}", "x2")
+    (two_axes / "map.yaml").write_text(mapping.replace("{column: x1}", "{column: x1, scale: 1}"))
+    done = program("two.csv", "--map", "map.yaml", "--run", "a-01", cwd=two_axes)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("radius 0.4 mm ± 0.012 mm (a share: 3 %, default)") == 2
+    _, read = read_samples(two_axes / "raw" / "a-01-right")
+    assert read["displacement_mm"].to_numpy() == pytest.approx(X.to_numpy())
+
+
 @pytest.mark.parametrize(
     ("change", "says"),
     [

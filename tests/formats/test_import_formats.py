@@ -2,6 +2,9 @@
 
 import gzip
 import io
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import downloaded
@@ -42,6 +45,15 @@ def test_force_pulses_are_a_load_that_resists(tmp_path):
     assert read_samples(tmp_path / "a")[1]["load_n"].to_numpy() == pytest.approx(-pulses_n)
     with pytest.raises(BadInput, match=r"load_n: there is no column 'pulses_N', only t, qm, vir"):
         import_run(made_emps(tmp_path / "b.mat"), MAPPINGS / "emps_pulses.yaml", "b", tmp_path)
+
+
+def test_a_matlab_file_is_read_by_a_job_of_the_workflow_too(tmp_path):
+    """Such a job ends with the program that started it; what reads the file is the job's child, and ends with it."""
+    words = [made_emps(tmp_path / "a.mat"), "--map", MAPPINGS / "emps.yaml", "--run", "a", "--out", tmp_path / "raw"]
+    command = [sys.executable, "-m", "pipeline.import_run", *map(str, words)]
+    job = {**os.environ, "TWISTBENCH_PARENT": str(os.getpid())}
+    done = subprocess.run(command, cwd=MAPPINGS.parents[1], env=job, capture_output=True, text=True)
+    assert done.returncode == 0 and (tmp_path / "raw" / "a" / "recording.parquet").exists(), done.stderr
 
 
 @pytest.mark.parametrize(

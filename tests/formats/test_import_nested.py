@@ -129,7 +129,7 @@ def huge(file):
         ("a.mat", table_object, "holds a table, a timeseries or another object of MATLAB's own"),
         ("a.json", huge, "has more than 200 MB. Mend: save it as CSV or Parquet, or cut it into runs"),
         ("a.h5", bomb, "is packed more than 200-fold"),
-        ("a.h5", broken_reference, "there is no column 'theta'"),
+        ("a.h5", broken_reference, "there are no columns 'theta' and 'weg'"),
         ("a.json", lambda f: f.write_text('{"time_cont": [1, 2'), "is not JSON"),
         ("a.json", lambda f: f.write_text('{"a": 1, "a": 2}'), "says 'a' twice"),
         ("a.json", lambda f: f.write_text("[" * 100_000), "is nested too deep"),

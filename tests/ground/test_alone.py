@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from pipeline.ground.alone import each_alone
+from pipeline.ground.own_process import each_alone
 
 
 def told(item: int, more: int) -> tuple[int, int]:
@@ -16,16 +16,16 @@ def told(item: int, more: int) -> tuple[int, int]:
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_each_item_has_a_process_of_its_own_and_the_results_keep_their_order(jobs):
-    found = each_alone(told, [3, 1, 2], 10, jobs=jobs)
+    found = list(each_alone(told, [3, 1, 2], 10, jobs=jobs))
     assert [value for _, value in found] == [13, 11, 12]
     assert len({process for process, _ in found} | {os.getpid()}) == 4
 
 
 def test_one_item_costs_no_process():
-    assert each_alone(told, [3], 10) == [(os.getpid(), 13)]
-    assert each_alone(told, [], 10) == []
+    assert list(each_alone(told, [3], 10)) == [(os.getpid(), 13)]
+    assert list(each_alone(told, [], 10)) == []
 
 
 def test_an_error_of_the_work_is_raised():
     with pytest.raises(ValueError, match="unlucky"):
-        each_alone(told, [3, 13], 10)
+        list(each_alone(told, [3, 13], 10))

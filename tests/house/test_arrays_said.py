@@ -1,13 +1,11 @@
-"""A public function of arrays says what shape they have and in what unit; a model and a method, where it is from."""
+"""A public function of arrays says what shape they have and in what unit: a unit of measure, a share, a count."""
 
 import ast
 import re
 from functools import cache
 from pathlib import Path
 
-import pytest
-
-from pipeline.ground.schemas import unit_of
+from pipeline.ground.units import unit_of
 
 PIPELINE = Path(__file__).parents[2] / "pipeline"
 STRANGERS = PIPELINE / "rig" / "authors"  # by other hands, each in words of its own; never installed
@@ -17,9 +15,12 @@ SHAPE = re.compile(
     r"|\(\w+(, \w+)*,?\) to \(|\(\w+,\)",
     re.IGNORECASE,
 )
-UNIT = re.compile(
-    r"(?<![\w-])(mm|turns?|rad|radians|deg|degrees|°C|N|Nm|N·mm|V|V/s|Hz|us|s|seconds?|microseconds|1/s|mm/turn|units?"
-    r"|shares?|relative|counts?|bytes|indices|labels?|truth|whitened|factors?|probabilit(y|ies))(?![\w-])"
+NAMED = r"(mm|m|turns|strokes|rad|radians|deg|degrees|°C|N|Nm|V|Hz|us|ms|s|seconds|microseconds|damage)"
+UNIT = re.compile(  # what stands by itself, as in "the first second" or "in turn", is no unit of an array
+    rf"\b[Ii]n (all |both )?{NAMED}[²³]?(?![\w-])|\b[Ii]n ([^.;:]* )?units?\b|\b(any|one|no|whatever) units?\b"
+    r"|\b[Ww]ithout (a )?units?\b|\bshares of 1\b|\bwhitened\b"
+    r"|(\bis|\bare|\bas|\bby|\bin|,) (a share|shares|a count|counts|a mask|masks)\b"
+    r"|(\bis|\bare|\bas|\bby|\bin|,) (labels|indices|places|probabilities|bytes)\b"
 )
 
 
@@ -75,9 +76,46 @@ def unsaid(path: Path) -> list[str]:
             said = f"{ast.get_docstring(node) or ''} {own} {base.get(node.name, '')}"
             if not SHAPE.search(" ".join(said.split())):
                 lacking.append(f"{node.name}: shape")
-            if not UNIT.search(said) and unit_of(node.name) == "1":
+            if not UNIT.search(" ".join(said.split())) and unit_of(node.name) == "1":
                 lacking.append(f"{node.name}: unit")
     return lacking
+
+
+def unsaid_fields(path: Path) -> list[str]:
+    """The public fields of a module's dataclasses that are arrays whose shape or unit nobody says."""
+    text, lacking = path.read_text(encoding="utf-8"), []
+    classes = [node for node in ast.parse(text).body if isinstance(node, ast.ClassDef) and node.name[0] != "_"]
+    for node in classes:
+        if not any("dataclass" in ast.unparse(each) for each in node.decorator_list):
+            continue
+        for each in (field for field in node.body if isinstance(field, ast.AnnAssign)):
+            name, kind = ast.unparse(each.target), ast.unparse(each.annotation)
+            if name.startswith("_") or not ARRAY.search(kind) or "Callable" in kind:
+                continue
+            beside = text.splitlines()[(each.end_lineno or each.lineno) - 1].partition("#")[2]
+            said = " ".join(f"{ast.get_docstring(node)} {beside}".split())
+            if not SHAPE.search(said) and not re.search(r"\(\w[\w +-]*(, \w[\w +-]*)*,?\)", beside):
+                lacking.append(f"{node.name}.{name}: shape")
+            if not UNIT.search(said) and unit_of(name) == "1":
+                lacking.append(f"{node.name}.{name}: unit")
+    return lacking
+
+
+def test_a_public_array_of_a_dataclass_says_shape_and_unit() -> None:
+    lacking = {str(path.relative_to(PIPELINE)): unsaid_fields(path) for path in sources()}
+    assert not {name: said for name, said in lacking.items() if said}
+
+
+def test_a_field_that_says_neither_is_found(tmp_path: Path) -> None:
+    module = tmp_path / "module.py"
+    for comment, lacks in (
+        ("", ["Held.load: shape", "Held.load: unit"]),
+        ("  # in N", ["Held.load: shape"]),
+        ("  # (samples,)", ["Held.load: unit"]),
+        ("  # (samples,), in N", []),
+    ):
+        module.write_text(f"@dataclass\nclass Held:\n    load: Array{comment}\n")
+        assert unsaid_fields(module) == lacks
 
 
 def test_a_public_function_of_arrays_says_shape_and_unit() -> None:
@@ -92,23 +130,11 @@ def test_what_says_neither_is_found(tmp_path: Path) -> None:
         ("The load.", ["load: shape", "load: unit"]),
         ("The load in N.", ["load: shape"]),
         ("The load, shape (samples,).", ["load: unit"]),
+        ("The load of the first second, in turn, shape (samples,).", ["load: unit"]),
+        ("The share, the count and the truth of a turn, shape (samples,).", ["load: unit"]),
         ("The load in N, shape (samples,).", []),
+        ("The load in its own unit, shape (samples,).", []),
+        ("The load, a share of the usual one, shape (samples,).", []),
     ):
         module.write_text(f'def load(x: int) -> Array:\n    """{docstring}"""\n')
         assert unsaid(module) == lacks
-
-
-COMPARED = sorted(
-    path
-    for folder in ("proof/baselines", "real/black_boxes")
-    for path in (PIPELINE / folder).glob("*.py")
-    if re.search(r"^def learn\(", path.read_text(), re.M)
-)
-MODELS = sorted(path for path in (PIPELINE / "models").glob("*.py") if re.search(r"^MODEL\b", path.read_text(), re.M))
-
-
-@pytest.mark.parametrize("path", [*MODELS, *COMPARED], ids=lambda path: path.stem)
-def test_a_model_and_a_compared_method_name_their_published_source(path: Path) -> None:
-    """Whom to read: a person or a paper, after `Source:` at the end of the module's docstring."""
-    said = re.search(r"\nSource: (.+)", ast.get_docstring(ast.parse(path.read_text())) or "", re.S)
-    assert said and re.search(r"[A-Z][a-z]+", said[1]) and re.search(r'\b(1[89]|20)\d\d\b|"', said[1])

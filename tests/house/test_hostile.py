@@ -140,7 +140,7 @@ GOOD = {  # command lines that work, or end soon; every try spoils at least one 
     "adopt": "simulation.json raw/a-3",
     "diagnose": "raw/short-1 --out out/d --jobs 1",
     "campaign.points": "locked --out out/c.parquet",
-    "campaign.fewshot": "dataset.parquet --model polynomial --settings {} --seed 0 --out out/f.parquet",
+    "campaign.few_shot": "dataset.parquet --model polynomial --settings {} --seed 0 --out out/f.parquet",
     "campaign.coverage": "dataset.parquet --model polynomial --settings {} --seed 0 --strings 2 --out out/f.parquet",
     "campaign.floor": "dataset.parquet --out out/f.parquet",
 }
@@ -182,7 +182,7 @@ def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong
         ("simulate", "raw/a-1 --simulation simulation.json --out", "raw/a-1/run.yaml"),
         ("simulate", "raw/a-1 --simulation simulation.json --out", "simulation.json"),
         ("stages.ingest", "raw/a-1 --out", "raw/a-1/recording.parquet"),
-        ("stages.strokes", "samples.parquet --out", "samples.parquet"),
+        ("stages.ingest", "raw/a-1 --out b.parquet --out-strokes", "raw/a-1/recording.parquet"),
         ("stages.dataset", "raw/a-1 --processed processed --out", "processed/a-1/samples.parquet"),
         (
             "stages.train",

@@ -88,10 +88,9 @@ def test_a_run_goes_through_the_stages_there(make_run, tmp_path):
     run = make_run("nylon-1")
     code = "import runpy; module = sys.argv.pop(1); runpy.run_module(module, run_name='__main__', alter_sys=True)"
     processed = tmp_path / "processed"
-    folder = processed / run.name
+    samples, strokes = (processed / run.name / f"{table}.parquet" for table in ("samples", "strokes"))
     for module, *arguments in (
-        ("pipeline.stages.ingest", run, "--out", folder / "samples.parquet"),
-        ("pipeline.stages.strokes", folder / "samples.parquet", "--out", folder / "strokes.parquet"),
+        ("pipeline.stages.ingest", run, "--out", samples, "--out-strokes", strokes),
         ("pipeline.stages.dataset", run, "--processed", processed, "--out", processed / "dataset.parquet"),
     ):
         done = poorly(code, module, *arguments, TWISTBENCH_PARENT=str(os.getpid()))

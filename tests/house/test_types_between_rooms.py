@@ -10,13 +10,12 @@ PIPELINE = Path(__file__).parents[2] / "pipeline"
 BARE = re.compile(r"(dict|Mapping)\[str, (Any|object)\]")
 # whose form another program or a person decides: it is read where it comes in, and made a type there
 DOCUMENTS = {
-    "diagnosis.words.details.details_text": "diagnosis.json as a document, whose keys end in the rig's unit",
-    "diagnosis.words.verdict.verdict_text": "the same",
     "foreign.axes.each_axis": "a mapping that a person writes",
     "new_run.make_run": "run.yaml",
     "rig.effects.make": "an effect's parameters, of its own kinds",
-    "run.like.as_in": "run.yaml",
-    "run.like.with_given": "run.yaml",
+    "run.copied_run.as_in": "run.yaml",
+    "run.copied_run.with_given": "run.yaml",
+    "run.option_mend.by_option": "run.yaml",
 }
 
 

@@ -6,9 +6,9 @@ import pytest
 from made_life import folder, samples
 
 from pipeline.ground.errors import BadInput
-from pipeline.lifespan.ask import model_error, stroke_loss
-from pipeline.lifespan.gather import strings
+from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.health import INDICATORS, health
+from pipeline.lifespan.questions import model_error, stroke_loss
 from pipeline.lifespan.stiffness import stiffness
 from pipeline.run.strokes import segment
 from pipeline.string.from_raw import read

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from pipeline.lifespan.choose import choose, outliers
 from pipeline.lifespan.fit import fit
+from pipeline.lifespan.law_choice import choose, outliers
 from pipeline.lifespan.laws import LAWS
 
 N = np.arange(1.0, 121.0)
@@ -22,9 +22,9 @@ TRUE = {
 
 @pytest.mark.parametrize("name", TRUE)
 def test_a_law_recovers_its_own_parameters(name):
-    values, shape = TRUE[name]
+    values, nonlinear = TRUE[name]
     found = fit(LAW[name], N, values + 1e-4 * np.random.default_rng(0).standard_normal(len(N)))
-    for key, value in shape.items():
+    for key, value in nonlinear.items():
         assert found.parameters()[key] == pytest.approx(value, rel=0.3)
     assert np.abs(found.curve(N) - values).max() < 2e-3
     mean, variance = found.moments(N)

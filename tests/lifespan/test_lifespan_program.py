@@ -16,14 +16,14 @@ from made_recording import content
 from pipeline.ground.errors import BadInput
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.advice import advice, recalibrate_after
-from pipeline.lifespan.ask import Answer, first, model_error, stroke_loss
+from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
-from pipeline.lifespan.gather import strings
-from pipeline.lifespan.left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
-from pipeline.lifespan.measured import HELD, measured
+from pipeline.lifespan.from_folders import strings
+from pipeline.lifespan.questions import Answer, first, model_error, stroke_loss
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
 from pipeline.lifespan.sentences import UNFORESEEN, sentence, so_far
+from pipeline.lifespan.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
 from pipeline.rig import __main__ as rig
 
 ROOT = Path(__file__).parents[2]

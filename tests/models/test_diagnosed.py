@@ -8,8 +8,9 @@ import pytest
 from made_dataset import LOAD_N, STRING, ZONE, made_dataset
 
 from pipeline.ground.kinematics import Geometry
-from pipeline.models.diagnosed import Diagnosed
+from pipeline.models.diagnosed import SAMPLES, Diagnosed, run_of
 from pipeline.models.interface import make_model
+from pipeline.models.parts.diagnosed_problem import along, holed, plain
 from pipeline.models.parts.motion import Motion, one_way
 from pipeline.models.parts.saved import read_json
 from pipeline.models.traditional import Traditional
@@ -50,6 +51,25 @@ def test_it_is_five_times_better_than_better_dimensions(case: tuple[Diagnosed, p
         hidden = test.assign(**{column: np.nan})
         error, plain = (rmse(getattr(one, map_)(hidden) - test[column]) for one in (model, calibrated))
         assert error < plain / 5.0, (map_, error, plain)
+
+
+def test_at_points_with_holes_between_drivers_are_those_of_the_whole_motion() -> None:
+    points = made_dataset(per_phase=60)
+    seen = points[points["within"] == "train"].sort_values("time_s").drop_duplicates("time_s").reset_index(drop=True)
+    run, motion = run_of(seen), Motion.of(seen[SAMPLES])
+    whole = along(run, motion.evenly(motion.step_s), float(motion.time_s[0])).drivers
+    drivers = holed(run, seen[SAMPLES], frozenset()).drivers
+    for name in ("rate", "moved", "path"):
+        known = np.interp(drivers.elapsed_s, whole.elapsed_s, getattr(whole, name))
+        np.testing.assert_array_equal(getattr(drivers, name), known, err_msg=name)
+
+
+def test_events_are_timed_from_the_start_that_is_given() -> None:
+    points = made_dataset(per_phase=60).sort_values("time_s").drop_duplicates("time_s").reset_index(drop=True)
+    started_s = float(points["time_s"].iloc[0]) - 100.0
+    drivers = plain(run_of(points), points[SAMPLES], started_s).drivers
+    np.testing.assert_array_equal(drivers.elapsed_s, points["time_s"] - started_s)
+    assert drivers.time_s[0] == 0.0
 
 
 def test_it_predicts_its_training_points_as_its_fit_did(case: tuple[Diagnosed, pd.DataFrame, pd.DataFrame]) -> None:

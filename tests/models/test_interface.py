@@ -1,5 +1,6 @@
 """Every file of pipeline/models that holds a MODEL keeps the interface: a new file is tested by being there."""
 
+import ast
 import re
 import subprocess
 import sys
@@ -13,7 +14,7 @@ from made_dataset import made_dataset
 
 from pipeline import models
 from pipeline.diagnosis.library import mechanisms
-from pipeline.models.interface import Model, make_model
+from pipeline.models.interface import Model, about, make_model, usual
 
 FOLDER = Path(models.__file__).parent
 MODELS = sorted(
@@ -27,7 +28,6 @@ QUICK = {
     "diagnosed": {"without": sorted({*mechanisms()} - {"backlash", "plastic_elongation", "radius_compaction"})},
 }
 LEARNS_MUCH = ("calibrated", "cinn", "diagnosed", "inn", "mlp", "polynomial", "spline")  # four tenths of the error go
-WITHOUT_TORCH = ["traditional", "calibrated", "polynomial", "spline", "diagnosed"]
 
 named = pytest.mark.parametrize("name", MODELS)
 
@@ -158,11 +158,31 @@ def test_a_pair_without_separator_is_fine(name: str, pair_points: pd.DataFrame) 
     assert np.isfinite(model.inverse(pair_points)).all()
 
 
-def test_the_analytic_models_do_not_import_torch() -> None:
-    modules = ["pipeline.stages.train", *(f"pipeline.models.{name}" for name in WITHOUT_TORCH)]
-    program = "".join(f"import {module}; assert 'torch' not in sys.modules, '{module}'\n" for module in modules)
+def test_a_model_imports_torch_only_where_it_says_that_it_needs_it() -> None:
+    needing = [name for name in MODELS if about(name).needs_torch]
+    without = ["pipeline.stages.train", *(f"pipeline.models.{name}" for name in MODELS if name not in needing)]
+    program = "".join(f"import {module}; assert 'torch' not in sys.modules, '{module}'\n" for module in without)
+    program += "sys.modules['torch'] = None\n"  # from here on it is as where it is not installed
+    program += "".join(
+        f"try:\n import pipeline.models.{name}\nexcept ModuleNotFoundError as error:\n assert error.name == 'torch'\n"
+        f"else:\n raise AssertionError('{name} needs no torch')\n"
+        for name in needing
+    )
     done = subprocess.run([sys.executable, "-c", f"import sys\n{program}"], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 0 and needing, done.stderr
+
+
+WORK_ON_MODELS = ["predict.py", "stages/*.py", "campaign/*.py", "export/[!c]*.py", "notebook/*.py", "workflow/*.py"]
+
+
+def test_what_works_on_models_names_none_but_the_first_and_the_last_of_the_tables() -> None:
+    """What it must know of a model, the model's file says: by its ABOUT, or that it is the usual one."""
+    paths = [path for pattern in WORK_ON_MODELS for path in FOLDER.parent.glob(pattern)]
+    for path in paths:
+        nodes = ast.walk(ast.parse(path.read_text("utf-8")))
+        quoted = {node.value for node in nodes if isinstance(node, ast.Constant)}
+        assert quoted & set(MODELS) <= {"inn", "traditional"}, path
+    assert len(paths) > 30 and usual() in MODELS and not about(usual()).needs_motion
 
 
 def test_the_configuration_says_truly_who_is_told_the_direction(case: tuple[str, Model, pd.DataFrame]) -> None:

@@ -7,6 +7,7 @@ import shutil
 import stat
 import subprocess
 import sys
+import tempfile
 import zipfile
 from pathlib import Path
 
@@ -139,6 +140,30 @@ def test_unpacking_again_brings_nothing_and_goes_on_where_it_was_killed(archive,
     (lab / "reports" / "nylon" / "table.csv").unlink()
     note_of(lab, "reports/nylon/table.csv").write_text("{}")
     assert "2 files unpacked" in unpacked(archive, lab).stdout and state(lab) == before
+
+
+@pytest.fixture
+def other_disk():
+    """A folder on another disk than the tests': that of the memory."""
+    memory = Path("/dev/shm")
+    if not memory.is_dir() or memory.stat().st_dev == Path.cwd().stat().st_dev:
+        pytest.skip("there is no second disk")
+    with tempfile.TemporaryDirectory(dir=memory) as name:
+        yield Path(name)
+
+
+def test_raw_and_processed_may_lie_on_another_disk(archive, other_disk, tmp_path):
+    lab, here = bare(tmp_path / "lab"), bare(tmp_path / "here")
+    assert unpacked(archive, here).returncode == 0
+    for name in ("raw", "processed"):
+        (other_disk / name).mkdir()
+        (lab / name).symlink_to(other_disk / name)
+    done = unpacked(archive, lab)
+    assert done.returncode == 0, done.stderr
+    for name in ("raw", "processed", "reports"):
+        assert state((lab / name).resolve()) == state(here / name)
+    assert stat.S_IMODE((lab / "raw/nylon-01/recording.csv").stat().st_mode) == 0o444
+    assert "Nothing to be done" in snakemake(lab, "--dry-run")
 
 
 def test_recordings_may_stay_away_and_must_then_be_there(finished, tmp_path):

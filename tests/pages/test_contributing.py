@@ -60,13 +60,14 @@ import sys
 from pathlib import Path
 import numpy as np
 from pipeline.diagnosis import engine
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.proof.baselines import __main__ as command
 from pipeline.proof.baselines.learnt import calibrated
 from pipeline.run.samples import read_samples
 
 folder = Path(sys.argv[1])
 run, samples = read_samples(folder)
-seen = calibrated(engine.make_problem([run], [samples], [folder]))
+seen = calibrated(engine.make_problem([RecordedRun(run, samples, folder=folder)]))
 assert "cubic_fit" in command.names()
 learnt = command.method("cubic_fit")(seen)
 left = seen.residual_mm - learnt.adds_mm(seen.problem)

@@ -11,11 +11,11 @@ from pipeline.diagnosis.engine import make_problem, rms
 from pipeline.diagnosis.heldout import first_held_out
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.own_rate import at_own_rate
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.proof.baselines import __main__ as command
-from pipeline.proof.baselines.features import products
+from pipeline.proof.baselines.features import Column, products
 from pipeline.proof.baselines.frozen import frozen
 from pipeline.proof.baselines.learnt import Calibrated, Learnt, calibrated, held_out_mm
-from pipeline.proof.baselines.residual_sindy import SIGNED, STANDS_FOR
 from pipeline.proof.case import draw_case, performed
 from pipeline.proof.conceal import write_run
 from pipeline.run.samples import read_samples
@@ -33,7 +33,7 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module")
 def problem(folder):
     run, samples = read_samples(folder)
-    return make_problem([run], [samples], [folder])
+    return make_problem([RecordedRun(run, samples, folder=folder)])
 
 
 @pytest.fixture(scope="module")
@@ -49,9 +49,21 @@ def leaving(seen, residual_mm):
 
 def test_every_term_of_the_sparse_regression_stands_for_a_mechanism(problem):
     warm = replace(problem.drivers, temperature_c=problem.drivers.elapsed_s)
-    terms = {*products(replace(problem.drivers, temperature_c=None)), *products(warm)}
-    assert terms == {*STANDS_FOR, *SIGNED}
-    assert {*STANDS_FOR.values()}.union(*SIGNED.values()) <= set(mechanisms())
+    columns = {**products(replace(problem.drivers, temperature_c=None)), **products(warm)}
+    assert {column.mechanism(sign) for column in columns.values() for sign in (-1.0, 1.0)} <= set(mechanisms())
+
+
+def test_a_column_that_is_added_is_named_by_what_it_says_of_itself(seen, monkeypatch):
+    """No other file knows its name."""
+    noise = 0.02 * np.random.default_rng(0).standard_normal(len(seen.problem.record))
+
+    def more(drivers):
+        return {**products(drivers), "sawtooth": Column(drivers.elapsed_s % 7.0, "slack", "jam")}
+
+    monkeypatch.setattr("pipeline.proof.baselines.residual_sindy.products", more)
+    for weight, name in ((0.05, "jam"), (-0.05, "slack")):
+        residual_mm = weight * (seen.problem.drivers.elapsed_s % 7.0) + noise
+        assert command.method("residual_sindy")(leaving(seen, residual_mm)).named == [name]
 
 
 @pytest.mark.parametrize(
@@ -65,7 +77,9 @@ def test_every_term_of_the_sparse_regression_stands_for_a_mechanism(problem):
 )
 def test_sparse_regression_names_the_driver_that_a_residual_follows(seen, term, weight, name):
     noise = 0.02 * np.random.default_rng(0).standard_normal(len(seen.problem.record))
-    learnt = command.method("residual_sindy")(leaving(seen, weight * products(seen.problem.drivers)[term] + noise))
+    learnt = command.method("residual_sindy")(
+        leaving(seen, weight * products(seen.problem.drivers)[term].values + noise)
+    )
     assert learnt.named == [name]
 
 
@@ -113,7 +127,7 @@ def test_trees_interpolate_what_a_calibration_leaves(seen):
 
 def test_without_a_correction_the_error_is_the_calibrated_simulators(folder, problem):
     run, samples = read_samples(folder)
-    fine = at_own_rate([run], [samples])
+    fine = at_own_rate([RecordedRun(run, samples)])
     nothing = Learnt(None, lambda other: np.zeros(len(other.record)))
     base_mm = held_out_mm(lambda seen: nothing, problem, fine)
     off_mm = held_out_mm(lambda seen: replace(nothing, adds_mm=lambda other: np.ones(len(other.record))), problem, fine)

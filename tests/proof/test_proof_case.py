@@ -1,5 +1,6 @@
 """A concealed case is of the size that it says, pure, and as rich or as poor as its protocol."""
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -10,16 +11,17 @@ from scipy.optimize import lsq_linear
 
 import pipeline.proof
 from pipeline.ground.kinematics import Geometry
-from pipeline.proof.alike import copies, left_over
 from pipeline.proof.bench import draw_bench, mismeasure
 from pipeline.proof.case import ALWAYS_KAPPA, Case, answer, draw_case, heldout_noise_mm, performed
+from pipeline.proof.copies import copies, left_over
 from pipeline.proof.draws import NAMED, OPEN_SET, draw_effect
 from pipeline.proof.location import location
 from pipeline.proof.perform import perform
 from pipeline.proof.protocol import draw_protocol
-from pipeline.proof.referee import CHANGES, rule
+from pipeline.proof.referee import rule
 from pipeline.proof.size import OutOfReach, measure
-from pipeline.rig import effects
+from pipeline.rig import effects, otherwise
+from pipeline.rig.concealed import Claim
 from pipeline.run.strokes import label
 
 DRAWN = {  # one number of each at a strength of 1.5, and the draw after it
@@ -83,7 +85,8 @@ def test_every_effect_of_the_rig_can_be_concealed_and_has_a_claim():
     assert {*NAMED, *OPEN_SET} == set(effects.names())
     for name in effects.names():
         claim = effects.concealed(name).claim
-        assert {claim.frozen, *claim.indifferent} <= set(CHANGES) and claim.driver, name
+        names = [way.name for way in (claim.frozen, *claim.indifferent)]
+        assert all(names) and len(set(names)) == len(names) and claim.driver, name
 
 
 def test_what_a_seed_draws_of_an_effect_is_what_it_always_drew():
@@ -111,6 +114,26 @@ def test_the_declared_driver_carries_the_effect(effect):
     case = case_of(effect)
     ruling = rule(effect, case.effects[effect], case.bench, case.protocol)
     assert ruling.carried >= 0.9 and max(ruling.changed.values(), default=0.0) <= 0.1, ruling
+
+
+def test_an_effect_may_bring_the_motion_in_which_its_driver_stands_still(monkeypatch):
+    """A ripple stands still wherever the angle within a turn does, a quarter of a turn on too: no other file knows."""
+    case = case_of("eccentricity")
+    quarter = otherwise.turns("by turns and a quarter", lambda motor_turns: np.rint(motor_turns) + 0.25)
+    other = otherwise.turns("a tenth of a turn on", lambda motor_turns: motor_turns + 0.1)
+    hidden = type(effects.concealed("eccentricity"))
+    monkeypatch.setattr(hidden, "claim", Claim("the angle within a turn", quarter, (other,)))
+    ruling = rule("eccentricity", case.effects["eccentricity"], case.bench, case.protocol)
+    assert ruling.carried >= 0.9 and ruling.told()["bystanders_change"]["a tenth of a turn on"] > 0.1
+
+
+def test_what_the_first_winding_does_is_no_growth(monkeypatch):
+    case, hidden = case_of("plastic_elongation"), effects.concealed("plastic_elongation")
+    ruled = rule("plastic_elongation", case.effects["plastic_elongation"], case.bench, case.protocol)
+    from_the_start = replace(hidden.claim.frozen, after_one_winding=False)
+    monkeypatch.setattr(type(hidden), "claim", replace(hidden.claim, frozen=from_the_start))
+    counted = rule("plastic_elongation", case.effects["plastic_elongation"], case.bench, case.protocol)
+    assert ruled.carried > 0.9 > counted.carried
 
 
 def test_an_effect_under_a_false_name_is_found_out(monkeypatch):

@@ -1,7 +1,10 @@
 """The score's words and numbers, on verdicts and tables made by hand."""
 
+import numpy as np
 import pandas as pd
+import programs
 import pytest
+from made_recording import BASE
 
 from pipeline.proof.score import intervals
 from pipeline.proof.score.against_truth import outcome
@@ -42,6 +45,12 @@ def test_one_word_for_each_case(said, truth, nameless, wanted):
     assert outcome(said, frozenset(truth.split()), nameless) == wanted
 
 
+def test_the_table_of_twins_is_looked_for_before_anything_is_read_or_written(tmp_path):
+    words = ("--place", tmp_path / "none", "--twins", tmp_path / "twins.csv", "--out", tmp_path / "out")
+    done = programs.run("pipeline.proof.score", "batch-0", *words)
+    assert done.returncode == 2 and "twins.csv: --twins: is not there" in done.stderr and not any(tmp_path.iterdir())
+
+
 def test_intervals_are_exact():
     assert intervals.share(0, 300)[1] == pytest.approx(0.01222, abs=1e-4)  # 1 - 0.025 ** (1 / 300)
     assert intervals.share(8, 10) == pytest.approx((0.4439, 0.9748), abs=1e-4)
@@ -50,14 +59,14 @@ def test_intervals_are_exact():
     assert intervals.median(range(1, 101)) == (40, 61)
 
 
-def test_the_overlap_counts_samples_in_both_over_samples_in_either(tmp_path):
+def test_the_overlap_counts_samples_in_both_over_samples_in_either(make_run):
     turns = [*range(0, 20), *range(20, 0, -1)] * 3
     table = pd.DataFrame({"time_s": [0.1 * at for at in range(len(turns))], "motor_turns": [float(t) for t in turns]})
-    table.to_parquet(tmp_path / "recording.parquet")
+    folder = make_run("case", table.assign(displacement_mm=BASE.contraction_mm(np.array(turns), 20.0), load_n=20.0))
     box = {"motor_turns": [0.0, 20.0], "strokes": [1, 3], "phase": "all"}
-    assert overlap(tmp_path, box, box) == 1.0
-    assert overlap(tmp_path, box, {**box, "strokes": [1, 1]}) == pytest.approx(1 / 3, abs=0.02)
-    assert overlap(tmp_path, {**box, "strokes": [0, 2]}, {**box, "strokes": [3, 3]}) == 0.0
+    assert overlap(folder, box, box) == 1.0
+    assert overlap(folder, box, {**box, "strokes": [1, 1]}) == pytest.approx(1 / 3, abs=0.02)
+    assert overlap(folder, {**box, "strokes": [0, 2]}, {**box, "strokes": [3, 3]}) == 0.0
 
 
 def row(outcome, stratum="none", **more):

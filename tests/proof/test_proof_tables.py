@@ -5,7 +5,7 @@ import json
 import pandas as pd
 import pytest
 
-from pipeline.proof.score import beside, cases, metrics, page
+from pipeline.proof.score import baselines_beside, cases, metrics, page
 
 DIMENSIONS = {"radius_mm": 0.5, "separator_mm": 8.0, "torsion_zone_mm": 150.0}
 
@@ -75,8 +75,8 @@ def test_every_case_has_a_row_and_none_is_left_out(place):
 
 def test_the_scores_and_the_page_say_so(place):
     table, sizes = cases.gather(place, ["b"])
-    besides = beside.gather(table, place, ["b"])
-    scored = pd.concat([metrics.scores(table, sizes), beside.scores(besides)], ignore_index=True)
+    besides = baselines_beside.gather(table, place, ["b"])
+    scored = pd.concat([metrics.scores(table, sizes), baselines_beside.scores(besides)], ignore_index=True)
     found = scored.set_index(["metric", "stratum"])["value"]
     large = "single, rich, kappa at least 0.5"
     assert found[("named exactly", large)] == pytest.approx(1 / 3) and found[("refused", large)] == pytest.approx(1 / 3)

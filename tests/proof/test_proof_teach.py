@@ -8,14 +8,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pandas.testing import assert_frame_equal
 
 from pipeline.diagnosis.judge import judge
 from pipeline.diagnosis.judged import held
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.ground.errors import BadInput
-from pipeline.proof import ask
+from pipeline.proof import verdicts
 from pipeline.proof.teach import across, fit
-from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, written
+from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, recorded, written
 from pipeline.rig.authors import authors, names
+from pipeline.rig.authors.__main__ import write
+from pipeline.rig.authors.interface import Asked
+from pipeline.run.samples import read_strokes
 
 ROOT = Path(__file__).parents[2]
 JUDGES = ROOT / "pipeline" / "proof" / "teach" / "judges"
@@ -136,11 +141,35 @@ def test_the_program_keeps_its_lessons_and_writes_judges(tmp_path) -> None:
 
 def test_an_authors_cases_are_asked_of_the_judge_who_does_not_know_the_author(tmp_path, monkeypatch) -> None:
     asked = []
-    monkeypatch.setattr(ask, "find_runs", lambda folder: [folder / "case-1"])
-    monkeypatch.setattr(ask, "ask", lambda runs, out, without, judge: asked.append(judge) or {"status": 0})
+    monkeypatch.setattr(verdicts, "find_runs", lambda folder: [folder / "case-1"])
+    monkeypatch.setattr(verdicts, "ask", lambda runs, out, without, judge: asked.append(judge) or {"status": 0})
     for author in ("lattice", ""):
-        monkeypatch.setattr(sys, "argv", ["ask", str(tmp_path), "--out", str(tmp_path), f"--untaught-by={author}"])
+        monkeypatch.setattr(sys, "argv", ["verdicts", str(tmp_path), "--out", str(tmp_path), f"--untaught-by={author}"])
         with pytest.raises(SystemExit) as left:
-            ask.main()
+            verdicts.main()
         assert not left.value.code
     assert asked == [JUDGES / "without_lattice.json", None] and asked[0].is_file()
+
+
+def test_a_lesson_is_taught_on_what_a_diagnosis_of_the_run_folder_reads(tmp_path) -> None:
+    made = authors()["mechanics"].make(Asked(4, ("creep",), (3.0,), "usual"))
+    assert "load_n" not in made.table and made.content["rig"]["load_n"] > 0
+    write(made, "lesson", tmp_path, tmp_path / "answer.json", "{}")
+    _, samples, strokes = read_strokes(tmp_path / "lesson")
+    taught = recorded({"run": "lesson", **made.content}, made.table)
+    assert set(taught.samples["load_n"]) == {made.content["rig"]["load_n"]}
+    assert_frame_equal(taught.samples, samples)
+    assert_frame_equal(taught.strokes, strokes)
+
+
+def test_a_lesson_studies_it(monkeypatch) -> None:
+    studied: list[RecordedRun] = []
+
+    def seen(runs: list[RecordedRun]) -> None:
+        studied.extend(runs)
+        raise InterruptedError
+
+    monkeypatch.setattr("pipeline.proof.teach.lesson.make_problem", seen)
+    with pytest.raises(InterruptedError):
+        learnt(Lesson("mechanics", 4, ("creep",), (3.0,), "usual"))
+    assert float(studied[0].samples["load_n"].min()) > 0.0

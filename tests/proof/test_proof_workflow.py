@@ -73,7 +73,7 @@ def test_answers_are_opened_by_the_score_alone_and_after_all_verdicts(rules):
 
 def test_a_diagnosis_is_told_the_recordings_and_nothing_else(tmp_path):
     text = snakemake(tmp_path, "--dry-run", "--printshellcmds", "proof")
-    commands = re.findall(r"exec python -m pipeline\.proof\.(?:ask|settle) .*", text)
+    commands = re.findall(r"exec python -m pipeline\.proof\.(?:verdicts|settle) .*", text)
     assert len(commands) == 8
     for command in commands:
         assert not re.search(r"sealed|--cases|stratum|kappa|answers", command)

@@ -11,10 +11,10 @@ from made_recording import content, recording
 from pipeline.ground.errors import BadInput
 from pipeline.ground.names import run_name
 from pipeline.import_run import origin, read_mapping
-from pipeline.real.ask import ask
 from pipeline.real.bring import REFUSED, bring, usable
 from pipeline.real.plan import RealPlan, make_real_plan, plan_of
 from pipeline.real.rigs import MAPPINGS, expected_of, read_rigs
+from pipeline.real.verdicts import ask
 
 
 @pytest.fixture

@@ -7,6 +7,7 @@ import downloaded
 import pytest
 
 from pipeline.diagnosis import engine, heldout, own_rate
+from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
@@ -29,10 +30,10 @@ def imported(tmp_path, rig, name, mapping, run, rows=None):
 
 def diagnosed(*folders):
     """Content of the diagnosis of some runs, held out and all."""
-    pairs = [read_samples(folder) for folder in folders]
-    runs, tables = [run for run, _ in pairs], [table for _, table in pairs]
-    problem = engine.make_problem(runs, tables)
-    fine = own_rate.at_own_rate(runs, tables)
+    recorded = [RecordedRun(*read_samples(folder)) for folder in folders]
+    runs = [each.run for each in recorded]
+    problem = engine.make_problem(recorded)
+    fine = own_rate.at_own_rate(recorded)
     found = engine.polished(engine.study(problem), fine)
     return diagnosis(found, fine, heldout.held_out(problem, fine, fine)[0], runs, None, frozenset())
 

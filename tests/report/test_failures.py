@@ -12,17 +12,17 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
-    log, last, silent = (tmp_path / name for name in ("ingest-a-01.log", "all_taken.log", "train.log"))
+    log, last, silent = (tmp_path / name for name in ("ingest-a-01.log", "left_out.log", "train.log"))
     log.write_text("reading\nerror: old. Mend: no.\nerror: raw/a-01: time_s: runs backwards. Mend: record it again.\n")
     last.write_text("left out: raw/b: x. Mend: y.\nerror: raw/c: x. Mend: y.\n")
     silent.write_text("Traceback\nZeroDivisionError: division\n\n")
-    failed = [("ingest a-01", str(log)), ("all_taken", str(last)), ("train inn", str(silent)), ("gone", "no.log")]
+    failed = [("ingest a-01", str(log)), ("left_out", str(last)), ("train inn", str(silent)), ("gone", "no.log")]
     said = told(failed, ["raw/c: x. Mend: y."], keep_going=True).splitlines()
     assert said[0] == "Not all was made:" and len(said) == 6
     assert {"left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."} < set(said)
     assert f"failed: ingest a-01: raw/a-01: time_s: runs backwards. Mend: record it again. Its log: {log}" in said
     assert f"failed: train inn: ZeroDivisionError: division Its log: {silent}" in said
-    alone = told([("all_taken", str(last))], ["raw/c: x. Mend: y."], keep_going=False).splitlines()
+    alone = told([("left_out", str(last))], ["raw/c: x. Mend: y."], keep_going=False).splitlines()
     assert alone == [ALL_ELSE, "left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y.", FAILS]
     assert without(["a", "a"]).splitlines() == [ALL_ELSE, "left out: a"] and without([]) == ""
     assert told([], [], keep_going=False).splitlines() == ["Not all was made: see the errors above.", ELSE]

@@ -16,10 +16,10 @@ from test_models_page import TITLES, made_metrics
 from test_tables import made_metrics as made_table_metrics
 
 from pipeline.ground import schemas
-from pipeline.report.glance import best, shortened
 from pipeline.report.index import page
+from pipeline.report.index_head import best, shortened
 from pipeline.report.made_by import MadeBy
-from pipeline.report.parts import of_materials, of_runs
+from pipeline.report.page_parts import of_materials, of_runs
 from pipeline.report.summary import summary
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json

@@ -13,8 +13,8 @@ from made_recording import recording
 
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
-from pipeline.ground.words import by_file
-from pipeline.report import ended, left_out
+from pipeline.ground.words_by_file import by_file
+from pipeline.report import left_out, stale_reports
 from pipeline.run.left_out import LeftOut, from_json, noted, to_json
 from pipeline.string import jump_notes
 from pipeline.workflow.dag import Plan, stored
@@ -52,17 +52,16 @@ def test_a_folder_with_a_blank_in_its_name_is_told_in_quotes():
 
 def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
     samples, strokes = tmp_path / "a-01" / "samples.parquet", tmp_path / "a-01" / "strokes.parquet"
-    with noted(tmp_path, samples, note=True):
+    with noted(tmp_path, [samples, strokes], note=True):
         raise BadInput("raw/a-01/recording.csv", "time_s", "runs backwards", "record it again")
-    with pytest.raises(schemas.Refused, match="time_s: runs backwards"):
-        schemas.read(samples)
-    with noted(tmp_path, strokes, note=False):  # a later stage hands it on whatever it is told
-        schemas.read(samples)
+    for table in (samples, strokes):
+        with pytest.raises(schemas.Refused, match="time_s: runs backwards"):
+            schemas.read(table)
     assert [one.run for one in left_out.told(asked("--left-out", str(strokes)))] == ["a-01"]
-    with pytest.raises(BadInput), noted(tmp_path, tmp_path / "b.parquet", note=False):
+    with pytest.raises(BadInput), noted(tmp_path, [tmp_path / "b.parquet"], note=False):
         raise BadInput("f", "g", "h", "i")
     samples.write_bytes(samples.read_bytes()[:-1])
-    with pytest.raises(schemas.Damaged), noted(tmp_path, strokes, note=True):  # to be made again, not left out
+    with pytest.raises(schemas.Damaged), noted(tmp_path, [strokes], note=True):  # to be made again, not left out
         schemas.read(samples)
     assert not (tmp_path / "b.parquet").exists()
 
@@ -112,8 +111,8 @@ def test_a_material_goes_on_without_a_run_of_no_use(make_run, tmp_path):
     assert not processed.exists()
     for folder in folders:
         samples = processed / folder.name / "samples.parquet"
-        assert program("stages.ingest", folder, "--out", samples, "--note-refusals").returncode == 0
-        assert program("stages.strokes", samples, "--out", samples.with_name("strokes.parquet")).returncode == 0
+        tables = ("--out", samples, "--out-strokes", samples.with_name("strokes.parquet"))
+        assert program("stages.ingest", folder, *tables, "--note-refusals").returncode == 0
     out = ["--processed", processed, "--out", processed / "d.parquet", "--out-left-out", processed / "left.json"]
     done = program("stages.dataset", *folders, *out)
     assert done.returncode == 0, done.stderr
@@ -139,7 +138,7 @@ def test_reports_go_with_their_run_and_nothing_else_goes(tmp_path, monkeypatch):
         "reports/../raw/a-01",
         "reports",
     ]
-    assert ended.remove_stale(before, ["reports/diagnosis/b-01"]) == ["reports/diagnosis/a-01", *gone[1:]]
+    assert stale_reports.remove_stale(before, ["reports/diagnosis/b-01"]) == ["reports/diagnosis/a-01", *gone[1:]]
     assert all(Path(name).is_file() for name in keep) and not any(Path(name).exists() for name in gone)
     assert Path("reports/diagnosis/b-01/verdict.txt").is_file() and not Path("reports/silk").exists()
 
@@ -147,23 +146,25 @@ def test_reports_go_with_their_run_and_nothing_else_goes(tmp_path, monkeypatch):
 def test_after_a_failure_the_last_pages_are_of_what_was_made(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     missing = {"processed/silk/metrics.parquet", "reports/diagnosis/b-01", "reports/index.html"}
-    left = ended.unmade(["nylon", "silk"], ["a-01", "b-01"], missing)
+    left = stale_reports.unmade(["nylon", "silk"], ["a-01", "b-01"], missing)
     assert [one.run for one in left] == ["all of silk", "b-01"]
     index = (
         "exec python -m pipeline.report.index nylon silk --runs a-01 b-01 --left-out processed/nylon/left_out.json"
         " processed/silk/left_out.json --planned '[]' --out reports/index.html > log 2>&1"
     )
-    words = ended.without(index, left, ["table_1.csv"])
+    words = stale_reports.without(index, left, ["table_1.csv"])
     assert words[3:6] == ["nylon", "--runs", "a-01"] and "processed/silk/left_out.json" not in words
     assert from_json(words[words.index("--planned") + 1]) == left and words[-2:] == ["--out", "reports/index.html"]
     named, _, out = index.removeprefix("exec python -m pipeline.report.index ").partition(" --out ")
     stored = by_file(shlex.split(named), Path("words"))
-    assert ended.without(f"exec python -m pipeline.report.index {stored} --out {out}", left, ["table_1.csv"]) == words
+    stored_index = f"exec python -m pipeline.report.index {stored} --out {out}"
+    assert stale_reports.without(stored_index, left, ["table_1.csv"]) == words
     Path("reports/silk").mkdir(parents=True)
     Path("reports/silk/table_1.csv").write_text("")
-    assert ended.without(index, left, ["table_1.csv"])[3:5] == ["nylon", "silk"]  # its old state, said on the page
+    # its old state, said on the page
+    assert stale_reports.without(index, left, ["table_1.csv"])[3:5] == ["nylon", "silk"]
     metrics = "exec python -m pipeline.report.metrics processed/nylon/m.parquet processed/silk/m.parquet --out x > log"
-    assert ended.without(metrics, left, ["table_1.csv"])[3:] == ["processed/nylon/m.parquet", "--out", "x"]
+    assert stale_reports.without(metrics, left, ["table_1.csv"])[3:] == ["processed/nylon/m.parquet", "--out", "x"]
 
 
 def test_metrics_are_written_by_the_command_of_its_rule(tmp_path):
@@ -174,7 +175,7 @@ def test_metrics_are_written_by_the_command_of_its_rule(tmp_path):
         schemas.write(table, schemas.METRICS, tmp_path / name / "metrics.parquet")
     table, out = tmp_path / "nylon" / "metrics.parquet", tmp_path / "x.csv"
     command = f"exec {sys.executable} -m pipeline.report.metrics {table} --out {out}"
-    assert ended.rewrite([command + " > log 2>&1"], [], [], str(Path(__file__).parents[2])) == []
+    assert stale_reports.rewrite([command + " > log 2>&1"], [], [], str(Path(__file__).parents[2])) == []
     assert (tmp_path / "x.csv").read_text().splitlines()[1].startswith("nylon,")
-    (wrong,) = ended.rewrite([command.replace("nylon", "wool")], [], [], str(Path(__file__).parents[2]))
+    (wrong,) = stale_reports.rewrite([command.replace("nylon", "wool")], [], [], str(Path(__file__).parents[2]))
     assert "No such file" in wrong

@@ -10,7 +10,7 @@ import yaml
 from snakemake.utils import update_config
 
 from pipeline.report.made_by import MadeBy, called, made_by, sentence, unpacked, warning
-from pipeline.report.plain import note, plain
+from pipeline.report.plain_markdown import note, plain
 from pipeline.report.sidecar import describe
 
 CONFIG = Path(__file__).parents[2] / "pipeline" / "config"

@@ -10,7 +10,7 @@ from made_verdict import made_verdict
 from test_diagnoses import FINE, TIED
 from test_index import Seen
 
-from pipeline.report.parts import FEW
+from pipeline.report.page_parts import FEW
 
 MANY = 60
 STRINGS = {f"m-{at}": [f"m-{at}-{run:02d}" for run in range(20)] for at in range(MANY // 20)}

@@ -38,7 +38,7 @@ def made_metrics(strokes=(1, 5, 9), seeds=5):
 
 
 @pytest.mark.parametrize("number", [1, 2])
-def test_csv_layout_is_the_contracts(number):
+def test_csv_layout_is_the_one_that_programs_read(number):
     text = to_csv(number, rows(made_metrics(), number, TITLES))
     assert text.splitlines()[0] == HEADERS[number]
     body = list(csv.reader(io.StringIO(text)))[1:]

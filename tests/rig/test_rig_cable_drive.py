@@ -6,8 +6,8 @@ import pytest
 from pipeline.rig.others import cable_drive, cable_parts
 from pipeline.rig.others.cable_plan import TIME_S
 from pipeline.rig.others.capstan import Capstans
-from pipeline.rig.others.chance import stream, wander
 from pipeline.rig.others.made import write_run
+from pipeline.rig.others.streams import stream, wander
 from pipeline.run.description import parse_run
 from pipeline.run.samples import read_samples
 

@@ -99,6 +99,26 @@ def axis(seed: int, coulomb_nm: float = 0.0, viscous_nm_s: float = 0.0, seconds:
     return pd.DataFrame({"t": clock.round(4), "q1": place, "tau1": torque.round(3)})
 
 
+def creeping_axis(seed: int, coulomb_nm: float, sticks_nm: float = 0.0, drags_nm_s: float = 0.0) -> pd.DataFrame:
+    """Time, angle and torque of an upright axis that strokes fast and creeps; sticking adds to sliding friction."""
+    random = np.random.default_rng(seed)
+    seconds = 40.0
+    clock = np.arange(0.0, seconds, 0.004)
+    paces = np.array([1.0, -1.0, 0.5, -0.5, 0.09, -0.09, 0.03, -0.03, 1.0, -1.0, 0.06, -0.06, 0.02, -0.02])
+    knots = np.linspace(0.0, seconds, len(paces) + 1)
+    asked = paces[np.minimum(np.searchsorted(knots, clock, "right") - 1, len(paces) - 1)]
+    window = np.hanning(101)
+    pace = np.convolve(np.pad(asked, 50, "edge"), window / window.sum(), "valid")
+    place = np.cumsum(pace) * 0.004
+    grip = coulomb_nm + sticks_nm / (1.0 + (pace / 0.05) ** 2)
+    torque = (
+        31.5 * np.gradient(pace, clock)
+        + grip * np.clip(pace / 0.002, -1.0, 1.0)
+        + 0.8 * random.standard_normal(len(clock))
+    )
+    return pd.DataFrame({"t": clock.round(4), "q1": np.round(place / 2e-6) * 2e-6, "tau1": torque.round(3)})
+
+
 def sheath(seed: int, grips_mm: float = 0.0, seconds: float = 40.0) -> pd.DataFrame:
     """Pull and tip of a tendon whose sections follow the pull when it has moved by their own grip on the sheath."""
     random = np.random.default_rng(seed)

@@ -1,10 +1,19 @@
 """Each rig of docs/rigs.md, recorded by another hand: what its simulator leaves out is named, and nothing else is."""
 
 import json
+from dataclasses import replace
+from pathlib import Path
 
 import benches
 import pytest
 from scipy.io import savemat
+
+import pipeline
+from pipeline.diagnosis.engine import make_problem
+from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.import_run import import_run
+from pipeline.run.samples import read_strokes
 
 NOTHING = ("consistent", "parameters")
 
@@ -29,7 +38,7 @@ def named(content):
 
 
 def own(content):
-    """What a verdict names of mechanisms that the contract does not list, by id."""
+    """What a verdict names of mechanisms whose ids begin with `x_`, by id."""
     assert content["verdict"] == "unknown"
     return {one["id"]: one for one in content["of_your_own"]["mechanisms"]}
 
@@ -117,6 +126,29 @@ def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, 
     assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
     assert found["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]["value"] == pytest.approx(6.0, rel=0.1)
     assert held_out(content)[2] < 0.1 * held_out(content)[1]
+
+
+def test_an_axis_that_sticks_where_it_creeps_is_told_from_one_that_slides_at_each_speed(tmp_path, diagnosed):
+    file = tmp_path / "axis.csv"
+    content = diagnosed(written(benches.creeping_axis(3, coulomb_nm=12.0), file), "robot_axis")
+    assert one_name(content, "friction_hysteresis")["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
+    content = diagnosed(written(benches.creeping_axis(3, coulomb_nm=12.0, sticks_nm=8.0), file), "robot_axis")
+    found = named(content)
+    assert content["verdict"] in ("explained", "ambiguous") and set(found) == {"friction_hysteresis", "x_stribeck"}
+    assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
+    sticks = found["x_stribeck"]["parameters"]
+    assert 4.0 < sticks["more_nm"]["value"] < 9.0 and 0.02 < sticks["falls_rad_per_s"]["value"] < 0.2
+    assert "Friction is higher where the " in found["x_stribeck"]["sentence"]
+
+
+def test_a_recording_that_never_creeps_cannot_show_what_sticks(tmp_path):
+    mapping, shown = Path(pipeline.__file__).parent / "mappings" / "robot_axis.yaml", {}
+    for name, samples in (("swings", benches.axis(1)), ("creeps", benches.creeping_axis(1, coulomb_nm=12.0))):
+        import_run(written(samples, tmp_path / f"{name}.csv"), mapping, name, tmp_path / "raw")
+        drivers = make_problem([RecordedRun(*read_strokes(tmp_path / "raw" / name))]).drivers
+        shown[name] = mechanisms()["x_stribeck"].candidates(drivers)
+    assert shown["swings"] == [] and shown["creeps"]
+    assert not mechanisms()["x_stribeck"].candidates(replace(drivers, levered=True)), "of a string it is never asked"
 
 
 @pytest.mark.long

@@ -16,11 +16,11 @@ from whole_strokes import segment as segment_whole
 
 from pipeline import wire
 from pipeline.capture.commit import recover
-from pipeline.ground import order, schemas
+from pipeline.ground import quantiles, schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.rows import Held, Stored
 from pipeline.run import wild_samples
-from pipeline.run.samples import read_samples, stored_samples
+from pipeline.run.samples import read_samples, stored_strokes
 from pipeline.run.strokes import label, segment
 from pipeline.string.from_raw import read, read_long
 
@@ -32,8 +32,8 @@ GROUP = 101  # samples: strokes of made recordings are longer, stands are shorte
 def short_pieces(monkeypatch):
     """Everything is read and sorted in pieces that a test's recording has many of."""
     monkeypatch.setattr(schemas, "ROW_GROUP", GROUP)
-    monkeypatch.setattr(order, "HELD", 64)
-    monkeypatch.setattr(order, "DIGITS", (8,) * 8)
+    monkeypatch.setattr(quantiles, "HELD", 64)
+    monkeypatch.setattr(quantiles, "DIGITS", (8,) * 8)
 
 
 def spoiled(seed):
@@ -79,7 +79,7 @@ def test_samples_in_pieces_are_those_read_whole(make_run, tmp_path, monkeypatch,
     folder = make_run("a-01", recording(3), suffix)
     run, whole = read_samples(folder)
     monkeypatch.setattr(schemas, "ROW_GROUP", GROUP)
-    _, stored = stored_samples(folder, tmp_path / "samples.parquet")
+    _, stored, _ = stored_strokes(folder, tmp_path / "samples.parquet")
     assert len(stored.borders) == len(whole) // GROUP + 2
     assert stored.frame(0, len(stored)).equals(whole)
     strokes = segment(stored, "motor_turns", folder)
@@ -94,7 +94,7 @@ def test_damaged_samples_at_the_border_of_two_groups_are_left_out_and_said(
 ):
     samples = recording(12)
     samples.loc[rows, "displacement_mm"] = 1e6
-    _, stored = stored_samples(make_run("a-01", samples), tmp_path / "samples.parquet")
+    _, stored, _ = stored_strokes(make_run("a-01", samples), tmp_path / "samples.parquet")
     assert stored.frame(0, len(stored)).equals(recording(12).drop(index=rows).reset_index(drop=True))
     count = f"{len(rows)} sample{'s' * (len(rows) > 1)} left out"
     assert f"{count}: displacement_mm reads 1e+06 in row {min(rows) + 1}" in capsys.readouterr().err
@@ -121,7 +121,7 @@ def test_what_is_wrong_in_the_second_group_is_named_by_its_row(make_run, tmp_pat
     for name, value in spoil.items():
         samples.loc[GROUP, name] = value
     with pytest.raises(BadInput, match=says):
-        stored_samples(make_run("a-01", samples, ".csv"), tmp_path / "samples.parquet")
+        stored_strokes(make_run("a-01", samples, ".csv"), tmp_path / "samples.parquet")
 
 
 def test_times_of_day_go_on_from_piece_to_piece_and_past_midnight(make_run, tmp_path, short_pieces):
@@ -129,7 +129,7 @@ def test_times_of_day_go_on_from_piece_to_piece_and_past_midnight(make_run, tmp_
     clock = pd.Timestamp("2026-11-23 23:59:40") + pd.to_timedelta(samples["time_s"], unit="s")
     for number, form in enumerate(("%H:%M:%S.%f", "%m/%d/%Y %H:%M:%S.%f")):
         folder = make_run(f"a-{number}", samples.assign(time_s=clock.dt.strftime(form)), ".csv")
-        _, stored = stored_samples(folder, tmp_path / "samples.parquet")
+        _, stored, _ = stored_strokes(folder, tmp_path / "samples.parquet")
         assert stored.read("time_s", 0, len(stored)) == pytest.approx(samples["time_s"].to_numpy(), abs=1e-6)
 
 
@@ -142,7 +142,8 @@ def test_a_run_on_disk_has_the_tare_the_noise_and_the_rests_of_one_in_memory(mak
 
 MAIN = (
     "import atexit, pathlib; atexit.register(lambda: print(pathlib.Path('/proc/self/status').read_text())); "
-    "from pipeline.ground import order, schemas; schemas.ROW_GROUP = order.HELD = 1 << 15; order.DIGITS = (16,) * 4; "
+    "from pipeline.ground import quantiles, schemas; "
+    "schemas.ROW_GROUP = quantiles.HELD = 1 << 15; quantiles.DIGITS = (16,) * 4; "
     "import {module} as stage; stage.main()"
 )
 
@@ -168,7 +169,7 @@ def long_recordings():
 def test_a_captured_run_in_pieces_is_the_one_that_is_read_whole(tmp_path, monkeypatch, long_recordings):
     """Its second and third pieces begin amid damaged frames."""
     folder, size = tmp_path / "a-01", 1 << 16
-    long_recordings.record(folder, 0.6, True)
+    long_recordings.record(folder, 0.6, "frames")
     path = folder / "recording.frames"
     data = bytearray(path.read_bytes())
     for at in (size, 2 * size - 1, 2 * size):
@@ -179,7 +180,7 @@ def test_a_captured_run_in_pieces_is_the_one_that_is_read_whole(tmp_path, monkey
     made = []
     for piece in (1 << 30, size):
         monkeypatch.setattr(wire, "PIECE", piece)
-        run, _ = stored_samples(folder, tmp_path / f"{piece}.parquet")
+        run, *_ = stored_strokes(folder, tmp_path / f"{piece}.parquet")
         made.append((tmp_path / f"{piece}.parquet").read_bytes())
     assert made[0] == made[1] and len(data) > 10 * size and run.run == "a-01"
     _, samples = read_samples(folder)
@@ -194,7 +195,7 @@ def test_a_captured_run_four_times_as_long_needs_no_more_memory(tmp_path, long_r
     peaks = []
     for minutes in (10, 40):
         folder = tmp_path / f"a-{minutes}"
-        long_recordings.record(folder, minutes, True)
+        long_recordings.record(folder, minutes, "frames")
         recover(folder)
         peaks.append(peak_mb("pipeline.stages.ingest", folder, "--out", tmp_path / folder.name / "samples.parquet"))
     assert peaks[1] < 1.3 * peaks[0], peaks
@@ -213,10 +214,23 @@ def test_four_times_as_long_needs_no_more_memory(tmp_path):
         samples, table = tmp_path / "processed" / folder.name / "samples.parquet", tmp_path / "strokes.parquet"
         peaks.append(
             {
-                "ingest": peak_mb("pipeline.stages.ingest", folder, "--out", samples),
-                "strokes": peak_mb("pipeline.stages.strokes", samples, "--out", table),
+                "ingest": peak_mb("pipeline.stages.ingest", folder, "--out", samples, "--out-strokes", table),
                 "lifespan": peak_mb("pipeline.lifespan.__main__", folder, "--out", tmp_path / "life"),
             }
         )
     for stage, peak in peaks[1].items():
         assert peak < 1.3 * peaks[0][stage], (stage, peaks)
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="nothing tells what a process took")
+def test_forty_minutes_at_1_khz_leave_room_for_two_hours(tmp_path, long_recordings):
+    """In MB: 1,078 and 1,204 were measured, of two hours 1,176 and 1,609. The goal is 2,000 for two hours."""
+    folder, processed = tmp_path / "a-40", tmp_path / "processed"
+    long_recordings.record(folder, 40, "parquet")
+    samples, strokes = (processed / folder.name / f"{stored}.parquet" for stored in ("samples", "strokes"))
+    samples.parent.mkdir(parents=True)
+    peak_mb("pipeline.stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
+    dataset = ("pipeline.stages.dataset", folder, "--processed", processed, "--out", tmp_path / "dataset.parquet")
+    assert peak_mb(*dataset) < 1400.0
+    assert peak_mb("pipeline.diagnose", folder, "--out", tmp_path / "out") < 1500.0

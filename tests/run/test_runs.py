@@ -47,7 +47,7 @@ def test_a_good_run_is_taken_as_written():
         ({**content("a-01"), "rig": {"torsion_zone_mm": 150, "seperator_mm": 8}}, "rig.seperator_mm", "'separator_mm'"),
         (changed("string", radius_mm=True), "string.radius_mm", "radius of one string in mm"),
         (changed("rig", load_n=-3), "rig.load_n", "that was measured"),
-        (changed("tolerance", radius_mm=0.1), "tolerance.radius_mm", "did you mean 'radius'"),
+        (changed("tolerance", radius_mm=0.1), "tolerance.radius_mm", "write radius: 0.25, which is a share of 0.4 mm"),
         (changed("string", radius_mm="thick"), "string.radius_mm", "radius of one string in mm"),
         (changed("string", radius_mm=0), "string.radius_mm", "correct it"),
         (changed("string", length_mm=float("nan")), "string.length_mm", "correct it"),

@@ -12,9 +12,9 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import Array
+from pipeline.ground.units import unit_of
 
 STROKE_REVERSAL = 0.25  # of the range: what parts a winding from an unwinding
 PHASE_REVERSAL = 0.02  # of the range: what counts as moving the other way within a stroke
@@ -109,13 +109,25 @@ def _after_stands(points: Indices, holding: NDArray[np.bool_], reach: int) -> In
     return np.clip(moved, 0, len(holding) - 1)
 
 
+def despiked_whole(signal: Array) -> Array:
+    """A channel without its spikes; shape (samples,), in the channel's unit."""
+    middle = median_filter(signal, 5, mode="nearest")
+    spread = 1.4826 * float(np.median(np.abs(signal - middle)))
+    spread += 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
+    padded = np.pad(signal, 2, mode="reflect")
+    around = np.vstack([padded[k : k + len(signal)] for k in (0, 1, 3, 4)])
+    gap = np.abs(signal - np.median(around, axis=0))
+    lonely = (gap > 8.0 * spread) & (np.ptp(around, axis=0) < 0.35 * gap)
+    return np.where(lonely, middle, signal)
+
+
 def label(time_s: Array, motion: Array) -> tuple[Indices, Phases]:
     """Stroke and phase of every sample; both of shape (samples,).
 
     `motion` is the driver (motor_turns, motor_deg or position_m). The phase is winding, hold, unwinding or rest. Time
     in s, motion in the driver's unit; strokes count from 1.
     """
-    smooth = median_filter(motion, OUTLIER_SAMPLES, mode="nearest")
+    smooth = median_filter(despiked_whole(motion), OUTLIER_SAMPLES, mode="nearest")
     low, high = np.percentile(smooth, [0.1, 99.9])
     span = float(high - low)
     strokes, legs = (turning_points(smooth, share * span) for share in (STROKE_REVERSAL, PHASE_REVERSAL))
@@ -147,7 +159,7 @@ def segment(samples: pd.DataFrame, driver: str, where: Path | str) -> pd.DataFra
     time_s, motion = samples["time_s"].to_numpy(), samples[driver].to_numpy()
     reach = float(np.subtract(*np.percentile(motion, [99.9, 0.1])))
     stroke, phase = label(time_s, motion)
-    if reach < LEAST_RANGE.get(schemas.unit_of(driver), 0.0) or not (phase[stroke > 0] == "winding").any():
+    if reach < LEAST_RANGE.get(unit_of(driver), 0.0) or not (phase[stroke > 0] == "winding").any():
         problem = f"there is no stroke in it: from {motion.min():.3g} to {motion.max():.3g} it never winds up"
         mend = "record at least one winding; is the column the motor's, and its unit right?"
         raise BadInput(where, driver, problem, mend)

@@ -9,11 +9,13 @@ from made_recording import recording
 
 from pipeline.ground.errors import BadInput
 from pipeline.run.folder import read_run
+from pipeline.settle import loop
 from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
 from pipeline.settle.choose import Budget, chosen, firm, reachable
 from pipeline.settle.drawing import simulated_mm, zero_mm
 from pipeline.settle.limits import Allowed
+from pipeline.settle.motor import Motor
 from pipeline.settle.move import describe
 from pipeline.settle.sheet import sheet
 from pipeline.settle.step import Place, Step
@@ -127,6 +129,21 @@ def test_steps_are_read_as_they_were_written(tmp_path):
     (tmp_path / "step-1" / "state.json").write_text('{"number": 7, "state": "approved"}')
     with pytest.raises(BadInput, match="is no step of this folder"):
         place.steps()
+
+
+def test_a_loop_reads_each_recording_once_however_many_steps_are_diagnosed_with_it(make_run, tmp_path, monkeypatch):
+    run, place, reads = make_run("nylon-1"), Place(tmp_path / "out"), []
+
+    def diagnosed(folders, out, options):
+        reads.extend(options.reader(folder) for folder in folders)
+        out.mkdir(parents=True)
+        (out / "diagnosis.json").write_text('{"verdict": "ambiguous"}')
+
+    monkeypatch.setattr(loop, "diagnose", diagnosed)
+    going = loop.Loop([run], place, Motor(None, 0, Allowed({}), False), "ask", Budget(3, 30.0, 40))
+    for number in (0, 1):
+        going._diagnosed([*[Step(0, "diagnosed")] * number, Step(number, "recorded", used=number == 0)])
+    assert len(reads) == 2 and reads[0] is reads[1]
 
 
 def test_a_motor_that_runs_late_is_no_effect_in_the_figure():

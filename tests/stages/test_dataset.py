@@ -8,6 +8,7 @@ from stages.nine_strokes import NINE, recorded, string
 
 from pipeline.ground import schemas
 from pipeline.stages.dataset import HELD_OUT_POINTS, blocks_from_top, held_out, make_dataset
+from pipeline.stages.splits import Thinned
 from pipeline.string.history import Recorded, in_order, tare_mm
 
 
@@ -43,6 +44,19 @@ def test_no_stroke_leaks_later():
     strokes = NINE.groupby("stroke")["later"].agg(set)
     assert [n for n, labels in strokes.items() if labels == {"test"}] == [8, 9]
     assert all("test" not in labels for n, labels in strokes.items() if n <= 7)
+
+
+def test_each_group_of_four_blocks_holds_out_another_one():
+    stroke = np.ones(16, np.int64)
+    assert np.flatnonzero(held_out(np.arange(16), stroke)).tolist() == [0, 6, 9, 15]
+    over_four = np.concatenate([np.flatnonzero(held_out(np.arange(16), n * stroke)) for n in range(1, 5)])
+    assert sorted(over_four.tolist()) == list(range(16))
+
+
+def test_points_are_thinned_evenly_from_the_first_to_the_last():
+    thinned = Thinned(100, 4)
+    chosen = np.concatenate([thinned.chosen(np.ones(count, bool)) for count in (30, 50, 20)])
+    assert np.flatnonzero(chosen).tolist() == [0, 33, 66, 99]
 
 
 def test_splits_know_no_seed():

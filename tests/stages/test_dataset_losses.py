@@ -57,12 +57,13 @@ def made(folder, processed, out, *options):
 
 def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     folder, processed = make_run("run-1"), tmp_path / "processed"
-    samples = processed / "run-1" / "samples.parquet"
-    for stage, read in (("ingest", folder), ("strokes", samples)):
-        out = samples if stage == "ingest" else samples.with_name("strokes.parquet")
-        done = programs.run(f"pipeline.stages.{stage}", read, "--out", out)
-        assert done.returncode == 0, done.stderr
-    strokes = schemas.read(samples.with_name("strokes.parquet"), schemas.STROKES)
+    samples, cut = (processed / "run-1" / f"{table}.parquet" for table in ("samples", "strokes"))
+    done = programs.run("pipeline.stages.ingest", folder, "--out", samples, "--out-strokes", cut)
+    assert done.returncode == 0, done.stderr
+    strokes = schemas.read(cut, schemas.STROKES)
+    again = segment(schemas.read(samples), "motor_turns", folder)
+    pd.testing.assert_frame_equal(strokes, again, check_dtype=False, check_exact=True)
+    assert f"{strokes['stroke'].max()} strokes in {len(strokes)} stretches" in done.stdout
     second = strokes[(strokes["stroke"] == 2) & (strokes["phase"] == "winding")].iloc[0]
     (folder / "capture.json").write_text(json.dumps({"gaps": [{"after_samples": int(second["first_sample"]) + 3}]}))
     done, left = made(folder, processed, tmp_path / "left.parquet")

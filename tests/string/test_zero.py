@@ -13,12 +13,13 @@ from stages.nine_strokes import recorded, string
 
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
-from pipeline.lifespan.gather import strings
+from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
-from pipeline.string.beside import jumps_into
 from pipeline.string.history import Recorded
 from pipeline.string.jump_notes import read_jumps
+from pipeline.string.jumps_beside import Beside, jumps_into
+from pipeline.string.rests import Rests
 from pipeline.string.zero import jumps, offsets_mm
 
 ROOT = Path(__file__).parents[2]
@@ -132,9 +133,8 @@ def program(module: str, *words: object) -> str:
 def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, said: str) -> None:
     made, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
     for folder in made:
-        program("stages.ingest", folder, "--out", processed / folder.name / "samples.parquet")
-        words = (processed / folder.name / "samples.parquet", "--out", processed / folder.name / "strokes.parquet")
-        program("stages.strokes", *words)
+        samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
+        program("stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
     notes = tmp_path / "zero_jumps.json"
     words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
     text = program("stages.dataset", *made, *words)
@@ -176,14 +176,13 @@ def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
 
 
 def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Path) -> None:
-    from pipeline.run.samples import read_samples
+    from pipeline.string.from_raw import read
 
     one, two = folders(tmp_path, JUMP_MM)
     (tmp_path / "broken").mkdir()
     (tmp_path / "broken" / "run.yaml").write_text("a: [")
     for asked, seen in (([two], ["a-2"]), ([one, two], ["a-2"]), ([one], [])):
-        pairs = [read_samples(folder) for folder in asked]
-        found = jumps_into(asked, [run for run, _ in pairs], [table for _, table in pairs])
+        found = jumps_into([Rests.of(read(folder)) for folder in asked], Beside())
         assert [jump.run for jump in found] == seen
 
 

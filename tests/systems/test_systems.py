@@ -1,11 +1,11 @@
-"""The interface test of systems: every module in the folder keeps the contract, whoever wrote it."""
+"""The interface test of systems: every module in the folder keeps to `systems/interface.py`, whoever wrote it."""
 
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from pipeline.ground.schemas import unit_of
+from pipeline.ground.units import unit_of
 from pipeline.systems import systems
 from pipeline.systems.interface import PORTS
 

@@ -13,6 +13,7 @@ from pipeline.wire import Channel, Decoder, Frame, Hello, Kind, encode
 from pipeline.wire.check import CRC, MAX_PAYLOAD, checksum
 from pipeline.wire.cobs import stuff, unstuff
 from pipeline.wire.frames import MAX_STUFFED, decode
+from pipeline.wire.motion import Limits
 
 HELLO = Hello("a rig", "1.0", "00000001", 50.0, 2, (Channel("motor_turns", "turns", "i32", 0.25),))
 payloads = st.binary(max_size=64) | st.binary(min_size=240, max_size=520)
@@ -144,3 +145,11 @@ def test_the_longest_payload_passes_and_a_longer_one_is_refused():
     assert heard([sent(frame)]) == [frame]
     with pytest.raises(ValueError, match="longer"):
         encode(1, 0, b"\1" * (MAX_PAYLOAD + 1))
+
+
+def test_a_hello_says_what_its_device_takes_of_a_program_from_version_2_on():
+    limits = Limits(
+        legs=8, turns=(0.0, 20.0), turns_per_s=5.0, turns_per_s2=50.0, seconds=600.0, silence_s=2.0, at_turns=0.0
+    )
+    for protocol, kept in ((1, None), (2, limits)):
+        assert Hello.unpack(replace(HELLO, protocol=protocol, program=limits).pack()).program == kept

@@ -9,9 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from whole_stamps import mend as mend_whole
 
-from pipeline.wire import Kind, encode, read_pieces, read_recording
+from pipeline.wire import Kind, encode, read_pieces, read_recording, recording
 from pipeline.wire.mending import Mending, usual_steps
 from pipeline.wire.stamps import BURST
+
+KEPT = recording.KEPT
 
 
 def in_pieces(data, size):
@@ -23,6 +25,13 @@ def in_pieces(data, size):
 
 
 def agree(data, size):
+    """What is read whole is what is read in pieces, whether these are kept or decoded anew."""
+    for recording.KEPT in (0, KEPT):
+        whole, count = _agree(data, size)
+    return whole, count
+
+
+def _agree(data, size):
     whole, (time_s, channels, numbers, pieces, count) = read_recording(data), in_pieces(data, size)
     assert pieces.hello == whole.hello and pieces.account == whole.account and pieces.mended == whole.mended
     assert np.array_equal(time_s, whole.time_s) and np.array_equal(numbers, whole.seq)
@@ -99,3 +108,68 @@ def test_a_burst_of_bad_stamps_across_a_border_is_mended_as_a_whole():
         found = np.concatenate(list(Mending.of(lambda pieces=pieces: iter(pieces)).stamps(pieces)))
         assert np.array_equal(found, mend_whole(stamps, np.arange(1000))[0])
         np.testing.assert_allclose(found, np.arange(1000) * STEP_US)
+
+
+@pytest.mark.parametrize(
+    ("steps_us", "usual_us"),
+    [
+        ([900, 1000, 1100, 1300] * 5 + [-500], 1050.0),  # between the two in the middle
+        ([900, 1000, 1100, 1300, 1400] * 5 + [-500], 1100.0),
+        ([900, 900, 1000, 1300, 1300, 1300] * 5 + [-500], 1150.0),
+        ([900, 1000, 1100, 1300, 0, 0], 1050.0 * 4 / 6),  # a clock that stands still at two of six samples
+    ],
+)
+@pytest.mark.parametrize("border", range(1, 5))
+def test_the_usual_step_is_the_median_of_those_that_rise(steps_us, usual_us, border):
+    pieces = cut((np.array(steps_us, float), np.ones(len(steps_us))), [border])
+    assert Mending.of(lambda: iter(pieces)).usual_us == pytest.approx(usual_us)
+
+
+def test_the_shortest_step_that_rises_is_right():
+    steps_us = [1000.0, 1000.0, 1.0, 1999.0, 1000.0, -500.0, 2500.0, 1000.0]
+    pieces = [(np.array(steps_us), np.ones(len(steps_us)))]
+    found = np.concatenate(list(Mending.of(lambda: iter(pieces)).stamps([(np.array(steps_us), np.ones(8))])))
+    assert found[:6].tolist() == [0.0, 1000.0, 2000.0, 2001.0, 4000.0, 5000.0]
+
+
+@pytest.mark.parametrize("end", ["first", "last"])
+@pytest.mark.parametrize("missing", [0, 30])
+@pytest.mark.parametrize("back", [0, 1])
+def test_an_end_leaps_by_what_is_missing_there_not_by_its_length(end, missing, back):
+    """Of 40 usual steps at an end: a leap where no frame is missing, and what is to be expected where 39 are."""
+    steps_us, apart = np.full(400, 1000.0), np.ones(400)
+    place = 0 if end == "first" else 399
+    steps_us[place], apart[place] = 40_000.0, missing + 1.0
+    steps_us[30:32] += [-1500.0 * back, 1500.0 * back]
+    mending = Mending.of(lambda: iter(cut((steps_us.copy(), apart), [150, 300])))
+    counted = {"backward_time_stamps": back, "leaping_time_stamps": int(not missing)}
+    assert mending.counted == {rule: times for rule, times in counted.items() if times}
+    found = np.concatenate(list(mending.stamps(cut((steps_us.copy(), apart), [150, 300]))))
+    assert np.diff(found)[place] == (40_000.0 if missing else 1000.0)
+
+
+def test_a_log_with_samples_gives_no_piece_without_any():
+    pieces = read_pieces(lambda: iter([b"".join(frames(100))]))
+    assert [len(time_s) for time_s, _, _ in pieces.samples()] == [100]
+
+
+def test_a_short_log_is_decoded_once_and_a_long_one_is_not_kept(monkeypatch):
+    data, taken = b"".join(frames(1500)), []
+
+    def chunks():
+        taken.append(len(data))
+        return (data[at : at + 4096] for at in range(0, len(data), 4096))
+
+    for kept, times in ((KEPT, 1), (4096, 3)):
+        monkeypatch.setattr(recording, "KEPT", kept)
+        taken.clear()
+        pieces = read_pieces(chunks)
+        assert pieces.mended == {} and sum(len(time_s) for time_s, _, _ in pieces.samples()) == 1500
+        assert len(taken) == times
+
+
+@pytest.mark.parametrize(("backward", "is_clock"), [(10, True), (11, False)])
+def test_more_than_a_tenth_of_steps_that_fall_back_is_no_clock(backward, is_clock):
+    steps_us = np.array([-500.0] * backward + [1000.0] * (100 - backward))
+    mending = Mending.of(lambda: iter([(steps_us, np.ones(100))]))
+    assert mending.counted == ({"backward_time_stamps": backward} if is_clock else {})

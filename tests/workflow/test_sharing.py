@@ -27,5 +27,5 @@ def test_a_finished_project_goes_to_another_checkout(finished, bare_project, tmp
     changed = lab.folder / "pipeline" / "models" / "mlp.py"
     changed.write_text(changed.read_text() + "\nCHANGED = True\n")
     rules = lab.rules_to_run()
-    assert "train" in rules and "strokes" not in rules and "diagnose" not in rules
+    assert "train" in rules and "ingest" not in rules and "diagnose" not in rules
     assert "packed by other code" in program(lab.folder, "pipeline.pack.unpack", str(archive))

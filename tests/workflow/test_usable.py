@@ -40,8 +40,8 @@ def test_a_recording_at_which_the_reader_dies_has_no_answer_and_the_others_do(ma
     python.write_text(
         f"#!{sys.executable}\n"
         "import os, sys\nfrom pipeline.run import samples\nfrom pipeline.workflow import usable\n"
-        "read = samples.stored_samples\n"
-        "samples.stored_samples = lambda folder, out: os._exit(9) if folder.name == 'b-01' else read(folder, out)\n"
+        "read = samples.stored_strokes\n"
+        "samples.stored_strokes = lambda folder, out: os._exit(9) if folder.name == 'b-01' else read(folder, out)\n"
         "sys.argv = sys.argv[2:]\nusable.main()\n"
     )
     python.chmod(0o755)

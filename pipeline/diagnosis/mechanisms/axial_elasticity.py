@@ -15,7 +15,10 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def saturating(load: Array, toe: float) -> Array:
-    """1 − exp(−|load| / toe), with the load's sign: a cable is pulled both ways. Shape (samples,)."""
+    """1 − exp(−|load| / toe), with the load's sign: a cable is pulled both ways.
+
+    Shape (samples,), without a unit; load and toe in one unit.
+    """
     return np.asarray(np.sign(load) * (1.0 - np.exp(-np.abs(load) / toe)))
 
 

@@ -24,17 +24,27 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     return all_terms
 
 
+def half_play(values: Nonlinear) -> float:
+    """Half of the play that is lost at a reversal in turns: each part's share of the width, by its coefficient."""
+    return values["half_width_turns"] * sum(share * values.get(name, 0.0) for name, share in INSIDE.items())
+
+
 MECHANISM = Mechanism(
     id="backlash",
     driver="direction",
-    equation="theta_s = sum a_i play(theta, b_i w), w: half the play",
+    equation="theta_s = theta + sum a_i (play(theta, b_i w) - theta); half the play: w sum a_i b_i",
     source="Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38, 2002",
     confused_with="friction_hysteresis, sensor_lag, viscous_loss",
     told_apart_by="a second load: the play keeps its width",
     meaning="play of constant width, whatever the load.",
-    sentence="After each reversal the motor moves a little before the {string} follows, worth {size}.",
-    details=("half the play is {half_width_turns}",),
+    sentence=(
+        "After each reversal the motor moves a little before the {string} follows, so that {up} and {down} differ "
+        "by {loop} ({size})."
+    ),
+    details=("half the play is {half_play_turns}",),
+    derived={"half_play_turns": half_play},
     names={"share": "play of the whole width (b = 1)", "inner_share": "play of half the width (b = 1/2)"},
     candidates=candidates,
+    remembers_turns=True,
     terms=terms,
 )

@@ -27,7 +27,10 @@ MECHANISM = Mechanism(
     id="clamp_slip",
     driver="sudden events on the length",
     equation="dx = -sum s_i [t >= t_i]",
-    source="a sum of steps: no law of its own in print",
+    source=(
+        "McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (terminations that slip); "
+        "a step at an unknown time: Basseville and Nikiforov, Detection of Abrupt Changes, 1993"
+    ),
     confused_with="count_slip (which grows with twist), plastic_elongation",
     told_apart_by="a mark on the string at the clamp",
     meaning="the clamp gives way suddenly and for good.",

@@ -34,7 +34,10 @@ MECHANISM = Mechanism(
     id="count_slip",
     driver="sudden events on the twist",
     equation="theta_s = theta - sum k_i [t >= t_i]",
-    source="a sum of steps: no law of its own in print",
+    source=(
+        "Acarnley, Stepping Motors: A Guide to Theory and Practice, 2002 (lost steps); "
+        "a step at an unknown time: Basseville and Nikiforov, Detection of Abrupt Changes, 1993"
+    ),
     confused_with="clamp_slip (which is the same at every twist), wear",
     told_apart_by="an index mark on the string's end; unwinding to slack",
     meaning="twist is lost suddenly between encoder and string.",

@@ -7,7 +7,7 @@ from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass
 from ..shared_laws import time_constants, within
 
-TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)
+TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)  # time constants of the branches
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -11,7 +11,7 @@ UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may str
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
 LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
 TOP, FEWEST = 95.0, 20  # percentile of the reading above which it is highest; moving samples there
-LOWER = np.linspace(0.01, 0.3, 14)
+LOWER = np.linspace(0.01, 0.3, 14)  # of the nominal range: where a stop at its low end may lie
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -54,7 +54,10 @@ MECHANISM = Mechanism(
     id="end_stop",
     driver="reading at its end",
     equation="x_m = min(x, x_stop)",
-    source="a hard stop: textbook",
+    source=(
+        "Brogliato, Nonsmooth Mechanics, 1999 (contact on one side); "
+        "a sensor at its range: Khalil, Nonlinear Systems, 2002 (saturation)"
+    ),
     confused_with="jam, slack",
     told_apart_by="a stroke that ends above the stop: behind a stop nothing moves at all",
     meaning="the motion is cut off at an end.",

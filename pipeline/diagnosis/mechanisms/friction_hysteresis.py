@@ -14,7 +14,7 @@ ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive'
 WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
 SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
 SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
-TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n"}
+TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n", "slack_mm": "half_loop_slack_mm"}
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -80,7 +80,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
     """How high a loop may be, by name: the same everywhere, or growing with load, and with load and twist.
 
-    Each of shape (samples,), a factor.
+    Each of shape (samples,), a factor without a unit.
     """
     load, slope = drivers.load, drivers.tangent
     envelope_by_unit = {"mm": np.ones_like(load)}
@@ -107,12 +107,12 @@ MECHANISM = Mechanism(
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
     meaning="winding and unwinding part by a rounded loop that grows with load or twist.",
-    sentence="Friction makes the {reading} of {up} differ from that of {down}, by up to {span} ({size}).",
+    sentence="Friction makes the {reading} of {up} differ from that of {down}, by {loop} ({size}).",
     details=(
         "half the loop is {half_loop_mm}",
-        "half the loop is {half_loop_mm_per_10_n}",
-        "half the loop is {dry_mm}",
-        "half the play is {play_turns} under the usual load",
+        "half the loop grows by {half_loop_mm_per_10_n}",
+        "half the loop is larger by {half_loop_slack_mm} where nothing loads it",
+        "half the play is {play_turns} under the middle one of the recorded loads",
     ),
     names={
         "stop": "the state of a stop, from -1 to 1, as wide as that share of the range",
@@ -124,5 +124,6 @@ MECHANISM = Mechanism(
         "root_load_twist": "the root of the load, x tan(helix angle)",
     },
     candidates=candidates,
+    remembers_turns=True,
     terms=terms,
 )

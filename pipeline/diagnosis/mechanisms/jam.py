@@ -32,7 +32,10 @@ MECHANISM = Mechanism(
     id="jam",
     driver="high twist",
     equation="theta_s = theta - s max(theta - theta_c, 0)",
-    source="no law in print: a slope that changes at a critical twist",
+    source=(
+        "Bohr and Olsen, The ancient art of laying rope, EPL 93, 2011 (strands touch at a greatest twist); "
+        "how far the displacement falls behind beyond it is no law in print, here a line and a square"
+    ),
     confused_with="end_stop (which is flat), radius_compaction (which has no corner)",
     told_apart_by="strokes that end above and below the corner; the torque, which rises in a jam",
     meaning="past a critical twist the displacement falls behind.",

@@ -8,7 +8,8 @@ from ..drivers import Drivers
 from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import resonator
 
-STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3  # of the spectrum that tells where a residual rings
+# length of its stretches; bins of its background; times that; lines: of the spectrum that tells where a residual rings
+STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3
 NEAR = (0.98, 1.0, 1.02)  # of a line's frequency
 LOWEST_HZ, LOWEST_STIFF_HZ = 0.4, 3.0  # of a load that hangs on a string; of what a stiff drive moves
 
@@ -91,7 +92,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 
 
 def mode(drivers: Drivers, hz: Array, damping: float, name: str) -> list[Term]:
-    """One mode's response, in two phases. `hz` has the shape (samples,)."""
+    """One mode's response, in two phases. `hz` has the shape (samples,), in Hz."""
     position, velocity = resonator(drivers.contraction, drivers.time_s, hz, damping)
     ahead = velocity - np.gradient(drivers.contraction, drivers.time_s) / (2.0 * np.pi * hz)
     return [
@@ -104,7 +105,7 @@ MECHANISM = Mechanism(
     id="load_swing",
     driver="acceleration",
     equation="q'' + 2 z w q' + w^2 q = -a",
-    source="a damped oscillator under the acceleration of its support: textbook",
+    source="Den Hartog, Mechanical Vibrations, 1956 (a damped mass on a spring whose support moves)",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",
     meaning="the load swings on the string, and rings after starts and stops.",

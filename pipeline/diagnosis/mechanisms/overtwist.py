@@ -91,5 +91,6 @@ MECHANISM = Mechanism(
     sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
     candidates=candidates,
+    remembers_turns=True,
     terms=terms,
 )

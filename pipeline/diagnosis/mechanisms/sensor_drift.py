@@ -7,7 +7,7 @@ from ..interface import Mechanism, Nonlinear, Term
 from ..shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
-SETTLING = 0.1  # of the recording
+SETTLING = 0.1  # of the recording: time constant of a drift that settles
 MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SETTLING}  # of each over the recording
 
 
@@ -32,11 +32,16 @@ MECHANISM = Mechanism(
     id="sensor_drift",
     driver="absolute time",
     equation="x_m = x + c(t)",
-    source="a slow function of time: no law of its own in print",
+    source=(
+        "JCGM 200:2012, International vocabulary of metrology (instrumental drift: a definition, no law); "
+        "zero drift: Doebelin, Measurement Systems: Application and Design, 1966"
+    ),
     confused_with="creep, thermal, plastic_elongation",
     told_apart_by="a long rest: a drifting zero goes on in it as before",
     meaning="the sensor's zero moves with time.",
-    sentence="The zero of the sensor drifts with time, {span} in all ({size}), at work and at rest alike.",
+    sentence=(
+        "The sensor's zero drifts with time, {span} in all ({size}), at work and at rest, and {lowers} the {reading}."
+    ),
     candidates=candidates,
     terms=terms,
 )

@@ -7,8 +7,8 @@ from ..drivers import Drivers
 from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass
 
-TIMES_S = (0.03, 0.1, 0.3, 1.0)
-DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)
+TIMES_S = (0.03, 0.1, 0.3, 1.0)  # time constants of a first-order lag
+DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)  # of a reading that is late as a whole
 DRIVES_DELAYS_S = (0.05, 0.2)  # of a drive without a string
 
 
@@ -47,7 +47,10 @@ MECHANISM = Mechanism(
     id="sensor_lag",
     driver="displacement rate",
     equation="tau dx_m/dt = x - x_m, or x_m(t) = x(t - delay)",
-    source="a first-order lag or a dead time: textbook",
+    source=(
+        "Doebelin, Measurement Systems: Application and Design, 1966 (first-order instrument); "
+        "dead time: Ogata, Modern Control Engineering, 1970"
+    ),
     confused_with="viscous_loss, backlash, friction_hysteresis",
     told_apart_by="two speeds; a rigid bar in place of the string",
     meaning="the displacement is read late.",

@@ -20,7 +20,7 @@ MECHANISM = Mechanism(
     id="sensor_offset",
     driver="nothing: a constant",
     equation="y_m = y + c",
-    source="a constant: textbook",
+    source="Joint Committee for Guides in Metrology, International vocabulary of metrology, JCGM 200:2012 (zero error)",
     confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",
     meaning="a constant force or angle is added.",

@@ -40,7 +40,10 @@ MECHANISM = Mechanism(
     id="shaft_windup",
     driver="torque (load x twist)",
     equation="theta_s = theta - F r sin a / k_t",
-    source="torsion of an elastic shaft: textbook",
+    source=(
+        "Timoshenko, Strength of Materials, 1930 (torsion of a shaft); "
+        "couplings: Budynas and Nisbett, Shigley's Mechanical Engineering Design, 2011"
+    ),
     confused_with="radius_compaction, a wrong radius (under one load)",
     told_apart_by="two loads; or lock the string's end and twist",
     meaning="the shaft twists under torque.",
@@ -53,5 +56,6 @@ MECHANISM = Mechanism(
         "stiffening_turns": "the root of the torque",
     },
     candidates=candidates,
+    remembers_turns=True,
     terms=terms,
 )

@@ -6,28 +6,45 @@ from ..drivers import Drivers
 from ..interface import Mechanism, Nonlinear, Term
 from ..shared_laws import hinge
 
+SHARP = 0.05  # of the take-up: how softly one that ends at once ends
+# of the highest twist: what may be taken up
 SHARES = (0.015, 0.03, 0.05, 0.075, 0.1, 0.14, 0.18, 0.24, 0.3, 0.38, 0.46)
+FINER = 4  # times as many takes-up that end at once: a coarse grid would call each a sag
+SAGGING = (0.3, 0.6, 1.0, 1.6)  # of the sag: where parts of the length of a sagging string are taken up
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """Twist that is taken up, in turns: lost (a toe), or as a length that a stop holds; none without a string."""
+    """Twist that is taken up, in turns: lost (a toe), as a length that a stop holds, or as the sag of the string.
+
+    None without a string.
+    """
     if not drivers.levered:
         return []
+    top, curve = float(np.percentile(drivers.motion, 99.9)), _sorted(drivers)
     listed: list[Nonlinear] = []
     for share in SHARES:
-        turns = float(f"{share * float(np.percentile(drivers.motion, 99.9)):.6g}")
-        listed += [{"take_up_turns": turns, "stop": 0.0, "softness": soft} for soft in (0.05, 0.3)]
-        order = np.argsort(drivers.motion, kind="stable")
-        height = np.interp([0.0, turns], drivers.motion[order], drivers.contraction[order])
-        if height[1] > height[0]:
-            listed.append({"take_up_mm": float(f"{height[1] - height[0]:.6g}"), "stop": 1.0, "softness": 0.05})
+        turns = float(f"{share * top:.6g}")
+        listed += [{"take_up_turns": turns, "stop": 0.0, "softness": soft} for soft in (SHARP, 0.3)]
+    between = np.arange(FINER * (len(SHARES) - 1) + 1) / FINER
+    for number, turns in enumerate(top * np.interp(between, np.arange(len(SHARES)), SHARES)):
+        height = float(np.interp(turns, *curve) - np.interp(0.0, *curve))
+        if height > 0.0:
+            slack = float(f"{height:.6g}")
+            listed.append({"take_up_mm": slack, "stop": 1.0, "softness": SHARP})
+            listed += [{"sag_mm": slack}] if number % FINER == 0 else []
     return listed
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
-    """Twist that does not reach the string, or contraction that the slack swallows."""
+    """Twist that does not reach the string, or contraction that the slack swallows: all of it first, or bit by bit."""
+    height = drivers.contraction - float(np.interp(0.0, *_sorted(drivers)))
+    if "sag_mm" in nonlinear:
+        ends = {part: part * nonlinear["sag_mm"] for part in SAGGING}
+        return [
+            Term(f"share_to_{part:g}", "length", height - hinge(height, end, SHARP * end), "1", high=1.3)
+            for part, end in ends.items()
+        ]
     if nonlinear["stop"]:
-        height = drivers.contraction - float(np.interp(0.0, *_sorted(drivers)))
         slack = nonlinear["take_up_mm"]
         return [Term("share", "length", height - hinge(height, slack, nonlinear["softness"] * slack), "1", high=1.3)]
     onset = nonlinear["take_up_turns"]
@@ -43,13 +60,17 @@ def _sorted(drivers: Drivers) -> tuple[np.ndarray, np.ndarray]:
 MECHANISM = Mechanism(
     id="slack",
     driver="low twist",
-    equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s)",
-    source="a dead zone: textbook; catenary: Irvine, Cable Structures, 1981",
+    equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s), or, of a sag, a sum of such s",
+    source="Khalil, Nonlinear Systems, 2002 (dead zone); catenary: Irvine, Cable Structures, 1981",
     confused_with="a wrong separator, backlash",
     told_apart_by="small strokes at low twist",
     meaning="the first turns move nothing.",
     sentence="The first {motion} moves nothing: slack swallows up to {span} ({size}).",
-    details=("it is taken up after {take_up_turns}", "it is taken up after {take_up_mm} of {reading}"),
+    details=(
+        "it is taken up after {take_up_turns}",
+        "it is taken up after {take_up_mm} of {reading}",
+        "a sag is taken up bit by bit, over about {sag_mm} of {reading}",
+    ),
     candidates=candidates,
     terms=terms,
 )

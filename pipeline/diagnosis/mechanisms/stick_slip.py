@@ -9,6 +9,7 @@ from ..interface import Mechanism, Nonlinear, Term
 from ..noise import resolution
 from ..recursions import sticking
 
+# samples whose median is taken off; spreads beyond which a step is cut; steps that tell
 AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate
 LOUDER = 1.15  # times the steps at rest
@@ -102,6 +103,7 @@ MECHANISM = Mechanism(
     sentence="Slow motion goes in jerks of {size}.",
     details=("what sticks is let go after about {reach_mm}",),
     candidates=candidates,
+    remembers_turns=True,
     terms=terms,
     random=random,
     mark=mark,

@@ -8,8 +8,8 @@ from ..interface import Mechanism, Nonlinear, Term
 from ..recursions import lowpass
 from ..shared_laws import time_constants, within
 
-TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)
-LEAST_RANGE_K = 0.3
+TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)  # in which the string takes on heat
+LEAST_RANGE_K = 0.3  # of a logged temperature: one that moves less tells nothing
 MOVING = 0.05  # of the highest rate: faster is moving, for heat that comes whenever the motor turns
 BEHIND_S = 30.0  # of the node between what heats and the string, where there are two
 
@@ -67,7 +67,10 @@ MECHANISM = Mechanism(
     id="thermal",
     driver="temperature",
     equation="dx = -a (T - T0), dT/dt = (power - T)/tau where T is not measured",
-    source="linear expansion, and one heated node that cools by Newton's law: textbook",
+    source=(
+        "Landau and Lifshitz, Theory of Elasticity, 1959 (thermal expansion); "
+        "one heated node: Incropera and DeWitt, Fundamentals of Heat and Mass Transfer, 1996 (lumped capacitance)"
+    ),
     confused_with="creep, plastic_elongation, sensor_drift",
     told_apart_by="another speed and a pause at the same load: only heat follows the power; or a thermocouple",
     meaning="the length follows the temperature.",

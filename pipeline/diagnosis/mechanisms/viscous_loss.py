@@ -27,7 +27,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     The powers are a string's: where a guide rubs, a root would only blur the step of friction into the straight line.
     """
     rate = drivers.rate
-    all_terms = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn")]
+    all_terms = [Term("straight_mm_per_turn_s", "resistance", rate, "mm s/turn", total="loss_mm_per_turn_s")]
     if nonlinear["loaded"]:
         all_terms.append(Term("loaded_mm_per_turn_s_10_n", "resistance", rate * drivers.load, "mm s/turn/10N"))
     if not drivers.levered:
@@ -56,12 +56,29 @@ MECHANISM = Mechanism(
     id="viscous_loss",
     driver="twisting rate",
     equation="dx = -c dtheta/dt",
-    source="a loss that grows with the rate: textbook",
+    source=(
+        "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, "
+        "Automatica 30, 1994 (viscous friction); with a memory: Findley, Lai and Onaran, "
+        "Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976 (Kelvin-Voigt element)"
+    ),
     confused_with="sensor_lag (which shows nothing at low twist), friction_hysteresis (which ignores the speed)",
     told_apart_by="three speeds and small strokes at low twist",
     meaning="what is lost grows with the speed.",
-    sentence="A loss follows the {rate}, up to {span} ({size}), and is gone as soon as the motor stands.",
-    details=("{straight_mm_per_turn_s}",),
+    sentence=(
+        "A loss follows the {rate}, so that {up} and {down} differ by {loop} ({size}), and is gone as soon as the "
+        "motor stands."
+    ),
+    details=("{loss_mm_per_turn_s}",),
+    names={
+        "straight": "the rate",
+        "low": "the rate to the power of 0.3",
+        "root": "the root of the rate",
+        "square": "the rate squared",
+        "growing": "the rate, and grows with the twist: at the steepest helix angle it is three times as much",
+        "growing_root": "the root of the rate, and grows with the twist in the same way",
+        "loaded": "the rate x load",
+        "relaxing": "what is passed on with that time constant",
+    },
     candidates=candidates,
     terms=terms,
 )

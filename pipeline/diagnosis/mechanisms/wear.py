@@ -42,7 +42,12 @@ MECHANISM = Mechanism(
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",
     meaning="the radius changes with the distance travelled.",
-    sentence="The radius changes with the distance travelled, which moves the {reading} by up to {span} ({size}).",
+    sentence="The radius {grows} with the distance travelled, which {lowers} the {reading} by up to {span} ({size}).",
+    names={
+        "within_*": "1 - exp(-s/w): s is the travel as a share of travel_turns, w the number in the name",
+        "steady": "the travel as a share of travel_turns",
+        "faster": "that share squared",
+    },
     candidates=candidates,
     terms=terms,
 )

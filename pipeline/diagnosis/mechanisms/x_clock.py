@@ -36,7 +36,7 @@ MECHANISM = Mechanism(
     id="x_clock",
     driver="displacement rate and time",
     equation="x_m(t) = x(t - d(t))",
-    source="none: two clocks are no physics of the rig",
+    source="Mills and others, Network Time Protocol Version 4, RFC 5905, 2010 (offset and skew of clocks)",
     confused_with="sensor_lag, whose delay stays what it is",
     told_apart_by="fast strokes at the beginning and at the end: a lag is the same in both",
     meaning="the clocks of motor and displacement part; a stand-in, no physics of the library.",

@@ -25,7 +25,10 @@ MECHANISM = Mechanism(
     id="x_cubic_spring",
     driver="motion cubed",
     equation="F = k x + k3 x^3",
-    source="G. Duffing, 1918; Silverbox of the nonlinear benchmarks",
+    source=(
+        "Duffing, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz, 1918; on a circuit: Wigren and Schoukens, "
+        "Three free data sets for development and benchmarking in nonlinear system identification, ECC 2013"
+    ),
     confused_with="a wrong stiffness",
     told_apart_by="a small and a large swing",
     meaning="the force of a spring grows with the cube of how far it is moved; on rigs without a string.",

@@ -58,7 +58,10 @@ MECHANISM = Mechanism(
     id="x_overflow",
     driver="reading at its end",
     equation="x_m = x - d, d' = -d/tau, x_m <= rim",
-    source="Schoukens and Noel, cascaded tanks with overflow, 2016",
+    source=(
+        "Schoukens and Noël, Three benchmarks addressing open challenges in nonlinear system identification, "
+        "IFAC-PapersOnLine 50, 2017 (cascaded tanks with overflow)"
+    ),
     confused_with="end_stop (which forgets at once)",
     told_apart_by="the level's fall after a long overflow: it begins as soon as less flows in than out",
     meaning="what rises past a rim runs over and is lost; on rigs without a string.",

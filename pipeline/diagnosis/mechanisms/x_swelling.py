@@ -1,4 +1,4 @@
-"""The radius changes with time, at work and at rest alike: the string takes up moisture, or dries."""
+"""The radius {grows} with time, at work and at rest alike: the string takes up moisture, or dries."""
 
 from ..drivers import Drivers
 from ..interface import Mechanism, Nonlinear, Term
@@ -22,11 +22,11 @@ MECHANISM = Mechanism(
     id="x_swelling",
     driver="time",
     equation="r_e = r (1 +- k g(t))",
-    source="none: the air is not on the rig",
+    source="Morton and Hearle, Physical Properties of Textile Fibres, 1962 (swelling with humidity)",
     confused_with="wear, which stands still at rest; sensor_drift, which is the same at every twist",
     told_apart_by="a long rest between two strokes: what the air does goes on in it",
     meaning="the radius changes with time, at rest too (damp air); a stand-in, no physics of the library.",
-    sentence="The radius changes with time, at rest too, which moves the {reading} by up to {span} ({size}).",
+    sentence="The radius {grows} with time, at rest too, which {lowers} the {reading} by up to {span} ({size}).",
     candidates=candidates,
     terms=terms,
     helper=True,

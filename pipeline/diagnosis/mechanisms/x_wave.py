@@ -7,10 +7,10 @@ from ...ground.kinematics import Array
 from ..drivers import Drivers
 from ..interface import Mechanism, Nonlinear, Term
 
-LEAST_PERIODS = 3
+LEAST_PERIODS = 3  # in the recording: slower is no wave
 AROUND = 61  # bins of the spectrum that make the background of a line
 LINE = 30.0  # times the background: once in 10^9 bins by chance
-MOST = 3
+MOST = 3  # lines of a spectrum that are tried
 STEPS = np.linspace(-0.45, 0.45, 7)  # bins beside a line at which its frequency is tried
 
 
@@ -63,7 +63,7 @@ MECHANISM = Mechanism(
     id="x_wave",
     driver="time, as a steady oscillation",
     equation="x_m = x + A sin(2 pi f t + p)",
-    source="none: what oscillates is not on the rig",
+    source="Den Hartog, Mechanical Vibrations, 1956 (motion of a support)",
     confused_with="load_swing (which follows starts and stops), eccentricity",
     told_apart_by="a rest with the motor off: it goes on",
     meaning="a steady oscillation in time, whatever the rig does; a stand-in, no physics of the library.",

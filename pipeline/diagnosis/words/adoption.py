@@ -2,11 +2,13 @@
 
 import shlex
 from pathlib import Path
-from typing import Any
 
 from ...ground.command import command, program_name
-from . import sight, unseen, worth
+from ..content import Verdict
+from ..library import mechanisms
+from . import advice, holdout, unseen, worth
 from .dimensions import far_moved
+from .prediction import AFTER_RECORDING
 from .quantity import listing
 from .rivals import called
 from .vocabulary import Vocabulary
@@ -16,19 +18,19 @@ COMMAND = command("adopt")
 SIMULATE = command("simulate")
 
 
-def cautions(content: dict[str, Any]) -> list[str]:
+def cautions(content: Verdict) -> list[str]:
     """What a verdict is worth where run.yaml has adopted effects."""
-    ids = sight.included(content)
+    ids = holdout.included(content)
     if not ids:
         return doubtful(content)
-    it = "it" if len(ids) == 1 else "them"
+    them = "it" if len(ids) == 1 else "them"
     own = (
-        f" {program_name('simulate')} takes the dimensions that were adopted with {it}, and errs as the adopted "
+        f" {program_name('simulate')} takes the dimensions that were adopted with {them}, and errs as the adopted "
         "verdict says; below they are fitted anew, from the measured ones."
     )
     own = own if dimensions_came(content) else ""
     lines = [
-        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {it}.{own}{_sight(content, ids)}"
+        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {them}.{own}{_sight(content, ids)}"
     ]
     doubt = doubtful(content)
     if content["verdict"] in ("consistent", "parameters"):
@@ -37,17 +39,29 @@ def cautions(content: dict[str, Any]) -> list[str]:
             "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
             "ambiguous, it is so still, and its run decides."
         ]
-    return lines + doubt
+    return [*lines, now_means(content["verdict"], listing(ids)), *doubt]
 
 
-def dimensions_came(content: dict[str, Any]) -> bool:
+def now_means(verdict: str, effects: str) -> str:
+    """What the verdict's word, `nominal` and `calibrated` mean once effects are adopted; `effects`: their names."""
+    meaning = {
+        "consistent": f"with {effects} in the simulator nothing further can be named",
+        "parameters": f"with {effects} in the simulator, and dimensions moved, nothing further can be named",
+    }.get(verdict, f"beside {effects} more is missing")
+    return (
+        f"`{verdict}` now means: {meaning}. `nominal` now means the simulator with {effects} and the dimensions of "
+        f"run.yaml, `calibrated` the same with dimensions moved. Neither is the rig without {effects}."
+    )
+
+
+def dimensions_came(content: Verdict) -> bool:
     """Whether the adopted effects brought the dimensions with them that they were fitted with."""
-    return any(one.get("dimensions") for one in content.get("adopted", []))
+    return any(adoption.get("dimensions") for adoption in content.get("adopted", []))
 
 
-def adopted_again(content: dict[str, Any]) -> bool:
+def adopted_again(content: Verdict) -> bool:
     """Whether calibration found for each dimension that moved far what was adopted with the effects already."""
-    came = [one["dimensions"] for one in content.get("adopted", []) if one.get("dimensions")][-1:]
+    came = [adoption["dimensions"] for adoption in content.get("adopted", []) if adoption.get("dimensions")][-1:]
     known, sigma = content["parameters"], content["evidence"].get("tolerance", {})
     far = [name for name in far_moved(content) if name in known]
     return bool(came and far) and all(
@@ -55,23 +69,23 @@ def adopted_again(content: dict[str, Any]) -> bool:
     )
 
 
-def _sight(content: dict[str, Any], ids: list[str]) -> str:
+def _sight(content: Verdict, ids: list[str]) -> str:
     """What the adopted effects have seen of this recording; nothing where it was another."""
     they, were = ("It", "was") if len(ids) == 1 else ("They", "were")
     fitted = f"{they} {were} fitted to this very recording"
     return {
-        sight.UNSEEN: "",
-        sight.SEEN: f" {fitted}, all its strokes included: the error on its last strokes below is no test.",
-        sight.PERHAPS: f" Nobody wrote down which recording {they.lower()} {were} fitted to: if it is this one, the "
+        holdout.UNSEEN: "",
+        holdout.SEEN: f" {fitted}, all its strokes included: the error on its last strokes below is no test.",
+        holdout.PERHAPS: f" Nobody wrote down which recording {they.lower()} {were} fitted to: if it is this one, the "
         "error on its last strokes below is no test.",
-    }[sight.sight(content)]
+    }[holdout.status(content)]
 
 
-def doubtful(content: dict[str, Any]) -> list[str]:
+def doubtful(content: Verdict) -> list[str]:
     """Which explanations tied with what was adopted, a sentence for each verdict that was; nothing where none says."""
     lines = []
-    for one in content.get("adopted", []):
-        effects, tied = listing(one["effects"]), one["tied"]
+    for adoption in content.get("adopted", []):
+        effects, tied = listing(adoption["effects"]), adoption["tied"]
         if not tied:
             lines.append(f"No other explanation was as likely as what was adopted ({effects}).")
             continue
@@ -84,27 +98,46 @@ def doubtful(content: dict[str, Any]) -> list[str]:
 
 
 def predictions(source: Path, folders: list[Path]) -> list[str]:
-    """The commands that predict with a diagnosis, its dimensions included."""
-    said = shlex.quote(str(source))
-    return [f"{SIMULATE} {shlex.quote(str(folder))} --simulation {said} --out FILE" for folder in folders]
+    """The commands that predict with a diagnosis, its dimensions included: the recorded motion, and a planned one."""
+    starts = [f"{SIMULATE} {shlex.quote(str(folder))} --simulation {shlex.quote(str(source))}" for folder in folders]
+    return [line for start in starts for line in (f"{start} --out FILE", f"{start} --motion PLAN.csv --out FILE.csv")]
 
 
-def how(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[str]) -> list[str]:
+    """How to predict with the effects `ids`, which a run has adopted; its system's columns are `driver` and `load`."""
+    start = f"  {SIMULATE} {shlex.quote(str(folder))}"
+    plan = columns_of_plan(driver, load)
+    lines = [f"To predict with it ({plan}):", f"{start} --out FILE.csv"]
+    if not any(mechanisms()[id_].stays for id_ in ids if id_ in mechanisms()):
+        return [*lines, f"{start} --motion PLAN.csv --out FILE.csv"]
+    planned = f"{start} --motion PLAN.csv"
+    used = f"{planned} {AFTER_RECORDING} --out FILE.csv"
+    return [*lines, f"{used}   # the string as this recording left it", f"{planned} --out FILE.csv   # as before it"]
+
+
+def columns_of_plan(driver: str, load: str | None) -> str:
+    """What a planned motion's file holds, by the rig's columns `driver` and `load`."""
+    loads = f" and, unless it stands still, {load}" if load else ""
+    return f"PLAN.csv is a motion that you plan: time_s, {driver}{loads}; its corners will do"
+
+
+def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
     """The command that puts what is named into run.yaml; `out` is the folder of the diagnosis."""
     if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
         return []
     if unseen.harmful(content, words):
-        return [f"Do not: on the {sight.strokes(content)} it makes the simulator worse."]
+        return [advice.worse(content)]
     source = out / "diagnosis.json"
-    lines = ["To predict with it, dimensions included:"]
+    lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, words.load)}):"]
     lines += [f"  {line}" for line in predictions(source, folders)]
+    lines.append(advice.of_adopting(content, words))
     lines.append("To put its effects into run.yaml, with the dimensions that fit with them; yours stay as measured:")
     lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]
     if far_moved(content):
-        lines.append("Measure again first: adopting takes effects that stand on dimensions which may be wrong.")
+        lines.append("It takes effects that stand on dimensions which may be wrong, so measure again first.")
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
-        can = bool(run) and "parts" in run and worth.decides(run)
+        can = run is not None and "parts" in run and worth.decides(run)
         mend = "make the run above first" if can else "no run that was tried is sure to decide between them"
         lines.append(f"Another explanation may be the right one: {mend}.")
     lines.append("Diagnose again into another folder (--out): in the same one this verdict is replaced.")

@@ -1,8 +1,7 @@
 """How probable each explanation is, on the page: the kept ones, the next best, the others, and none of the library."""
 
-from typing import Any
-
-from . import probability, rivals, tolerances
+from ..content import Verdict
+from . import left_out, probability, rivals, tolerances
 from .dimensions import name_of
 from .error_table import aligned
 from .quantity import listing, percent, quantity
@@ -13,11 +12,12 @@ KNOWS_BETTER = (
     "If you know one better or less well, write that into run.yaml (`tolerance`) and diagnose again: names can change."
 )
 KEPT = 5  # of them by name; the others are counted
+LEFT_OUT = 3  # of those that are no names, in the table
 WORTH = 0.05  # a probability from which on the next best is named
 OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
 
 
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table; nothing where nothing is named or no probability is known."""
     if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
         return []
@@ -28,20 +28,23 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
         rows = [*rows[: KEPT - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
     none = content["evidence"].get("probability_of_none") or 0.0
     left = max(1.0 - none - sum(share for _, share in kept), 0.0)
+    for entry in left_out.entries(content)[:LEFT_OUT]:
+        rows.append([rivals.called(entry["ids"]), percent(entry["probability"]), "left out: see below"])
+        left = max(left - entry["probability"], 0.0)
     following = next_best(content)
     if following:
         rows.append([following[0], percent(following[1]), "less likely"])
         left = max(left - following[1], 0.0)
     rows += [[OTHERS, percent(left), ""], [NONE, percent(none), ""]]
-    return [*(line.rstrip() for line in aligned(rows)), *_stands_on(content, words)]
+    return [*(line.rstrip() for line in aligned(rows)), *left_out.lines(content), *_stands_on(content, words)]
 
 
-def _stands_on(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
     moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > 1.0}
     known = {name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
-    said = [f"{name_of(name)} {tolerance}" for name, tolerance in known.items() if tolerance]
-    lines = [f"All this stands on these tolerances: {listing(said)}. {KNOWS_BETTER}"] if said else []
+    named = [f"{name_of(name)} {tolerance}" for name, tolerance in known.items() if tolerance]
+    lines = [f"All this stands on these tolerances: {listing(named)}. {KNOWS_BETTER}"] if named else []
     stiffness = content["parameters"].get("stiffness_n_per_mm")
     if stiffness:
         guess = quantity(stiffness["nominal"], "N/mm", 3)
@@ -49,16 +52,17 @@ def _stands_on(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return lines
 
 
-def kept_shares(content: dict[str, Any]) -> list[tuple[str, float]]:
+def kept_shares(content: Verdict) -> list[tuple[str, float]]:
     """The explanations that the verdict keeps by name, each with its probability, the best one first."""
     best, ties = rivals.entries(content, "named"), rivals.entries(content, "tied")
-    found = [*best, *sorted(ties, key=lambda one: -(one.get("probability") or 0.0))]
-    return [(rivals.called(one["ids"]), float(one.get("probability") or 0.0)) for one in found]
+    kept = [*best, *sorted(ties, key=lambda explanation: -(explanation.get("probability") or 0.0))]
+    return [(rivals.called(explanation["ids"]), float(explanation.get("probability") or 0.0)) for explanation in kept]
 
 
-def next_best(content: dict[str, Any]) -> tuple[str, float] | None:
+def next_best(content: Verdict) -> tuple[str, float] | None:
     """The likeliest explanation that is not kept, with its probability, if it is worth a word."""
-    others = rivals.entries(content, "beaten", "not needed")
-    found = max(others, key=lambda one: one.get("probability") or 0.0, default=None)
-    share = float(found.get("probability") or 0.0) if found else 0.0
-    return (rivals.called(found["ids"]), share) if found and share >= WORTH else None
+    out = [entry["ids"] for entry in left_out.entries(content)]
+    others = [other for other in rivals.entries(content, "beaten", "not needed") if other["ids"] not in out]
+    likeliest = max(others, key=lambda explanation: explanation.get("probability") or 0.0, default=None)
+    share = float(likeliest.get("probability") or 0.0) if likeliest else 0.0
+    return (rivals.called(likeliest["ids"]), share) if likeliest and share >= WORTH else None

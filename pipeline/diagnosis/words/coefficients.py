@@ -28,27 +28,27 @@ def multiplied(words: dict[str, str], names: Sequence[str]) -> list[str]:
     """What each word in the names of coefficients multiplies, a line each; of two words at one place the longer one."""
     left, lines = [f"_{name}_" for name in dict.fromkeys(names)], []
     for word, what in sorted(words.items(), key=lambda item: -len(item[0])):
-        there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
-        if any(there.search(name) for name in left):
+        pattern = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
+        if any(pattern.search(name) for name in left):
             lines.append(f"    {word.replace('_*', '')} in a name: it multiplies {what}")
-        left = [there.sub("_", name) for name in left]
+        left = [pattern.sub("_", name) for name in left]
     return lines
 
 
 def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]:
     """Each effect with its equation, then its coefficients by what they do, then the shape that they were found at."""
     blocks = dict.fromkeys(tuple(_block(act, drivers, words)) for act in acts)  # an effect may act several times
-    said = [line for block in blocks for line in block]
-    return [HEAD, *said] if said else []
+    act_lines = [line for block in blocks for line in block]
+    return [HEAD, *act_lines] if act_lines else []
 
 
 def _block(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
     mechanism = mechanisms()[act.id]
-    said = [f"  {act.id}: {mechanism.equation}"]
+    written = [f"  {act.id}: {mechanism.equation}"]
     groups: dict[str, dict[str, float]] = {}
     values = iter(act.coefficients)
-    for shape in act.shapes:
-        for term in mechanism.terms(drivers, shape):
+    for nonlinear in act.nonlinear:
+        for term in mechanism.terms(drivers, nonlinear):
             value = next(values)
             if value:
                 unit = said_unit(drivers.units.unit(term.unit))
@@ -57,14 +57,14 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
                 groups.setdefault(does, {})[drivers.units.name(term.name)] = value
     for does, strengths in groups.items():
         each = [f"{name} = {number(value, 3)}" for name, value in strengths.items()]
-        said.append(f"    {listing(each)}: {does}")
+        written.append(f"    {listing(each)}: {does}")
     held = [name for strengths in groups.values() for name in strengths]
-    said += multiplied(mechanism.names, held)
-    branch = next((found[1] for name in held if (found := BRANCH.search(name))), None)
-    said += (
+    written += multiplied(mechanism.names, held)
+    branch = next((match[1] for name in held if (match := BRANCH.search(name))), None)
+    written += (
         [f"    {branch}_s in a name: of the branch with a time constant of {branch} s; so for others"] if branch else []
     )
-    fixed = {drivers.units.name(name): value for shape in act.shapes for name, value in shape.items()}
+    fixed = {drivers.units.name(name): value for nonlinear in act.nonlinear for name, value in nonlinear.items()}
     each = [f"{name} = {number(value, 3)}" for name, value in fixed.items()]
-    said += [f"    {listing(each)}: {CHOSEN}"] if fixed else []
-    return said
+    written += [f"    {listing(each)}: {CHOSEN}"] if fixed else []
+    return written

@@ -30,7 +30,7 @@ def lines(folders: list[Path], out: Path | None, loads: list[str]) -> list[str]:
     return [*made, f"{DIAGNOSE} {named} --together --out {where}"]
 
 
-def block(found: list[str], old: str, twisted: bool) -> list[str]:
+def block(commands: list[str], old: str, twisted: bool) -> list[str]:
     """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
     taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old}"
-    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in found), CAPTURE]
+    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), CAPTURE]

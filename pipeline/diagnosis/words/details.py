@@ -2,28 +2,29 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from ...systems import System
+from ..content import Part, Verdict, mismatch_of
 from . import (
     adoption,
-    beaten,
     certainty,
     commands,
+    deciding_run,
+    detection_limits,
     effects,
     error_table,
     experiment,
     explained_words,
+    holdout,
     in_run_yaml,
     level,
     probability,
+    rejected_explanations,
     rivals,
-    seen,
-    sight,
     signs,
-    still,
     to_measure,
     tolerances,
+    unexplained_pattern,
     unseen,
     worth,
 )
@@ -41,7 +42,7 @@ SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
 def details_text(
-    content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
+    content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
 ) -> str:
     """All that a verdict stands on, for a person; `folders` are its runs and `out` its own folder, for the commands.
 
@@ -49,7 +50,7 @@ def details_text(
     """
     words = Vocabulary.of(system)
     sections = [
-        (headline(content, words), [*certainty.summary(content), *certainty.sizes(content, words)]),
+        (headline(content, words), [*certainty.summary(content, words), *certainty.sizes(content, words)]),
         (
             DOUBTS,
             [
@@ -68,7 +69,7 @@ def details_text(
                 *named(content, words),
                 *certainty.needed(content),
                 *rivals.what_is_left(content, words),
-                *seen.remains(content, words),
+                *unexplained_pattern.remains(content, words),
             ],
         ),
         ("What is likely beside it", tied(content, words)),
@@ -78,19 +79,19 @@ def details_text(
         (signs.HEADING, signs.lines(content, words)),
         ("To use it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
-        ("What would have been seen", seen.lines(content, words)),
+        ("What would have been seen", detection_limits.lines(content, words)),
     ]
-    said = "\n".join(line for head, lines in sections for line in (head, *lines))
-    return text(sections, last=(WORDS, explained_words.lines(content, said, words)))
+    all_text = "\n".join(line for head, lines in sections for line in (head, *lines))
+    return text(sections, last=(WORDS, explained_words.lines(content, all_text, words)))
 
 
-def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def missing(content: Verdict, words: Vocabulary) -> list[str]:
     """How large the mismatch is, where, and what it follows."""
     mismatch = content["mismatch"]
     if not mismatch:
         return []
     if content["verdict"] == "parameters":
-        return seen.pattern(content, words)
+        return unexplained_pattern.pattern(content, words)
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
@@ -98,11 +99,11 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     step = f"averages of {duration(over)}" if over else "averages"
     noise = (
         f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
-        f"It is what `the noise` means here, except for the {sight.strokes(content)}, compared sample by sample."
+        f"It is what `the noise` means here, except for the {holdout.strokes(content)}, compared sample by sample."
     )
-    said = f"{size(rms, words.unit)} rms is missing after calibration (noise taken off)"
+    how_large = f"{size(rms, words.unit)} rms is missing after calibration (noise taken off)"
     return [
-        f"Over the whole recording {said}, {times(rms / floor)} times the noise.",
+        f"Over the whole recording {how_large}, {times(rms / floor)} times the noise.",
         *([noise] if unseen.averaged(content, words) else []),
         *([small] if rms < SMALL * floor else []),
         "It is spread over the whole range."
@@ -112,25 +113,26 @@ def missing(content: dict[str, Any], words: Vocabulary) -> list[str]:
     ]
 
 
-def follows(content: dict[str, Any]) -> str:
+def follows(content: Verdict) -> str:
     """What the mismatch follows; which effect follows what is said where each is told."""
-    driver = content["mismatch"]["driver"]
+    driver = mismatch_of(content)["driver"]
     return f"It follows {driver}." if len(content["mechanisms"]) < 2 else f"Its parts follow {driver}."
 
 
-def named(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def named(content: Verdict, words: Vocabulary) -> list[str]:
     """Each mechanism's sentence and how sure its size is; also of those that only a user's own library knows."""
-    own = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
+    own: list[Part] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
     hidden, lines = rivals.hidden(content, words), []
     for entry in content["mechanisms"]:
-        said = [entry["sentence"], effects.interval(entry, words), hidden.get(entry["id"], "")]
-        lines.append(f"{entry['id']}: {' '.join(part for part in said if part)}")
+        limit = certainty.held_back(content, words, entry["id"])
+        sentences = [entry["sentence"], effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
+        lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
     return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
 
 
-def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def tied(content: Verdict, words: Vocabulary) -> list[str]:
     """What ties, with what all share first."""
     if not content["alternatives"]:
         return []
@@ -139,25 +141,25 @@ def tied(content: dict[str, Any], words: Vocabulary) -> list[str]:
     ]  # fmt: skip
 
 
-def weighed(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def weighed(content: Verdict, words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
     if content["verdict"] == "unknown":
         more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
         return [
-            *beaten.insufficient(content, words),
+            *rejected_explanations.insufficient(content, words),
             *level.to_reach(content, words),
             *probability.of_none(content),
             more,
         ]
-    lines = beaten.beaten(content, words) if content["mechanisms"] else []
+    lines = rejected_explanations.rejected(content, words) if content["mechanisms"] else []
     alone = content["verdict"] == "explained"
     return [*(probability.rule(content) if alone else []), *lines]
 
 
-def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def moved(content: Verdict, words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, and which to measure again."""
     in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
-    again = remeasured(content, words, sight.included(content), unseen.inexact(content, words), in_vain)
+    again = remeasured(content, words, holdout.included(content), unseen.inexact(content, words), in_vain)
     named = content["verdict"] in ("explained", "ambiguous")
     hiding = each_moved(content, words, far_moved(content)) if named else []
     written = (
@@ -168,15 +170,15 @@ def moved(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [*corrected(content, words), *again, *hiding, *written, *tolerances.in_force(content, words)]
 
 
-def following(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
     """The protocol, line by line, what it is worth, and the commands from its folder to its diagnosis."""
     run = content["next_run"]
     if not run:
-        return still.lines(content, words, folders, out) or no_run(content, words)
+        return deciding_run.lines(content, words, folders, out) or no_run(content, words)
     if worth.first(run):
         return experiment.brief(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     lines += [worth.care(content, words), worth.purpose(content, words)]
-    found = commands.lines(folders, out, experiment.loads(run, words))
-    return [line for line in (*lines, *commands.block(found, folders[-1].name, words.twisted)) if line]
+    to_type = commands.lines(folders, out, experiment.loads(run, words))
+    return [line for line in (*lines, *commands.block(to_type, folders[-1].name, words.twisted)) if line]

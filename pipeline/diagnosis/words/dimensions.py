@@ -3,39 +3,38 @@
 import math
 import re
 from collections.abc import Iterable
-from typing import Any
 
-from ...ground.schemas import unit_of
+from ...ground.units import unit_of
 from ..bounds import BOUND, at_bound
-from . import tolerances
+from ..content import Verdict
+from . import exactness, tolerances
 from .headline import LITTLE, moved_in_vain
-from .quantity import listing, number, quantity, said_unit, size, times
+from .quantity import listing, number, said_unit, size, times
 from .vocabulary import Vocabulary
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
-TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
-def far_moved(content: dict[str, Any]) -> dict[str, float]:
+def far_moved(content: Verdict) -> dict[str, float]:
     """By how many sigma each dimension moved that is to be measured again: none where the adopted ones fit as well."""
     moved = {} if adopted_fit(content) else content["evidence"]["moved_sigma"]
     return {name: sigma for name, sigma in moved.items() if abs(sigma) > LEAVES}
 
 
-def adopted_fit(content: dict[str, Any]) -> bool:
+def adopted_fit(content: Verdict) -> bool:
     """Whether effects were adopted with dimensions that all lie within their tolerances."""
     known = content["evidence"].get("tolerance", {})
-    came = [one["dimensions"] for one in content.get("adopted", []) if one.get("dimensions")][-1:]
+    came = [adoption["dimensions"] for adoption in content.get("adopted", []) if adoption.get("dimensions")][-1:]
     return bool(came) and all(
-        abs(one["fitted"] - one["nominal"]) <= LEAVES * known[name] for name, one in came[0].items() if known.get(name)
+        abs(its["fitted"] - its["nominal"]) <= LEAVES * known[name] for name, its in came[0].items() if known.get(name)
     )
 
 
 def remeasured(
-    content: dict[str, Any], words: Vocabulary, adopted: list[str], inexact: bool = False, in_vain: bool = False
+    content: Verdict, words: Vocabulary, adopted: list[str], inexact: bool = False, in_vain: bool = False
 ) -> list[str]:
     """A line for each dimension to measure again, and what else may have bent it.
 
@@ -49,14 +48,17 @@ def remeasured(
         known = tolerances.said(content, name, words)
         far = f"{abs(sigma):.1f} times its tolerance{f' of {known}' if known else ''} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
-        exactly = f", to {exactness(content, name)} or better"
+        exact = exactness.cell(content, name)
+        exactly = f" ({exact})" if exact.endswith(exactness.ENOUGH_SAID) else f", to {exact}"
         best = f"but {value} fits best{likely_range(content, name)}, {far}"
-        if assumed(name):
+        if exactness.assumed(name):
             lines.append(f"Measure the {name_of(name)}{exactly}: {nominal} was {whence(content, name)}, {best}.")
         else:
             lines.append(f"Measure the {name_of(name)} again{exactly}: run.yaml says {nominal}, {best}.")
     if lines:
-        lines.append("A measurement as exact as that tells the two values apart.")
+        lines += exactness.mistakes(content, {name: name_of(name) for name in moved}) or [
+            "A measurement as exact as that tells the two values apart."
+        ]
         if any(beyond(content, name) for name in moved):
             lines.append("Intervals are those of the fit: they may reach beyond what calibration may do.")
         if adopted:
@@ -82,54 +84,49 @@ def do_not_copy(moved: Iterable[str]) -> str:
     return f"Do not copy calibrated values into run.yaml: measure {names} again and write what you measured."
 
 
-def suspicious(content: dict[str, Any]) -> list[str]:
+def suspicious(content: Verdict) -> list[str]:
     """What a reader must know first of dimensions that calibration moved to the bound of what it may do."""
     bounds = at_bound(far_moved(content))
-    found = {name: which for name, which in bounds.items() if name in content["parameters"]}
-    if not found:
+    at_end = {name: which for name, which in bounds.items() if name in content["parameters"]}
+    if not at_end:
         return []
-    said = []
-    for name, which in found.items():
+    moves = []
+    for name, which in at_end.items():
         nominal, value = from_to(content, name)
-        first = f"{nominal} was {whence(content, name)}" if assumed(name) else f"run.yaml says {nominal}"
-        said.append(f"{name_of(name)}, {which} bound {value} ({first})")
-    one = len(found) == 1
+        first = f"{nominal} was {whence(content, name)}" if exactness.assumed(name) else f"run.yaml says {nominal}"
+        moves.append(f"{name_of(name)}, {which} bound {value} ({first})")
+    many = "a dimension" if len(at_end) == 1 else f"{len(at_end)} dimensions"
     return [
-        f"Suspicious: calibration moved {'a dimension' if one else f'{len(found)} dimensions'} as far as it may, three "
-        f"times the tolerance: {'; '.join(said)}. The best value may lie beyond."
+        f"Suspicious: calibration moved {many} as far as it may, three "
+        f"times the tolerance: {'; '.join(moves)}. The best value may lie beyond."
     ]
 
 
-def whence(content: dict[str, Any], name: str) -> str:
+def whence(content: Verdict, name: str) -> str:
     """Where a value comes from that run.yaml does not hold: assumed, or taken after the scale that run.yaml gives."""
-    scale = content["evidence"].get("scale_given")
-    given = scale is not None and tolerances.stem(name) == "scale"
-    return f"taken, after the scale of {number(scale, 4)} in run.yaml" if given else "assumed"
+    shown = content["evidence"]
+    given = shown.get("scale_given") is not None and tolerances.stem(name) == "scale"
+    return f"taken, after the scale of {number(shown['scale_given'], 4)} in run.yaml" if given else "assumed"
 
 
-def assumed(name: str) -> bool:
-    """Whether `run.yaml` gives no value of a dimension; of the stiffness too, for one that was measured never moves."""
-    return re.sub(r"_\d+$", "", name) in CALLED or name.startswith("stiffness")
-
-
-def from_to(content: dict[str, Any], name: str) -> tuple[str, str]:
+def from_to(content: Verdict, name: str) -> tuple[str, str]:
     """A dimension as `run.yaml` has it, and as it fits to a third of its tolerance, finer where both read the same."""
     known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
     nominal = number(known["nominal"], 6)
     least = decimals(content, name)
-    found = (number(round(known["value"], places), 12) for places in range(least, least + 6))
-    value = next((said for said in found if said != nominal), nominal)
+    spellings = (number(round(known["value"], places), 12) for places in range(least, least + 6))
+    value = next((spelling for spelling in spellings if spelling != nominal), nominal)
     return f"{nominal} {unit}".strip(), f"{value} {unit}".strip()
 
 
-def decimals(content: dict[str, Any], name: str) -> int:
+def decimals(content: Verdict, name: str) -> int:
     """After how many decimals a dimension is known: to a third of its tolerance; four digits where that is unknown."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
-    known = TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
+    known = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
     return max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
 
 
-def likely_range(content: dict[str, Any], name: str) -> str:
+def likely_range(content: Verdict, name: str) -> str:
     """The 90 % interval of a dimension, in brackets; nothing where it has none."""
     known = content["parameters"][name]
     if not known.get("low", 0.0) < known.get("high", 0.0):
@@ -139,26 +136,20 @@ def likely_range(content: dict[str, Any], name: str) -> str:
     return f" (90 % interval {low} to {high} {unit}".rstrip() + ")"
 
 
-def beyond(content: dict[str, Any], name: str) -> bool:
+def beyond(content: Verdict, name: str) -> bool:
     """Whether the interval of a dimension reaches further than calibration may move it."""
     known, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
     ends = [known.get(end, known["nominal"]) for end in ("low", "high")]
     return bool(sigma) and max(abs(end - known["nominal"]) for end in ends) > BOUND * sigma
 
 
-def exactness(content: dict[str, Any], name: str) -> str:
-    """How exactly to measure a dimension: to a third of the way that it moved."""
-    known = content["parameters"][name]
-    return quantity(TELLS * abs(known["value"] - known["nominal"]), unit_of(re.sub(r"_\d+$", "", name)))
-
-
-def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def corrected(content: Verdict, words: Vocabulary) -> list[str]:
     """Where only dimensions moved: the misfit before and after, then each dimension, from what to what."""
     shown, lines = content["evidence"], []
     if content["verdict"] != "parameters":
         return []
-    before, after, floor = (shown.get(f"{name}_{words.ending}") for name in ("nominal", "calibrated", "floor"))
-    if before is not None:
+    if f"nominal_{words.ending}" in shown:
+        before, after, floor = (shown[f"{name}_{words.ending}"] for name in ("nominal", "calibrated", "floor"))
         sizes = [f"{size(value, words.unit)} rms ({times(value / floor)} times the noise)" for value in (before, after)]
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
         if before <= LITTLE * after:
@@ -166,7 +157,7 @@ def corrected(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [*lines, *each_moved(content, words, () if moved_in_vain(content, words) else far_moved(content))]
 
 
-def each_moved(content: dict[str, Any], words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
+def each_moved(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
     """Each dimension that moved, the farthest first: from what to what, by how much of which tolerance.
 
     `but` are those that are told elsewhere.
@@ -182,7 +173,7 @@ def each_moved(content: dict[str, Any], words: Vocabulary, but: Iterable[str] = 
         nominal, value = from_to(content, name)
         known = tolerances.said(content, name, words)
         far = f"{number(abs(sigma))} times its tolerance{f' of {known}' if known else ''}"
-        first = f"{nominal}{f' ({whence(content, name)})' if assumed(name) else ''}"
+        first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
         lines.append(f"{name_of(name)}: from {first} to {value}{likely_range(content, name)}, {far}.")
     if moved and not but and all(abs(sigma) < 1.0 for sigma in moved.values()):
         right = content["verdict"] == "parameters"
@@ -196,5 +187,5 @@ def name_of(parameter: str) -> str:
     """A dimension as a person calls it: `torsion zone` for `torsion_zone_mm`."""
     stem, run = re.sub(r"_\d+$", "", parameter), re.search(r"_(\d+)$", parameter)
     unit = unit_of(stem)
-    said = CALLED.get(stem) or (stem.removesuffix(f"_{unit.lower().replace('/', '_per_')}")).replace("_", " ")
-    return f"{said} in run {run[1]}" if run else said
+    name = CALLED.get(stem) or (stem.removesuffix(f"_{unit.lower().replace('/', '_per_')}")).replace("_", " ")
+    return f"{name} in run {run[1]}" if run else name

@@ -1,11 +1,11 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
-from typing import Any
-
+from ..content import Part, Verdict, mismatch_of
 from . import certainty, probability, rivals
+from .dimensions import name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
-from .quantity import percent, size
+from .quantity import at, listing, percent, size
 from .vocabulary import Vocabulary
 
 HEADING = "What acts, by the library's names"
@@ -19,6 +19,13 @@ UNSURE_SIZE = (
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
+LOOKS_LIKE = "{} hidden: {} rms is {}, but all of it except {} looks the same as {}."
+ELSEWHERE, CHIEF = 0.5, 3  # tolerances that a dimension moved in an effect's place, to be named; how many are
+NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
+BOTH_HOLD = (
+    "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
+    "recording; the interval says how much of the size dimensions or other effects could take over."
+)
 MORE = 0.02  # of a probability: what a reader wonders about
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
@@ -30,33 +37,81 @@ ALSO_ELSEWHERE = (
 )
 
 
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The effects of the best explanation, then those that only another likely one has; nothing where none is named."""
     if not content["mechanisms"]:
         return []
     shares = certainty.known(content)
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
-    rows = [[entry["id"], how_sure(content, entry["id"]), own_size(entry, content, words)] for entry in entries]
-    rows += [[id_, how_sure(content, id_), NO_SIZE] for id_ in only_elsewhere(content)]
+    rows = [[entry["id"], how_sure(content, entry["id"], words), own_size(entry, content, words)] for entry in entries]
+    rows += [[id_, how_sure(content, id_, words), NO_SIZE] for id_ in only_elsewhere(content)]
     head, *table = aligned([HEAD, *rows])
     does = {entry["id"]: entry["sentence"] for entry in entries}
-    said = [head]
+    table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
-        said += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}"]
+        table_lines += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}{at_the_top(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     best = " + ".join(entry["id"] for entry in content["mechanisms"])
     return [
-        *said,
+        *table_lines,
         *certainty.needed(content),
         *([f"Sizes are those of the best explanation, {best}."] if several else []),
+        *_while(content, words),
         *_than_the_explanation(content),
+        *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
-        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),
-        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in row for *_, row in rows) else []),
+        *_hidden(content, words, [id_ for id_, _, row in rows if PARTLY in row], "Partly", SOME_TAKEN_BACK),
+        *_hidden(content, words, [id_ for id_, _, row in rows if HIDDEN in row], "Mostly", TAKEN_BACK),
     ]
 
 
-def _than_the_explanation(content: dict[str, Any]) -> list[str]:
+def _hidden(content: Verdict, words: Vocabulary, ids: list[str], how_far: str, otherwise: str) -> list[str]:
+    """Of each hidden effect, how much of it no dimension could do; `otherwise` where a file does not say that."""
+    left = content["evidence"].get(f"beyond_dimensions_{words.ending}", {})
+    own = {entry["id"]: entry[f"rms_{words.ending}"]["value"] for entry in content["mechanisms"]}
+    lines = [
+        LOOKS_LIKE.format(how_far, size(own[id_], words.unit), id_, size(left[id_], words.unit), _in_its_place(content))
+        for id_ in ids
+        if id_ in left
+    ]
+    return [*lines, *([otherwise.format(_missing(content, words))] if len(lines) < len(ids) else [])]
+
+
+def _in_its_place(content: Verdict) -> str:
+    """The dimensions that calibration alone moves elsewhere than the explanation does, the farthest first."""
+    alone, beside = content["evidence"]["moved_alone_sigma"], content["evidence"]["moved_sigma"]
+    apart = {name: abs(alone[name] - beside[name]) for name in alone if name in beside}
+    names = [name for name in sorted(apart, key=lambda name: -apart[name]) if apart[name] >= ELSEWHERE][:CHIEF]
+    return f"a slightly different {listing([name_of(name) for name in names])}" if names else "moved dimensions"
+
+
+def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+    """Why an effect can be sure whose interval reaches 0; nothing where none is so."""
+    shares, sizes = certainty.known(content), {entry["id"]: entry[f"rms_{words.ending}"] for entry in entries}
+    both = [
+        id_
+        for id_, known in sizes.items()
+        if shares.get(id_, 0.0) >= certainty.SURE and known["low"] <= NEAR_0 * known["high"] and known["value"]
+    ]
+    are = "are" if len(both) > 1 else "is"
+    sure = "probable" if any(certainty.held_back(content, words, id_) for id_ in both) else "sure"
+    return [BOTH_HOLD.format(listing(both), f"{are} {sure}")] if both else []
+
+
+def _while(content: Verdict, words: Vocabulary) -> list[str]:
+    """Why an effect is called probable whose percentage would make it sure; nothing where none is."""
+    reasons: dict[str, list[str]] = {}
+    for id_ in certainty.known(content):
+        reason = certainty.held_back(content, words, id_)
+        if reason and certainty.is_likely(content, id_):
+            reasons.setdefault(reason, []).append(id_)
+    return [
+        f"{listing(ids)} {'are' if len(ids) > 1 else 'is'} probable, not sure, while {reason}."
+        for reason, ids in reasons.items()
+    ]
+
+
+def _than_the_explanation(content: Verdict) -> list[str]:
     """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
     share = next(iter(rivals.entries(content, "named")), {}).get("probability")
     shares = certainty.known(content).values()
@@ -65,29 +120,44 @@ def _than_the_explanation(content: dict[str, Any]) -> list[str]:
     return [ALSO_ELSEWHERE.format(percent(share))]
 
 
-def only_elsewhere(content: dict[str, Any]) -> list[str]:
+def at_the_top(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees."""
+    change = content["evidence"].get(f"tops_{words.ending}", {}).get(id_)
+    if not change or abs(change) < content["evidence"][f"floor_{words.ending}"]:
+        return ""
+    low, high = content["evidence"][words.driver]
+    top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
+    return (
+        f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke than in the first, which no "
+        "dimension can do."
+    )
+
+
+def only_elsewhere(content: Verdict) -> list[str]:
     """The effects that only another likely explanation has, the likeliest first."""
     best = {entry["id"] for entry in content["mechanisms"]}
     others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in best)
     return sorted(others, key=lambda id_: -probability.at_work(content, id_))
 
 
-def how_sure(content: dict[str, Any], id_: str) -> str:
+def how_sure(content: Verdict, id_: str, words: Vocabulary) -> str:
     """How probable an effect is, with the word for it; where that is unknown, in how many explanations it is."""
     if not certainty.known(content):
         sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
         return "named" if len(sets) == 1 else f"in {sum(id_ in ids for ids in sets)} of {len(sets)} explanations"
     share = certainty.known(content).get(id_, probability.at_work(content, id_))
     named = {entry["id"] for entry in content["mechanisms"]}
-    word = "sure" if share >= certainty.SURE else "probable" if share >= certainty.PROBABLE and id_ in named else "open"
+    surely = share >= certainty.SURE and not certainty.held_back(content, words, id_)
+    probably = share >= certainty.SURE or (share >= certainty.PROBABLE and id_ in named)
+    word = "sure" if surely else "probable" if probably else "open"
     return f"{word}, {percent(share)}"
 
 
-def _missing(content: dict[str, Any], words: Vocabulary) -> str:
-    return size(content["mismatch"][f"rms_{words.ending}"], words.unit)
+def _missing(content: Verdict, words: Vocabulary) -> str:
+    return size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)
 
 
-def own_size(entry: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
     """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
     known = entry[f"rms_{words.ending}"]
     if not known["value"]:
@@ -96,6 +166,6 @@ def own_size(entry: dict[str, Any], content: dict[str, Any], words: Vocabulary) 
         return size(known["value"], words.unit)
     within = certainty.span(known["low"], known["high"], words)
     much = content["mismatch"] and certainty.hidden(known["value"], content, words)
-    some = entry["id"] in certainty.partly_hidden(content, words)
-    doubt = HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if some else ""
+    partly = entry["id"] in certainty.partly_hidden(content, words)
+    doubt = HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if partly else ""
     return f"{size(known['value'], words.unit)} ({within}){doubt}"

@@ -1,35 +1,37 @@
 """The one table of errors that every sentence of a verdict refers to: of which simulator, on which strokes."""
 
 import math
-from typing import Any
 
 from ...ground.command import program_name
-from . import rivals, sight, unseen
+from ..content import Verdict
+from . import holdout, rivals, unseen
+from .dimensions import far_moved, from_to, name_of
 from .headline import kept_times
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
 
 HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
+HALVED = 2.0  # times less: from there on dimensions took most of the error away
 UNKNOWN, GAP = "–", 3  # what an older file does not hold; spaces between columns
 WHOLE = "whole recording (seen by the fit)"
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
 WHOSE = {
-    sight.UNSEEN: "For the right column all was fitted anew without those strokes.",
-    sight.SEEN: "Seen before: the adopted effects were fitted to these strokes too, so it is no test.",
-    sight.PERHAPS: "Perhaps seen before: the adopted effects may have been fitted to these strokes, too.",
+    holdout.UNSEEN: "For the right column all was fitted anew without those strokes.",
+    holdout.SEEN: "Seen before: the adopted effects were fitted to these strokes too, so it is no test.",
+    holdout.PERHAPS: "Perhaps seen before: the adopted effects may have been fitted to these strokes, too.",
 }
 
 
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, and what must be known to read it."""
     seen, held = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
-    told = [WHOSE[sight.sight(content)]] if held else [TOO_FEW]
-    told += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
-    return [*aligned(_rows(content, words)), *(line for line in told if line)]
+    remarks = [WHOSE[holdout.status(content)]] if held else [TOO_FEW]
+    remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
+    return [*aligned(_rows(content, words)), *(line for line in remarks if line)]
 
 
-def _rows(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first."""
     seen, held = _seen(content, words), unseen.errors(content, words)
     columns = [(WHOLE, seen, content["evidence"][f"floor_{words.ending}"])]
@@ -55,25 +57,44 @@ def _rows(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
     return rows
 
 
-def short(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def short(content: Verdict, words: Vocabulary) -> list[str]:
     """The table with its rows said in words, and no remarks; the details have those."""
     rows, held = _rows(content, words), unseen.errors(content, words)
     if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
         rows = [row for row in rows if row[0] != "nominal"]
     named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
-    first = "adopted effects, dimensions of run.yaml" if sight.included(content) else "nominal: dimensions of run.yaml"
-    moved = "calibrated anew: dimensions moved" if sight.included(content) else "calibrated: dimensions moved"
-    said = {"nominal": first, "calibrated": moved}
-    said |= {
+    first = (
+        "adopted effects, dimensions of run.yaml" if holdout.included(content) else "nominal: dimensions of run.yaml"
+    )
+    moved = "calibrated anew: dimensions moved" if holdout.included(content) else "calibrated: dimensions moved"
+    in_words = {"nominal": first, "calibrated": moved}
+    in_words |= {
         "as adopted": "as adopted: effects and dimensions",
         "as diagnosed": named,
         "noise": "noise: about the least possible",
     }
-    found = aligned([[said.get(first, first), *rest] for first, *rest in rows])
-    return found if held else [*found, TOO_FEW]
+    cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
+    return [*cells, *_moved_most(content, words), *([] if held else [TOO_FEW])]
 
 
-def _single(error: float | None, content: dict[str, Any], words: Vocabulary) -> str:
+def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:
+    """The dimension that moved the most, where moving dimensions took most of the error away."""
+    nominal, calibrated, _ = _seen(content, words)
+    measured = {
+        name: abs(sigma)
+        for name, sigma in content["evidence"]["moved_sigma"].items()
+        if name in content["parameters"] and not name.startswith("stiffness")
+    }
+    if nominal is None or calibrated is None or not measured or nominal < HALVED * calibrated or far_moved(content):
+        return []
+    most = max(measured, key=lambda name: measured[name])
+    nominal_value, value = from_to(content, most)
+    moved = f"The {name_of(most)} moved the most, from {nominal_value} to {value}"
+    leave = f"{times(measured[most])} times its tolerance, which is no reason to measure it again"
+    return [f"Most of the nominal error is dimensions. {moved}: {leave}."]
+
+
+def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
     """What the last error of the whole recording is of single samples, where it was compared in averages.
 
     Averages take noise away and leave what is systematic, so the noise of single samples comes in its place.
@@ -89,14 +110,14 @@ def _single(error: float | None, content: dict[str, Any], words: Vocabulary) -> 
     )
 
 
-def held_out(content: dict[str, Any]) -> str:
+def held_out(content: Verdict) -> str:
     """What the strokes are that were held out, and who has seen them."""
     split = content["fit"]["heldout"]["split"]
     return {
-        sight.UNSEEN: f"{split} (seen by no fit)",
-        sight.SEEN: f"{split} (seen before)",
-        sight.PERHAPS: f"{split} (perhaps seen before)",
-    }[sight.sight(content)]
+        holdout.UNSEEN: f"{split} (seen by no fit)",
+        holdout.SEEN: f"{split} (seen before)",
+        holdout.PERHAPS: f"{split} (perhaps seen before)",
+    }[holdout.status(content)]
 
 
 def aligned(rows: list[list[str]]) -> list[str]:
@@ -105,7 +126,7 @@ def aligned(rows: list[list[str]]) -> list[str]:
     return ["".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)).rstrip() for row in rows]
 
 
-def _seen(content: dict[str, Any], words: Vocabulary) -> list[float | None]:
+def _seen(content: Verdict, words: Vocabulary) -> list[float | None]:
     """Errors over the whole recording: nominal, calibrated, as diagnosed; None where an older file has none."""
     evidence, named = content["evidence"], rivals.entries(content, "named")
     nominal, calibrated = (evidence.get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
@@ -116,7 +137,7 @@ def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
     return UNKNOWN if error is None else f"{size(error, words.unit)} ({times(error / noise)} times the noise)"
 
 
-def _kinds(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:
+def _kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     """Of what each noise is, where the two differ."""
     if not unseen.averaged(content, words):
         return "", ""

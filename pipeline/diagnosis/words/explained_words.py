@@ -1,16 +1,16 @@
 """The words that a verdict uses, each explained in a line, for who has nothing but `details.txt`."""
 
 import re
-from typing import Any
 
 from ...ground.glossary import MEANING
+from ..content import Verdict
 from ..library import mechanisms
 from .vocabulary import Vocabulary
 
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
 
 
-def lines(content: dict[str, Any], text: str, words: Vocabulary) -> list[str]:
+def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
     """The verdict's word, those of errors, then each mechanism that `text`, the verdict so far, names."""
     used = [word for word in USUAL if re.search(rf"\b{word}\b", text)]
     named = [id_ for id_, mechanism in mechanisms().items() if re.search(rf"\b{id_}\b", text)]
@@ -22,12 +22,14 @@ def meaning(word: str) -> str:
     return MEANING.get(word) or f"a mechanism of your own; it follows {mechanisms()[word].driver}."
 
 
-def on_rig(said: str, words: Vocabulary) -> str:
+def on_rig(sentence: str, words: Vocabulary) -> str:
     """A meaning, which is written for a string, in the words of a rig."""
     if words.twisted:
-        return said
+        return sentence
     up, down = words.ways
-    said = said.replace("winding and unwinding", f"{up} and {down}").replace("first turns move", "first motion moves")
+    sentence = sentence.replace("winding and unwinding", f"{up} and {down}").replace(
+        "first turns move", "first motion moves"
+    )
     for of_string, own in (("string", words.string), ("twist", words.motion), ("displacement", words.reading)):
-        said = re.sub(rf"\b{of_string}\b", own, said)
-    return said
+        sentence = re.sub(rf"\b{of_string}\b", own, sentence)
+    return sentence

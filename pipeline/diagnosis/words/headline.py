@@ -1,9 +1,8 @@
 """The verdict in one line, and why no run is proposed: neither says more than what is left allows."""
 
-from typing import Any
-
 from ..bounds import at_bound
-from . import rivals, sight, unseen
+from ..content import Verdict
+from . import holdout, left_out, rivals, unseen
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
 
@@ -37,6 +36,11 @@ NONE_NEEDED = {
     "explained": "None is needed: no other explanation of the library is as likely. What makes sure of a name stands "
     "in verdict.txt, under What to do.",
 }
+PROVISIONAL = (
+    "None is needed before dimensions are measured again: no other explanation of the library is as likely, but names "
+    "are provisional while a dimension stands at its limit. verdict.txt says under What to do what comes first, and "
+    "what then makes sure of a name."
+)
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
@@ -44,20 +48,20 @@ NONE_PROPOSED = (
 )
 
 
-def headline(content: dict[str, Any], words: Vocabulary) -> str:
+def headline(content: Verdict, words: Vocabulary) -> str:
     """The verdict in one line."""
     run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
-    verdict, adopted = content["verdict"], sight.included(content)
+    verdict, adopted = content["verdict"], holdout.included(content)
     fitted = unseen.fitted_times(content, words, named=False) if verdict in UNNAMED else None
-    said = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
+    sentence = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
     if fitted is not None and fitted > unseen.STILL_MISSING:
-        said = LEFT_OVER
+        sentence = LEFT_OVER
     elif verdict == "explained" and unseen.partly(content, words):
-        said = PARTLY
+        sentence = PARTLY
     elif verdict == "parameters" and moved_in_vain(content, words):
-        said = HARDLY_MOVED
+        sentence = HARDLY_MOVED
     evidence, named = content["evidence"], NOTHING_FURTHER.format(listing(adopted)) if adopted else NOTHING_NAMED
-    likely = max((len(one["tied"]) for one in content.get("adopted", [])), default=0)
+    likely = max((len(adoption["tied"]) for adoption in content.get("adopted", [])), default=0)
     if adopted and likely:
         named = f"{named.removesuffix(')')}: one of {1 + likely} likely explanations)"
     fields = {
@@ -72,15 +76,15 @@ def headline(content: dict[str, Any], words: Vocabulary) -> str:
         "ratio": times(fitted or 0.0),
     }
     if kept := kept_times(content, words):
-        said = AS_ADOPTED
+        sentence = AS_ADOPTED
         fields |= {"error": size(content["evidence"][f"adopted_{words.ending}"], words.unit), "ratio": times(kept)}
-    said = said.format(**fields)
+    sentence = sentence.format(**fields)
     if warning := unfit(content, words):
-        return f"{run}: {verdict}: {warning}. {said[0].upper()}{said[1:]}{unseen.worse(content, words)}"
-    return f"{run}: {verdict}: {said}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+        return f"{run}: {verdict}: {warning}. {sentence[0].upper()}{sentence[1:]}{unseen.worse(content, words)}"
+    return f"{run}: {verdict}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
 
 
-def kept_times(content: dict[str, Any], words: Vocabulary) -> float:
+def kept_times(content: Verdict, words: Vocabulary) -> float:
     """What the simulator leaves as it was adopted, in noise floors, where that explains the recording; else 0."""
     left = content["evidence"].get(f"adopted_{words.ending}")
     if content["verdict"] not in UNNAMED or left is None:
@@ -89,7 +93,7 @@ def kept_times(content: dict[str, Any], words: Vocabulary) -> float:
     return ratio if ratio <= unseen.STILL_MISSING else 0.0
 
 
-def unfit(content: dict[str, Any], words: Vocabulary) -> str:
+def unfit(content: Verdict, words: Vocabulary) -> str:
     """The warning not to predict with a run.yaml whose adopted effects do not fit its dimensions; else nothing."""
     errors = errors_of_adopted(content, words)
     if errors is None or errors[0] <= WORSE * errors[1]:
@@ -100,7 +104,7 @@ def unfit(content: dict[str, Any], words: Vocabulary) -> str:
     )
 
 
-def as_it_stands(content: dict[str, Any], words: Vocabulary) -> str:
+def as_it_stands(content: Verdict, words: Vocabulary) -> str:
     """By how much run.yaml errs with the effects that it has adopted; nothing where none is adopted."""
     errors = errors_of_adopted(content, words)
     if errors is None:
@@ -109,34 +113,37 @@ def as_it_stands(content: dict[str, Any], words: Vocabulary) -> str:
     return f" run.yaml as it stands errs by {now} rms, calibrated by {calibrated}."
 
 
-def errors_of_adopted(content: dict[str, Any], words: Vocabulary) -> tuple[float, float] | None:
+def errors_of_adopted(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     """The errors of run.yaml with adopted effects and its own dimensions, nominal and calibrated; else None."""
-    if any(one.get("dimensions") for one in content.get("adopted", [])):
+    if any(adoption.get("dimensions") for adoption in content.get("adopted", [])):
         return None  # run.yaml simulates with these
     nominal, calibrated = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
-    return (nominal, calibrated) if sight.included(content) and nominal and calibrated else None
+    return (nominal, calibrated) if holdout.included(content) and nominal and calibrated else None
 
 
-def how_sure(content: dict[str, Any]) -> str:
+def how_sure(content: Verdict) -> str:
     """How probable the best explanation is; nothing where no probability is known."""
     share = next(iter(rivals.entries(content, "named")), {}).get("probability")
     which = "the best one" if content["alternatives"] else "the explanation"
+    which = "the best one that can be named" if left_out.likelier(content, share) else which
     return "" if share is None else f"; {which} has a probability of {percent(share)}"
 
 
-def moved_in_vain(content: dict[str, Any], words: Vocabulary) -> bool:
+def moved_in_vain(content: Verdict, words: Vocabulary) -> bool:
     """Whether the simulation is hardly nearer to the recording with its dimensions moved than without."""
     before, after = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
     return before is not None and after is not None and bool(before <= LITTLE * after)
 
 
-def no_run(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def no_run(content: Verdict, words: Vocabulary) -> list[str]:
     """Why no run is proposed."""
     verdict = content["verdict"]
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
-    if verdict in UNNAMED and sight.included(content):
+    if verdict in UNNAMED and holdout.included(content):
         return [NONE_WITH_ADOPTED]
     if verdict == "parameters" and moved_in_vain(content, words):
         verdict = "consistent"
+    if verdict == "explained" and at_bound(content["evidence"]["moved_sigma"]):
+        return [PROVISIONAL]
     return [NONE_NEEDED[verdict]] if verdict in NONE_NEEDED else []

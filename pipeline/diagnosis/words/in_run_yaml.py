@@ -1,8 +1,8 @@
 """How run.yaml says how well a dimension was measured, and what gain a displacement sensor was found to have."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
+from ..content import Verdict
 from . import tolerances
 from .quantity import number
 
@@ -17,15 +17,15 @@ GAIN = (
 )
 
 
-def lines(content: dict[str, Any], again: Sequence[str]) -> list[str]:
+def lines(content: Verdict, again: Sequence[str]) -> list[str]:
     """How run.yaml says how well the dimensions to measure `again` were measured, and what the sensor's gain is."""
     keys = ", ".join(f"{key}: …" for key in tolerance_keys(again))
     gain = ""
     if "scale" in again:
-        value, there = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
-        said = GAIN if there is None else FURTHER_GAIN
-        scales = {"scale": number((there or 1.0) / value, 4), "there": number(there or 1.0, 4)}
-        gain = f" {said.format(gain=number(value, 4), **scales)}."
+        value, given = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
+        template = GAIN if given is None else FURTHER_GAIN
+        scales = {"scale": number((given or 1.0) / value, 4), "there": number(given or 1.0, 4)}
+        gain = f" {template.format(gain=number(value, 4), **scales)}."
     return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 
 

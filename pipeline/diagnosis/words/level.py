@@ -1,8 +1,7 @@
 """The level that physics has to reach: what a regression without physics foretells of unseen strokes, in words."""
 
-from typing import Any
-
-from . import sight
+from ..content import Verdict
+from . import holdout
 from .places import EVERYWHERE, place
 from .quantity import size
 from .vocabulary import Vocabulary
@@ -12,7 +11,7 @@ NO_BETTER = 0.95  # times the other error: who errs by more improves nothing
 METHOD = "A regression without physics (boosted trees over the motion, its rates, its memory and the other inputs)"
 
 
-def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def beaten(content: Verdict, words: Vocabulary) -> list[str]:
     """That a regression foretells unseen strokes better than what is named, where, and following what."""
     errors = _errors(content, words)
     if errors is None or content["verdict"] == "unknown" or errors[1] > BETTER * errors[0]:
@@ -22,31 +21,31 @@ def beaten(content: dict[str, Any], words: Vocabulary) -> list[str]:
     floor = content["fit"][f"noise_floor_{words.ending}"]
     noise = f" So it is partly counted in the noise of {size(floor, words.unit)}." if errors[1] < floor else ""
     return [
-        f"{METHOD} foretells the {sight.strokes(content)} better than {who}: it errs by {without}, {who} by {own}. "
+        f"{METHOD} foretells the {holdout.strokes(content)} better than {who}: it errs by {without}, {who} by {own}. "
         f"What is still missing is systematic: {_where(content, words)}.{noise}"
     ]
 
 
-def to_reach(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
     """How much of an unknown mismatch can be foretold at all, and from what."""
     errors = _errors(content, words)
     if errors is None:
         return []
     own, without = (f"{size(error, words.unit)} rms" for error in errors)
-    said = f"{METHOD} errs by {without} on the {sight.strokes(content)}, calibration by {own}"
+    errs = f"{METHOD} errs by {without} on the {holdout.strokes(content)}, calibration by {own}"
     if errors[1] > NO_BETTER * errors[0]:
-        return [f"{said}: what is left there follows none of these as it did before."]
-    return [f"{said}. That is the level which physics still has to reach: {_where(content, words)}."]
+        return [f"{errs}: what is left there follows none of these as it did before."]
+    return [f"{errs}. That is the level which physics still has to reach: {_where(content, words)}."]
 
 
-def _errors(content: dict[str, Any], words: Vocabulary) -> tuple[float, float] | None:
+def _errors(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     """The error of the verdict's simulator on unseen strokes, and that of a regression; None where none was asked."""
     held = content["fit"]["heldout"] or {}
     without = held.get(f"without_physics_{words.ending}")
     return None if without is None else (held[f"explained_{words.ending}"], without)
 
 
-def _where(content: dict[str, Any], words: Vocabulary) -> str:
+def _where(content: Verdict, words: Vocabulary) -> str:
     """Where what the regression adds lies, and the driver that it follows."""
     left = content["evidence"]["left_of_unseen"]
     where = place(left["location"], content["evidence"], words)

@@ -1,19 +1,18 @@
 """What makes sure of the one explanation: more strokes where something is still missing, and each effect's own sign."""
 
 from pathlib import Path
-from typing import Any
 
+from ..content import Verdict, time_constants_s
 from ..library import mechanisms
-from . import certainty, commands, unseen
-from .quantity import duration, number, quantity
+from . import commands, expectation, unseen
+from .missing_signs import ALIKE, missing
+from .quantity import duration, listing, number, quantity, times
 from .vocabulary import Vocabulary
 
-ALIKE = 1.2  # times the slowest stroke's speed: a fastest one below that is no other speed
+AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
 
 
-def of_what_is_missing(
-    content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None
-) -> list[list[str]]:
+def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
     """What to do about what is still missing beside the one explanation; nothing where nothing is, or some tie."""
     if not unseen.partly(content, words) or content["verdict"] != "explained":
         return []
@@ -36,21 +35,51 @@ def of_what_is_missing(
     ]
 
 
-def of_names(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
     """What at the rig shows that the effects of the one explanation are what they are called."""
     if content["verdict"] != "explained":
         return []
-    slow = certainty.slow_alike(content, words)
-    ids = [entry["id"] for entry in content["mechanisms"] if entry["id"] not in slow]
-    tests = [f"- {id_}: {mechanisms()[id_].told_apart_by};" for id_ in ids] if words.twisted else []
+    numbers = expectation.lines(content, words)
+    ids = [entry["id"] for entry in content["mechanisms"]] if words.twisted else []
+    tests = [f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}." for id_ in ids]
     if not tests:
+        return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
+    again = [AGAIN, *(f"  {line}" for line in commands.lines(folders, out, [""]))] if numbers else []
+    head = "Only if you need to be surer of a name, record what tells the effect from others:"
+    return [[head, *tests, *held(content, words, tests), *numbers, *again]]
+
+
+def of_adopted(content: Verdict, words: Vocabulary, ids: list[str]) -> list[list[str]]:
+    """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
+    lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms()}
+    lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
+    if not lines:
         return []
-    head = "To make sure of a name, a recording should hold what tells the effect from others:"
-    return [[head, *tests[:-1], f"{tests[-1].removesuffix(';')}.", *held(content, words)]]
+    head = "Still open since adopting, if you need to be surer of a name: this recording has no second"
+    lacked = listing(list(dict.fromkeys(what for lacks in lacking.values() for what in lacks)), "and no second")
+    return [[f"{head} {lacked}.", *lines]]
 
 
-def held(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """What this recording holds of loads, speeds, holds and rests; nothing where an older file does not say it."""
+def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """How long to hold and to rest for an effect of time, and under which loads; nothing for others."""
+    known = content["evidence"].get("covered")
+    entry = next(entry for entry in content["mechanisms"] if entry["id"] == id_)
+    if known is None or not mechanisms()[id_].acts_at_rest:
+        return ""
+    constants = time_constants_s(entry)
+    longest_s = max(constants or [known["longest_hold_s"], known["longest_rest_s"]])
+    twice = f"twice {'its longest time constant' if constants else 'the longest one here'}"
+    (least, most), unit = known["load"], words.load_unit
+    load = f"{number(least, 3)} to " * content["evidence"]["loaded"] + quantity(most, unit, 3)
+    under = f", under {load} as recorded here" if words.load is not None and most > 0.0 else ""
+    return f" ({duration(2.0 * longest_s)} or longer each, {twice}{under})" if longest_s > 0.0 else ""
+
+
+def held(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
+    """What this recording holds of loads, speeds, holds and rests, and whether that is what `tests` ask for.
+
+    Nothing where an older file does not say it.
+    """
     known = content["evidence"].get("covered")
     if known is None:
         return []
@@ -68,4 +97,18 @@ def held(content: dict[str, Any], words: Vocabulary) -> list[str]:
     )
     more = " or more" if content["evidence"]["loaded"] else ""
     under = f" under {quantity(least, words.load_unit, 3)}{more}" if words.load is not None and least > 0.0 else ""
-    return [f"This one has {loads}, {speeds}, and {stands}{under}."]
+    wanted, counts = " ".join(tests), []
+    if "speed" in wanted and fast > 0.0:
+        other = f"{number(fast / 2.0, 3)} or {quantity(2.0 * fast, f'{words.motion_unit}/s', 3)}"
+        two = f"Its speeds count as two: the fastest is {times(fast / slow)} times the slowest" if slow > 0.0 else ""
+        counts.append(
+            f"{two}." if two and fast >= ALIKE * slow else f"It has no second speed: {other}, half or twice, would do."
+        )
+    if "load" in wanted and words.load is not None and most > 0.0:
+        other = f"{number(most / 2.0, 3)} or {quantity(2.0 * most, words.load_unit, 3)}"
+        counts.append(
+            "Its loads count as more than one."
+            if content["evidence"]["loaded"]
+            else f"It has no second load: {other}, half or twice, would do if the rig bears it."
+        )
+    return [" ".join([f"This one has {loads}, {speeds}, and {stands}{under}.", *counts])]

@@ -21,6 +21,11 @@ mechanism is added:
 The twisted string without any of these, as the paper has it:
 `x = L - d`, `L = sqrt(d^2 + y^2)`, `y = b + r theta`, `sin a = y/L`, `tan a = y/d`.
 
+The load enters in one place. It stretches the string, and with a separator the radius falls as it does at constant
+volume: `r = r0 sqrt(l / (l + F/K))`, `l` being the length of a string (`length_mm`). The stretch itself does not move
+the reading: that is `axial_elasticity`. Without a measured stiffness a usual one is taken, and calibration moves it.
+A pair without separator has `x = l - sqrt(l^2 - (r theta)^2)`, and no load in it.
+
 | symbol | what | unit |
 |---|---|---|
 | `theta` | twist of the motor; `theta_s` is what the string sees of it, `theta'` the twist after play | rad |
@@ -39,25 +44,25 @@ OWN = (
 
 def page() -> str:
     """The whole page, in Markdown."""
-    named = [one for id_, one in mechanisms().items() if not id_.startswith("x_")]
-    others = [one for id_, one in mechanisms().items() if id_.startswith("x_")]
+    named = [mechanism for id_, mechanism in mechanisms().items() if not id_.startswith("x_")]
+    others = [mechanism for id_, mechanism in mechanisms().items() if id_.startswith("x_")]
     parts = [HEAD, *map(entry, named), f"## Beside the strings\n\n{OWN}\n", *map(entry, others)]
     return "\n".join(parts)
 
 
-def entry(one: Mechanism) -> str:
+def entry(mechanism: Mechanism) -> str:
     """A mechanism's section."""
     rows = {
-        "equation": f"`{one.equation}`",
-        "follows": one.driver,
-        "may be taken for": one.confused_with,
-        "told apart by": one.told_apart_by,
-        "source": one.source,
+        "equation": f"`{mechanism.equation}`",
+        "follows": mechanism.driver,
+        "may be taken for": mechanism.confused_with,
+        "told apart by": mechanism.told_apart_by,
+        "source": mechanism.source,
     }
-    lines = [f"- {name}: {said}" for name, said in rows.items() if said]
-    lines += [f"- `{word}` in a coefficient's name: it multiplies {what}" for word, what in one.names.items()]
-    meaning = MEANING.get(one.id, "")
-    return "\n".join([f"## {one.id}", "", f"{meaning[:1].upper()}{meaning[1:]}", "", *lines, ""])
+    lines = [f"- {name}: {value}" for name, value in rows.items() if value]
+    lines += [f"- `{word}` in a coefficient's name: it multiplies {what}" for word, what in mechanism.names.items()]
+    meaning = MEANING.get(mechanism.id, "")
+    return "\n".join([f"## {mechanism.id}", "", f"{meaning[:1].upper()}{meaning[1:]}", "", *lines, ""])
 
 
 @program

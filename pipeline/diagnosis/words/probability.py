@@ -1,8 +1,8 @@
 """How probable each explanation is, and by which rule the likely ones are kept, in words."""
 
-from typing import Any
-
+from ..content import Part, Verdict
 from ..judged import HELD, UNKNOWN
+from . import left_out
 from .quantity import percent
 
 HELD_STANDINGS = ("named", "tied")
@@ -19,14 +19,14 @@ WITHOUT = (
 )
 
 
-def known(content: dict[str, Any]) -> bool:
+def known(content: Verdict) -> bool:
     """Whether the explanations were weighed by their probability."""
-    return any(one.get("probability") is not None for one in content["evidence"]["explanations"])
+    return any(explanation.get("probability") is not None for explanation in content["evidence"]["explanations"])
 
 
-def said(one: dict[str, Any]) -> str:
+def said(explanation: Part) -> str:
     """An explanation's probability as `probability 26 %`; nothing where it has none."""
-    share = one.get("probability")
+    share = explanation.get("probability")
     if share is None:
         return ""
     if share == 0.0:
@@ -34,20 +34,22 @@ def said(one: dict[str, Any]) -> str:
     return f"probability {percent(share)}"
 
 
-def at_work(content: dict[str, Any], id_: str) -> float:
+def at_work(content: Verdict, id_: str) -> float:
     """How probable it is that an effect acts, whatever is beside it: the sum over the explanations that have it."""
     shown = content["evidence"]["explanations"]
-    return float(sum(one.get("probability") or 0.0 for one in shown if id_ in one["ids"]))
+    return float(sum(explanation.get("probability") or 0.0 for explanation in shown if id_ in explanation["ids"]))
 
 
-def rule(content: dict[str, Any]) -> list[str]:
+def rule(content: Verdict) -> list[str]:
     """Which explanations are kept, with the numbers of this verdict."""
     if content["verdict"] not in ("explained", "ambiguous"):
         return []
     if not known(content):
         return [WITHOUT] if "probability_of_none" in content["evidence"] else []
     shown = content["evidence"]["explanations"]
-    together = sum(one.get("probability") or 0.0 for one in shown if one["standing"] in HELD_STANDINGS)
+    together = sum(
+        explanation.get("probability") or 0.0 for explanation in shown if explanation["standing"] in HELD_STANDINGS
+    )
     none = content["evidence"]["probability_of_none"]
     several = content["verdict"] == "ambiguous"
     kept = f"These {1 + len(content['alternatives'])} have" if several else "Here the best one alone has"
@@ -55,12 +57,20 @@ def rule(content: dict[str, Any]) -> list[str]:
     others = f"; all others of the library {percent(rest)}; physics that the library lacks {percent(none)}"
     return [
         f"Kept are the likeliest explanations, until together they reach {percent(HELD)} of what the library has. "
-        f"{kept} {percent(together)}{others}. None of these is impossible.",
+        f"{_left_out(content)}{kept} {percent(together)}{others}. None of these is impossible.",
         *([OF_NONE] if none >= WORTH else []),
     ]
 
 
-def of_none(content: dict[str, Any]) -> list[str]:
+def _left_out(content: Verdict) -> str:
+    """How much of what was reached together is left out; nothing where nothing is."""
+    out = content["evidence"].get("left_out", [])
+    which = "one of them is" if len(out) == 1 else f"{len(out)} of them are"
+    share = left_out.together(content)
+    return f"But {which} left out ({percent(share)}), so fewer than {percent(HELD)} are kept. " if share else ""
+
+
+def of_none(content: Verdict) -> list[str]:
     """How probable it is that nothing in the library explains a recording, where that alone can make `unknown`."""
     none = content["evidence"].get("probability_of_none")
     if none is None or not known(content):

@@ -48,6 +48,12 @@ def span(low: float, high: float, unit: str, whole: float) -> str:
     return f"{at(low, '', whole)} to {at(high, unit, whole)}"
 
 
+def ends(low: float, high: float, unit: str) -> str:
+    """A range of a quantity, three digits each, said as one where both ends read alike: 17.4 N, 1.3 to 4.1 turns/s."""
+    least, most = number(low, 3), quantity(high, unit, 3)
+    return most if most.startswith(f"{least} ") else f"{least} to {most}"
+
+
 def at(value: float, unit: str, whole: float) -> str:
     """A place on an axis `whole` wide, to a hundredth of it or finer: what is nearly 0 is 0."""
     decimals = -math.floor(math.log10(whole / 100.0)) if whole > 0.0 else 3

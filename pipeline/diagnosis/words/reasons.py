@@ -1,7 +1,6 @@
 """Why an explanation is less likely than the best one: what counts most against it, in words."""
 
-from typing import Any
-
+from ..content import Part
 from .quantity import number, times
 
 # of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger
@@ -26,29 +25,29 @@ NOT_OF_THIS = ("names",)  # aspects that say nothing of this recording: told whe
 LEAST = 1.05  # times less likely: less is alike
 
 
-def why(one: dict[str, Any], best: dict[str, Any] | None) -> str:
+def why(explanation: Part, best: Part | None) -> str:
     """How many times less likely an explanation is than the best one, and chiefly since what; nothing where unknown."""
-    mine, first = one.get("probability"), (best or {}).get("probability")
+    mine, first = explanation.get("probability"), (best or {}).get("probability")
     if not mine or not first or first < LEAST * mine:
         return ""
-    because = one.get("because") or []
-    seen = [found for found in because if found["aspect"] not in NOT_OF_THIS]
-    reasons = [f"since {reason(found)}" for found in seen or because]
+    because = explanation.get("because") or []
+    seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS]
+    reasons = [f"since {reason(cause)}" for cause in seen or because]
     how = "partly" if seen and because[0] not in seen else "chiefly"
     chiefly = f", {how} {' and '.join(reasons)}" if reasons else ""
     less = first / mine
     return f"It is {times(less) if less < 1000.0 else number(less, 1)} times less likely than the best one{chiefly}."
 
 
-def reason(found: dict[str, Any]) -> str:
+def reason(cause: Part) -> str:
     """One aspect in words."""
-    aspect, larger = found["aspect"], found["more"] > 0.0
+    aspect, larger = cause["aspect"], cause["more"] > 0.0
     if aspect.startswith("mark_"):
         id_ = aspect.removeprefix("mark_")
         shown = "hardly shows" if larger else "shows"
         return f"{MARK[larger].format(id_)}, whose mark this recording {shown}"
     if aspect == "names":
         return NAMES
-    if aspect == "size" and not found["more"]:
+    if aspect == "size" and not cause["more"]:
         return OF_ITS_SIZE
     return SAID[aspect][larger]

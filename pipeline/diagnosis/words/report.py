@@ -1,8 +1,7 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
-from typing import Any
-
-from . import certainty, chances, effects, probability, rivals, sight, unseen
+from ..content import Verdict
+from . import certainty, chances, effects, holdout, left_out, probability, rivals, unseen
 from .dimensions import far_moved
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
@@ -12,7 +11,7 @@ NAMED = 3  # other explanations that a report names
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 
-def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
     if not content["mismatch"]:
         return []
@@ -21,25 +20,30 @@ def lines(content: dict[str, Any], words: Vocabulary) -> list[str]:
     nominal = content["evidence"].get(f"nominal_{words.ending}")
     if far_moved(content) and nominal is not None:
         missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
-    said = [missing, *_unseen(content, words), *_sure(content, words), *_own(content, words), *_best(content)]
+    statements = [missing, *_unseen(content, words), *_sure(content, words), *_own(content, words), *_best(content)]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
-    return [f"You can report{when}:", *(f"- {one};" for one in said[:-1]), f"- {said[-1]}.", *_not_yet(content, words)]
-
-
-def _unseen(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """The error on strokes that no fit has seen, without the explanation and with it."""
-    found = unseen.errors(content, words)
-    if found is None or sight.sight(content) != sight.UNSEEN or unseen.harmful(content, words):
-        return []
-    _, calibrated, explained = (size(error, words.unit) for error in found)
-    ratio = times(found[2] / content["fit"][f"noise_floor_{words.ending}"])
     return [
-        f"on the {sight.strokes(content)} the best explanation errs by {explained} ({ratio} times the noise of single "
-        f"samples), calibration alone by {calibrated}"
+        f"You can report{when}:",
+        *(f"- {statement};" for statement in statements[:-1]),
+        f"- {statements[-1]}.",
+        *_not_yet(content, words),
     ]
 
 
-def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def _unseen(content: Verdict, words: Vocabulary) -> list[str]:
+    """The error on strokes that no fit has seen, without the explanation and with it."""
+    errors = unseen.errors(content, words)
+    if errors is None or holdout.status(content) != holdout.UNSEEN or unseen.harmful(content, words):
+        return []
+    _, calibrated, explained = (size(error, words.unit) for error in errors)
+    ratio = times(errors[2] / content["fit"][f"noise_floor_{words.ending}"])
+    return [
+        f"on the {holdout.strokes(content)} the best explanation errs by {explained} ({ratio} times the noise of "
+        f"single samples), calibration alone by {calibrated}"
+    ]
+
+
+def _sure(content: Verdict, words: Vocabulary) -> list[str]:
     """Which effects are at work, where that is sure."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     alike = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
@@ -49,12 +53,17 @@ def _sure(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [f"at work, by the library's names: {named}{but if alike else ''}"] if sure else []
 
 
-def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
+    """The effects whose own size can be reported; none where dimensions moved far."""
+    not_alone = {*certainty.poorly_known(content, words), *certainty.partly_hidden(content, words)}
+    named = [entry["id"] for entry in content["mechanisms"]]
+    return [] if far_moved(content) else [id_ for id_ in named if id_ not in not_alone]
+
+
+def _own(content: Verdict, words: Vocabulary) -> list[str]:
     """That sizes and constants can be reported, where one explanation stands on dimensions that did not move far."""
-    poorly = certainty.poorly_known(content, words)
-    not_alone = {*poorly, *certainty.partly_hidden(content, words)}
-    known = [entry["id"] for entry in content["mechanisms"] if entry["id"] not in not_alone]
-    if far_moved(content) or not known:
+    known = own_sizes(content, words)
+    if not known:
         return []
     constants = any(effects.has_constants(entry) for entry in content["mechanisms"] if entry["id"] in known)
     also = " and its constants" if constants and len(known) == 1 else " and their constants" if constants else ""
@@ -63,7 +72,7 @@ def _own(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [f"the size of {listing(known)}{also} as the table above says, with 90 % intervals{provided}"]
 
 
-def _best(content: dict[str, Any]) -> list[str]:
+def _best(content: Verdict) -> list[str]:
     """How likely the best explanation is, what is not excluded, and physics that the library lacks."""
     none = content["evidence"].get("probability_of_none")
     kept = chances.kept_shares(content)
@@ -71,15 +80,17 @@ def _best(content: dict[str, Any]) -> list[str]:
         return []
     (name, share), *others = kept
     following = chances.next_best(content)
-    rest = [*others[:NAMED], *([following] if following and not others else [])]
+    out = [(rivals.called(entry["ids"]), entry["probability"]) for entry in left_out.entries(content)[:NAMED]]
+    rest = [*others[:NAMED], *out, *([following] if following and not others else [])]
     left = max(1.0 - none - share - sum(its for _, its in rest), 0.0)
-    also = [f"{one} ({percent(its)})" for one, its in rest]
+    also = [f"{other} ({percent(its)})" for other, its in rest]
     also += [f"others of the library ({percent(left)} together)"] if left >= LEAST else []
     also += [f"physics that the library lacks ({percent(none)})"]
-    return [f"the recording agrees best with {name} ({percent(share)}); not excluded are {listing(also)}"]
+    best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
+    return [f"{best} recording agrees best with {name} ({percent(share)}); not excluded are {listing(also)}"]
 
 
-def _not_yet(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
     if far_moved(content):
         return [

@@ -1,8 +1,8 @@
 """The explanations that were weighed, in words: what ties, and why the others were beaten."""
 
 from collections import Counter
-from typing import Any
 
+from ..content import Part, Verdict
 from . import probability
 from .quantity import listing, size, times
 from .reasons import why
@@ -11,7 +11,7 @@ from .vocabulary import Vocabulary
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
 MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides in part, and for the most part
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
-BENT = 0.95  # times what it leaves, that a slightly wrong formula must save to be worth a word
+WORTH_SAYING = 0.95  # of what it leaves: a slightly wrong formula must leave less to be worth a word
 DIMENSIONS = "Dimensions"  # the heading under which they stand
 ALLOWED = "If a true effect may differ from its formula by 10 % of its size"
 
@@ -21,30 +21,34 @@ def called(ids: list[str]) -> str:
     return " + ".join(ids) or "calibration alone"
 
 
-def entries(content: dict[str, Any], *standings: str) -> list[dict[str, Any]]:
+def entries(content: Verdict, *standings: str) -> list[Part]:
     """Explanations of some standing, the best first."""
-    return [one for one in reversed(content["evidence"]["explanations"]) if one["standing"] in standings]
+    return [
+        explanation
+        for explanation in reversed(content["evidence"]["explanations"])
+        if explanation["standing"] in standings
+    ]
 
 
-def left_of(one: dict[str, Any], content: dict[str, Any], ending: str) -> float:
+def left_of(explanation: Part, content: Verdict, ending: str) -> float:
     """What an explanation leaves, rms; of calibration alone not what the search's approximation says, but the fit's."""
-    known = content["evidence"].get(f"calibrated_{ending}") if not one["ids"] else None
-    return float(one[f"left_{ending}"] if known is None else known)
+    known = content["evidence"].get(f"calibrated_{ending}") if not explanation["ids"] else None
+    return float(explanation[f"left_{ending}"] if known is None else known)
 
 
-def left(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+def left(explanation: Part, content: Verdict, words: Vocabulary) -> str:
     """What an explanation leaves, and in noise floors."""
-    rms, floor = left_of(one, content, words.ending), content["evidence"][f"floor_{words.ending}"]
+    rms, floor = left_of(explanation, content, words.ending), content["evidence"][f"floor_{words.ending}"]
     return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
 
 
-def told(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> str:
+def told(explanation: Part, content: Verdict, words: Vocabulary) -> str:
     """An explanation by its name with its probability, if it has one, and what it leaves; without a full stop."""
-    likely = probability.said(one)
-    return f"{called(one['ids'])}: {likely}{'; ' if likely else ''}leaves {left(one, content, words)}"
+    likely = probability.said(explanation)
+    return f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}leaves {left(explanation, content, words)}"
 
 
-def shared(content: dict[str, Any]) -> str:
+def shared(content: Verdict) -> str:
     """What all that tie have in common, or most of them."""
     sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
     count = len(sets)
@@ -65,53 +69,64 @@ def shared(content: dict[str, Any]) -> str:
     return f"The {who} no mechanism in common: any of these effects may be the missing one."
 
 
-def ties(content: dict[str, Any], words: Vocabulary) -> list[str]:
-    """What is likely as well, a line each with why it is less so than the best one; then what bent formulas do."""
-    shown = {tuple(one["ids"]): one for one in content["evidence"]["explanations"]}
-    found = [shown.get(tuple(ids)) for ids in content["alternatives"]]
+def ties(content: Verdict, words: Vocabulary) -> list[str]:
+    """What is likely as well, a line each with why it is less so than the best one; then what a discrepancy does."""
+    shown = {tuple(explanation["ids"]): explanation for explanation in content["evidence"]["explanations"]}
+    tied = [shown.get(tuple(ids)) for ids in content["alternatives"]]
     best = next(iter(entries(content, "named")), None)
     lines = [
         " ".join(
-            part for part in (f"{told(one, content, words) if one else called(ids)}.", why(one or {}, best)) if part
+            part
+            for part in (
+                f"{told(explanation, content, words) if explanation else called(ids)}.",
+                why(explanation or {}, best),
+            )
+            if part
         )
-        for ids, one in zip(content["alternatives"], found, strict=True)
+        for ids, explanation in zip(content["alternatives"], tied, strict=True)
     ]
-    all_bent = {called(one["ids"]): _bent(one, content, words) for one in found if one}
-    bent = {name: ratio for name, ratio in all_bent.items() if ratio is not None}
-    if bent and not all_below_noise(content, words.ending):
-        who = listing([f"({name})" if len(bent) > 1 else name for name in bent])
-        ends = list(dict.fromkeys(times(ratio) for ratio in (min(bent.values()), max(bent.values()))))
-        leave = "leave" if len(bent) > 1 else "leaves"
+    all_ratios = {
+        called(explanation["ids"]): _with_discrepancy(explanation, content, words)
+        for explanation in tied
+        if explanation
+    }
+    ratios = {name: ratio for name, ratio in all_ratios.items() if ratio is not None}
+    if ratios and not all_below_noise(content, words.ending):
+        who = listing([f"({name})" if len(ratios) > 1 else name for name in ratios])
+        ends = list(dict.fromkeys(times(ratio) for ratio in (min(ratios.values()), max(ratios.values()))))
+        leave = "leave" if len(ratios) > 1 else "leaves"
         lines.append(f"{ALLOWED}, {who} {leave} {' to '.join(ends)} times the noise.")
     return lines
 
 
-def all_below_noise(content: dict[str, Any], ending: str) -> bool:
+def all_below_noise(content: Verdict, ending: str) -> bool:
     """Whether every explanation comes below the noise if its formulas may be a little wrong: that decides nothing."""
     floor = content["evidence"][f"floor_{ending}"]
-    bent = [one[f"bent_{ending}"] for one in content["evidence"]["explanations"] if one["ids"]]
-    return len(bent) > 1 and max(bent) < floor
+    with_discrepancy = [
+        explanation[f"bent_{ending}"] for explanation in content["evidence"]["explanations"] if explanation["ids"]
+    ]
+    return len(with_discrepancy) > 1 and max(with_discrepancy) < floor
 
 
-def _bent(one: dict[str, Any], content: dict[str, Any], words: Vocabulary) -> float | None:
+def _with_discrepancy(explanation: Part, content: Verdict, words: Vocabulary) -> float | None:
     """What is left, in noise floors, if the true effects may differ a little from the formulas; None where no less."""
-    mine, bent = one[f"left_{words.ending}"], one[f"bent_{words.ending}"]
+    mine, with_discrepancy = explanation[f"left_{words.ending}"], explanation[f"bent_{words.ending}"]
     floor = content["evidence"][f"floor_{words.ending}"]
-    return None if bent > BENT * mine or mine < NOISY * floor else float(bent / floor)
+    return None if with_discrepancy > WORTH_SAYING * mine or mine < NOISY * floor else float(with_discrepancy / floor)
 
 
-def what_is_left(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def what_is_left(content: Verdict, words: Vocabulary) -> list[str]:
     """What the named explanation leaves of the recording, and what it would if its formulas were a little wrong."""
     who, lines = "Together they leave" if len(content["mechanisms"]) > 1 else "It leaves", []
-    for one in entries(content, "named"):
-        lines.append(f"{who} {left(one, content, words)}.")
-        bent = _bent(one, content, words)
-        if bent is not None and not all_below_noise(content, words.ending):
-            lines.append(f"{ALLOWED}, {times(bent)} times the noise is left.")
+    for explanation in entries(content, "named"):
+        lines.append(f"{who} {left(explanation, content, words)}.")
+        with_discrepancy = _with_discrepancy(explanation, content, words)
+        if with_discrepancy is not None and not all_below_noise(content, words.ending):
+            lines.append(f"{ALLOWED}, {times(with_discrepancy)} times the noise is left.")
     return lines
 
 
-def hidden(content: dict[str, Any], words: Vocabulary) -> dict[str, str]:
+def hidden(content: Verdict, words: Vocabulary) -> dict[str, str]:
     """Effects that are larger than what is missing, and where the rest of each is hidden."""
     whole, lines = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0, {}
     for entry in content["mechanisms"]:

@@ -11,7 +11,7 @@ WIDE = 112
 def text(sections: list[tuple[str, list[str]]], last: tuple[str, list[str]]) -> str:
     """Sections of a heading and its lines as a text: the first one, all others that have lines, and the last one."""
     first, *others = sections
-    return "\n\n".join(section(*one) for one in [first, *(one for one in others if one[1]), last])
+    return "\n\n".join(section(*part) for part in [first, *(part for part in others if part[1]), last])
 
 
 def section(head: str, lines: list[str]) -> str:

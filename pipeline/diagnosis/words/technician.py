@@ -1,8 +1,8 @@
 """The run to make → a protocol for who stands at the rig: numbered steps with places, times, speeds and loads."""
 
 from dataclasses import dataclass, replace
-from typing import Any
 
+from ..content import LegSaid, NextRun
 from .quantity import at, duration, listing, number, quantity
 from .vocabulary import Vocabulary
 
@@ -37,17 +37,16 @@ class Part:
         return float(self.load.split()[0].replace(",", ""))
 
 
-def parts(run: dict[str, Any], words: Vocabulary, whole: float) -> list[Part]:
+def parts(run: NextRun, words: Vocabulary, whole: float) -> list[Part]:
     """The runs that a proposal asks for: one, or one for each load where the load stands still in a recording.
 
     `whole` is the range of the motion: a place is said to a two-hundredth of it.
     """
     cut = [(load, place, steps) for load, place, steps in by_load(run, words, whole) if steps]
-    found = [Part(load, repeated(begun(in_rows(steps, words), place, load))) for load, place, steps in cut]
+    runs = [Part(load, repeated(begun(in_rows(steps, words), place, load))) for load, place, steps in cut]
     moved = [any(step.kind == "move" for step in steps) for _, _, steps in cut]
     return [
-        part if moves else replace(part, steps=[*part.steps, A_STROKE])
-        for part, moves in zip(found, moved, strict=True)
+        part if moves else replace(part, steps=[*part.steps, A_STROKE]) for part, moves in zip(runs, moved, strict=True)
     ]
 
 
@@ -60,12 +59,12 @@ def begun(lines: list[str], place: str, load: str) -> list[str]:
     return [f"Begin at rest, at {place}{under}.", *lines]
 
 
-def legs_of(run: dict[str, Any]) -> list[dict[str, Any]]:
+def legs_of(run: NextRun) -> list[LegSaid]:
     """The legs without the first, which leads from where the recording ended to where the new one begins."""
     return run["legs"][1:] or run["legs"]
 
 
-def by_load(run: dict[str, Any], words: Vocabulary, whole: float) -> list[tuple[str, str, list[Step]]]:
+def by_load(run: NextRun, words: Vocabulary, whole: float) -> list[tuple[str, str, list[Step]]]:
     """Load and place where each run begins, and its steps; cut at changes of the load that need runs of their own."""
     legs = legs_of(run)
     place = run["legs"][0][words.driver]
@@ -79,14 +78,14 @@ def by_load(run: dict[str, Any], words: Vocabulary, whole: float) -> list[tuple[
             else:
                 cut[-1][2].append(Step("load", _load(now, words)))
         force = now
-        said, steps = at(to, words.motion_unit, whole), cut[-1][2]
+        spot, steps = at(to, words.motion_unit, whole), cut[-1][2]
         if abs(to - place) > 0.005 * whole:
             speed = abs(to - place) / max(seconds, 1e-9)
-            steps.append(Step("move", said, seconds, speed, to > place))
+            steps.append(Step("move", spot, seconds, speed, to > place))
         elif steps and steps[-1].kind == "hold":
             steps[-1] = replace(steps[-1], seconds=steps[-1].seconds + seconds)
         elif seconds >= LEAST_TOLD_S:
-            steps.append(Step("hold", said, seconds))
+            steps.append(Step("hold", spot, seconds))
         place = to
     return cut
 
@@ -104,14 +103,14 @@ def in_rows(steps: list[Step], words: Vocabulary) -> list[str]:
             continue
         row.append(step)
         if after is None or after.kind != "move" or abs(after.speed - step.speed) > SAME_SPEED * step.speed:
-            lines += [_row(row, words)] if len(row) >= ROW and not _alike(row) else [_move(one, words) for one in row]
+            lines += [_row(row, words)] if len(row) >= ROW and not _alike(row) else [_move(move, words) for move in row]
             row = []
     return lines
 
 
 def _alike(row: list[Step]) -> bool:
     """Whether a row is the same up and down again: strokes, which are better counted."""
-    return all(one.to == other.to for one, other in zip(row, row[2:], strict=False))
+    return all(step.to == other.to for step, other in zip(row, row[2:], strict=False))
 
 
 def _still(step: Step) -> str:
@@ -127,25 +126,25 @@ def _move(step: Step, words: Vocabulary) -> str:
 
 def _row(row: list[Step], words: Vocabulary) -> str:
     unit = words.motion_unit
-    places = listing([one.to.removesuffix(f" {unit}") for one in row], "and")
-    seconds = duration(sum(one.seconds for one in row))
+    places = listing([step.to.removesuffix(f" {unit}") for step in row], "and")
+    seconds = duration(sum(step.seconds for step in row))
     return f"Go to {places} {unit} without a pause, at {number(row[0].speed, whole=True)} {unit}/s ({seconds} in all)."
 
 
 def repeated(lines: list[str]) -> list[str]:
     """Lines, with what comes again at once said once and counted; a repetition names its steps by their numbers."""
-    found: list[str] = []
+    counted: list[str] = []
     start = 0
     while start < len(lines):
         size, again = _again(lines, start)
         block = lines[start : start + size]
-        first = len(found) + 1
-        found += block
+        first = len(counted) + 1
+        counted += block
         if again:
             steps = f"step {first}" if size == 1 else f"steps {first} to {first + size - 1}"
-            found.append(f"Repeat {steps} {'once more' if again == 1 else f'another {again} times'}.")
+            counted.append(f"Repeat {steps} {'once more' if again == 1 else f'another {again} times'}.")
         start += size * (again + 1)
-    return found
+    return counted
 
 
 def _again(lines: list[str], start: int) -> tuple[int, int]:
@@ -160,7 +159,7 @@ def _again(lines: list[str], start: int) -> tuple[int, int]:
     return best
 
 
-def lasting(run: dict[str, Any]) -> str:
+def lasting(run: NextRun) -> str:
     """How long it takes in all."""
     seconds = sum(float(leg["seconds"]) for leg in legs_of(run))
     return duration(seconds) if seconds < 90.0 else f"{number(max(round(seconds / 30.0) / 2.0, 1.0))} min"

@@ -2,14 +2,17 @@
 
 import shlex
 from pathlib import Path
-from typing import Any
 
 from ...ground.command import command
-from . import experiment, make_sure, report, sight, signs, still, to_measure, unseen, worth
+from ..content import NextRun, Verdict
+from ..library import mechanisms
+from . import advice, deciding_run, experiment, holdout, make_sure, report, signs, to_measure, unseen, worth
 from .adoption import dimensions_came, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
-from .quantity import listing
+from .places import recorded
+from .prediction import AFTER_RECORDING
+from .quantity import listing, quantity
 from .technician import lasting
 from .vocabulary import Vocabulary
 
@@ -19,40 +22,37 @@ RUN = "The run to make next"  # the heading of its steps and commands in the det
 NAMED = ("explained", "ambiguous")
 
 
-def lines(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
     """The steps, numbered where there are several; what belongs to a step stands below it, indented."""
     steps = _named(content, words, folders, out) if content["verdict"] in NAMED else _unnamed(content, words, folders)
     if len(steps) == 1:
         return steps[0]
-    found = []
+    numbered = []
     for place, (first, *rest) in enumerate(steps, start=1):
-        found += [f"{place}. {first}", *(f"   {line}" for line in rest)]
-    return found
+        numbered += [f"{place}. {first}", *(f"   {line}" for line in rest)]
+    return numbered
 
 
-def _named(content: dict[str, Any], words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
+def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
     """The steps where something is named."""
     if unseen.harmful(content, words):
         return [
-            [
-                f"Adopt nothing: on the {sight.strokes(content)} the explanation makes the simulator worse. Record the "
-                "rig once more, with more strokes, and diagnose both runs together."
-            ],
+            [f"{advice.worse(content)} Record the rig once more, with more strokes, and diagnose both runs together."],
             *_run(content, words),
             *_report(content, words),
         ]
     return [
         *_measure(content, words),
         *_run(content, words),
-        *make_sure.of_names(content, words),
+        *make_sure.of_names(content, words, folders, out),
         *make_sure.of_what_is_missing(content, words, folders, out),
-        *_use(content, folders, out),
-        *_adopt(content, folders, out),
+        *_use(content, words, folders, out),
+        *_adopt(content, words, folders, out),
         *_report(content, words),
     ]
 
 
-def _measure(content: dict[str, Any], words: Vocabulary, then: str = "go on with step 2") -> list[list[str]]:
+def _measure(content: Verdict, words: Vocabulary, then: str = "go on with step 2") -> list[list[str]]:
     """What to measure again, and what then; nothing where no dimension moved far."""
     if not far_moved(content):
         return []
@@ -66,17 +66,20 @@ def _measure(content: dict[str, Any], words: Vocabulary, then: str = "go on with
     ]
 
 
-def _run(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+def _run(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """The run to make between explanations that are likely; that none decides, where none does."""
     run = content["next_run"]
     if content["verdict"] != "ambiguous":
         return []
     if not run or "parts" not in run:
         return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
-    where = f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(run, words)}."
+    where = (
+        f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(content, run, words)}."
+    )
+    differ = worth.readings(run, words)
     if worth.decides(run):
         need = f"Make the run that can decide {worth.question(content)}, if you need to know. {where}"
-        return [[" ".join(part for part in (need, worth.care(content, words)) if part), *_else(content)]]
+        return [[" ".join(part for part in (need, differ, worth.care(content, words)) if part), *_else(content)]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {worth.question(content)}{hard}: try the run that parts them most."
@@ -84,56 +87,67 @@ def _run(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
     return [[f"Make no other run: none that was tried decides {worth.question(content)}."]]
 
 
-def _asks(run: dict[str, Any], words: Vocabulary) -> str:
+def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     """What a run asks of the rig: other loads, other speeds."""
     title = experiment.title(run, words)
-    hung = list(dict.fromkeys(part.load for part in experiment.parts(run, words, 1.0) if part.load))
+    usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
+    hung = list(dict.fromkeys(part.load for part in experiment.parts(run, words, 1.0)))
+    hung = [load for load in hung if load not in ("", usual)]
     loads = f"another load ({listing(hung)})" if hung else "another load"
-    asked = ["another speed"] * ("speed" in title) + [loads] * ("load" in title)
-    return f", and ask for {listing(asked)}" if asked else ""
+    demands = ["another speed"] * worth.asks_speed(content, words) + [loads] * ("load" in title)
+    return f", and ask for {listing(demands)}" if demands else ""
 
 
-def _else(content: dict[str, Any]) -> list[str]:
+def _else(content: Verdict) -> list[str]:
     """Where to find what tells the open effects apart without that run."""
-    return [f"Each open effect's own test at the rig stands in {DETAILS} too, under {signs.HEADING}."]
+    return [f"Each open effect's own test stands there too, under {signs.HEADING}."]
 
 
-def _use(content: dict[str, Any], folders: list[Path], out: Path | None) -> list[list[str]]:
+def _use(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
     """The command that predicts with what was found."""
     if out is None or not content.get("simulation", [True]):
         return []
-    said = "To predict the rig, at loads, speeds and twists like those recorded:"
-    return [[said, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders))]]
+    head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded{recorded(content, words)}:"
+    return [[head, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders)), *_state(content)]]
 
 
-def _adopt(content: dict[str, Any], folders: list[Path], out: Path | None) -> list[list[str]]:
-    """The command that puts the effects into run.yaml."""
+def _state(content: Verdict) -> list[str]:
+    """Which string a planned motion is of, where an effect leaves it another one than it was."""
+    ids = [entry["id"] for entry in content["mechanisms"] if mechanisms()[entry["id"]].stays]
+    if not ids:
+        return []
+    what = f"{listing(ids)} {'stay' if len(ids) > 1 else 'stays'} in the string"
+    return [f"{what}: add {AFTER_RECORDING} to --motion for the string as this recording left it."]
+
+
+def _adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
+    """Whether to put the effects into run.yaml, and the command that does."""
     if out is None or not content.get("simulation", [True]):
         return []
-    what = "To make this the run's own simulator (effects into run.yaml, with the dimensions that fit with them):"
+    what = "To put it into run.yaml, dimensions included:"
     source = shlex.quote(str(out / "diagnosis.json"))
     commands = [f"  {command('adopt')} {source} {shlex.quote(str(folder))}" for folder in folders]
-    return [[what, *commands]]
+    return [[f"{advice.of_adopting(content, words)} {what}", *commands]]
 
 
-def _report(content: dict[str, Any], words: Vocabulary) -> list[list[str]]:
+def _report(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """What can be reported, and what cannot."""
-    found = report.lines(content, words)
-    return [found] if found else []
+    reportable = report.lines(content, words)
+    return [reportable] if reportable else []
 
 
-def _unnamed(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[list[str]]:
+def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path]) -> list[list[str]]:
     """The steps where nothing is named."""
     if content["verdict"] == "unknown":
         run = content["next_run"]
         shows = f"Make the run in {DETAILS} under {RUN}: it shows more of what is missing."
         again = _measure(content, words, "go on")
         return [*again, *([[shows]] if run else []), ["Adopt nothing: no effect of the library is named."]]
-    tied = [one for one in content.get("adopted", []) if one["tied"]]
-    if tied and not still.worth_making(tied):
-        count = 1 + max(len(one["tied"]) for one in tied)
-        said = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
-        return [[said], *_anew(content, words, folders)]
+    tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
+    if tied and not deciding_run.worth_making(tied):
+        count = 1 + max(len(adoption["tied"]) for adoption in tied)
+        advice = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
+        return [[advice], *_anew(content, words, folders)]
     if tied:
         return [
             *_anew(content, words, folders),
@@ -145,17 +159,18 @@ def _unnamed(content: dict[str, Any], words: Vocabulary, folders: list[Path]) ->
         ]
     if unseen.left_over(content, words):
         return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]
-    if sight.included(content) and far_moved(content):
+    if holdout.included(content) and far_moved(content):
         return _anew(content, words, folders)
     if far_moved(content) and not (content["verdict"] == "parameters" and moved_in_vain(content, words)):
         names = listing([f"the {name_of(name)}" for name in far_moved(content)])
         return [
             [f"Measure {names} again, and write what you measured into run.yaml.", *to_measure.table(content, words)]
         ]
-    return [["Nothing needs to be done: this recording shows nothing further."]]
+    open_still = make_sure.of_adopted(content, words, holdout.included(content))
+    return [["Nothing needs to be done: this recording shows nothing further."], *open_still]
 
 
-def _anew(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> list[list[str]]:
+def _anew(content: Verdict, words: Vocabulary, folders: list[Path]) -> list[list[str]]:
     """What to measure again after adopting, and what follows for the adopted effects."""
     if not far_moved(content):
         return []
@@ -168,7 +183,7 @@ def _anew(content: dict[str, Any], words: Vocabulary, folders: list[Path]) -> li
     if dimensions_came(content):
         keep = f"If nothing changed, keep what was adopted, and predict with {command('simulate')} as it is."
         return [again, [change, *remove], [keep]]
-    adopted = [one["diagnosis"] for one in content.get("adopted", []) if one.get("diagnosis")][-1:]
+    adopted = [adoption["diagnosis"] for adoption in content.get("adopted", []) if adoption.get("diagnosis")][-1:]
     predict = [f"  {line}" for source in adopted for line in predictions(Path(source), folders)]
     keep = (
         f"If nothing changed, predict with {'the diagnosis that was adopted:' if adopted else 'that diagnosis.json.'}"

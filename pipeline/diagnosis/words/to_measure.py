@@ -1,9 +1,8 @@
 """The dimensions to measure again: what run.yaml says, what fits best, how to measure, and then what."""
 
-from typing import Any
-
-from . import tolerances
-from .dimensions import assumed, exactness, far_moved, from_to, name_of, whence
+from ..content import Verdict
+from . import exactness, tolerances
+from .dimensions import far_moved, from_to, name_of, whence
 from .error_table import aligned
 from .in_run_yaml import tolerance_keys
 from .tolerances import stem
@@ -13,30 +12,43 @@ HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
 BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
 
 
-def to_measure(content: dict[str, Any]) -> list[str]:
+def to_measure(content: Verdict) -> list[str]:
     """The dimensions to measure again, the farthest first; none where none moved far."""
     moved = content["evidence"]["moved_sigma"] if far_moved(content) else {}
     again = [name for name, sigma in moved.items() if abs(sigma) >= BESIDE and name in content["parameters"]]
     return sorted(again, key=lambda name: -abs(moved[name]))
 
 
-def table(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def table(content: Verdict, words: Vocabulary) -> list[str]:
     """Each dimension to measure again, with how it is measured below it."""
     names, rows = to_measure(content), []
     for name in names:
         nominal, value = from_to(content, name)
-        said = f"{nominal} ({whence(content, name)})" if assumed(name) else nominal
+        given = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
         known = tolerances.marked(content, name, words) or "–"
-        rows.append([name_of(name), said, known, value, f"{exactness(content, name)} or better"])
+        rows.append([name_of(name), given, known, value, exactness.cell(content, name)])
     head, *lines = aligned([HEAD, *rows])
-    found = [head]
+    measured = [head]
     for name, line in zip(names, lines, strict=True):
         how = words.measured.get(stem(name))
-        found += [line, *([f"    {how}"] if how else [])]
-    return found
+        measured += [line, *([f"    {how}"] if how else [])]
+    return [
+        *measured,
+        *exactness.mistakes(content, {name: name_of(name) for name in names}),
+        *_together(content, names),
+    ]
 
 
-def consequences(content: dict[str, Any], then: str) -> list[str]:
+def _together(content: Verdict, names: list[str]) -> list[str]:
+    """The dimensions to measure in one go, since they take each other's place in the fit."""
+    return [
+        f"Measure the {name_of(first)} and the {name_of(second)} in one go: they take each other's place in the fit "
+        f"(correlation {share:.2f}), so that one of them alone settles little."
+        for first, second, share in exactness.trading(content, names)
+    ]
+
+
+def consequences(content: Verdict, then: str) -> list[str]:
     """What to do with what was measured; `then` is what to do where nothing changed."""
     moved = to_measure(content)
     where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))

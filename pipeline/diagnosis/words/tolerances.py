@@ -2,9 +2,9 @@
 
 import math
 import re
-from typing import Any
 
-from ...ground.schemas import unit_of
+from ...ground.units import unit_of
+from ..content import Verdict
 from .quantity import listing, number, quantity
 from .vocabulary import Vocabulary
 
@@ -22,7 +22,7 @@ def key_of(name: str) -> str:
     return KEYS.get(stem(name), stem(name))
 
 
-def share(content: dict[str, Any], name: str, words: Vocabulary) -> float | None:
+def share(content: Verdict, name: str, words: Vocabulary) -> float | None:
     """The tolerance of a dimension as a share of its value; None where run.yaml gives it in the dimension's unit."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
     nominal = content["parameters"].get(name, {}).get("nominal")
@@ -31,7 +31,7 @@ def share(content: dict[str, Any], name: str, words: Vocabulary) -> float | None
     return float(sigma) / abs(float(nominal))
 
 
-def said(content: dict[str, Any], name: str, words: Vocabulary) -> str:
+def said(content: Verdict, name: str, words: Vocabulary) -> str:
     """The tolerance of a dimension: `0.012 mm (3 %)`, `0.5 %`, `1 mm`; nothing where the diagnosis does not hold it."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
     if sigma is None:
@@ -43,7 +43,7 @@ def said(content: dict[str, Any], name: str, words: Vocabulary) -> str:
     return f"{own} ({percent(part)})" if unit not in ("", "1") else percent(part)
 
 
-def is_default(content: dict[str, Any], name: str, words: Vocabulary) -> bool:
+def is_default(content: Verdict, name: str, words: Vocabulary) -> bool:
     """Whether a tolerance is that which is taken where run.yaml says nothing."""
     if key_of(name) in content["evidence"].get("tolerances_given", []):
         return False
@@ -52,7 +52,7 @@ def is_default(content: dict[str, Any], name: str, words: Vocabulary) -> bool:
     return bool(sigma and usual) and math.isclose(sigma if part is None else part, usual or 0.0, rel_tol=1e-6)
 
 
-def marked(content: dict[str, Any], name: str, words: Vocabulary) -> str:
+def marked(content: Verdict, name: str, words: Vocabulary) -> str:
     """The tolerance of a dimension as `said`, with `default` beside one that nobody gave."""
     known = said(content, name, words)
     if not known or not is_default(content, name, words):
@@ -65,7 +65,7 @@ def percent(part: float) -> str:
     return f"{number(100.0 * part, 3)} %"
 
 
-def in_force(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def in_force(content: Verdict, words: Vocabulary) -> list[str]:
     """All tolerances as a block of `run.yaml`, and which of them are shares; nothing where none is known."""
     block: dict[str, float] = {}
     for name, sigma in content["evidence"].get("tolerance", {}).items():
@@ -88,11 +88,11 @@ def in_force(content: dict[str, Any], words: Vocabulary) -> list[str]:
     ]
     which = "All" if len(defaults) == len(block) else listing(defaults)
     are = "are defaults" if len(defaults) > 1 else "is a default"
-    said = f" {which} {are}, taken where run.yaml says nothing." if defaults else ""
-    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}.{said}"]
+    whence = f" {which} {are}, taken where run.yaml says nothing." if defaults else ""
+    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}.{whence}"]
 
 
-def doubts(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def doubts(content: Verdict, words: Vocabulary) -> list[str]:
     """A share in mm that nobody can measure by hand: likely a length in mm was written where a share belongs."""
     lines = []
     for name in content["evidence"].get("tolerance", {}):

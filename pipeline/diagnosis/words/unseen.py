@@ -1,10 +1,10 @@
 """The error on strokes that no fit has seen, in words, and what must be said of it first."""
 
 import math
-from typing import Any
 
 from ...ground.command import program_name
-from . import level, sight
+from ..content import Verdict
+from . import holdout, level
 from .level import NO_BETTER
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
@@ -20,7 +20,7 @@ NEAR = 1.5  # times the limit: a ratio below it is said to a hundredth
 WORSE = 1.02  # times the other error: less may be chance
 
 
-def errors(content: dict[str, Any], words: Vocabulary) -> tuple[float, float, float] | None:
+def errors(content: Verdict, words: Vocabulary) -> tuple[float, float, float] | None:
     """Nominal, calibrated and explained error, or None where no stroke could be held out."""
     held = content["fit"]["heldout"]
     if not held:
@@ -29,61 +29,61 @@ def errors(content: dict[str, Any], words: Vocabulary) -> tuple[float, float, fl
     return nominal, calibrated, explained
 
 
-def worse(content: dict[str, Any], words: Vocabulary) -> str:
+def worse(content: Verdict, words: Vocabulary) -> str:
     """What must end the first line: that what was learnt is worse than the nominal simulator; else nothing."""
-    found = errors(content, words)
+    unseen_errors = errors(content, words)
     who = content["fit"].get("worse_than_nominal", [])
-    if found is None or not who:
+    if unseen_errors is None or not who:
         return ""
-    nominal, error = found[0], found[2] if "explained" in who else found[1]
+    nominal, error = unseen_errors[0], unseen_errors[2] if "explained" in who else unseen_errors[1]
     if size(error, words.unit) == size(nominal, words.unit):
         return ""
     sizes = f"{size(error, words.unit)} against {size(nominal, words.unit)}"
     with_what = "as diagnosed" if "explained" in who else "calibrated"
     if "explained" not in who and content["verdict"] in ("explained", "ambiguous"):
-        with_it = f"with what is named the simulator errs by {size(found[2], words.unit)}"
+        with_it = f"with what is named the simulator errs by {size(unseen_errors[2], words.unit)}"
         return (
-            f" On the {sight.strokes(content)} {with_it}, as measured by {size(nominal, words.unit)}; calibrated alone "
-            f"it is worse than that ({size(error, words.unit)})."
+            f" On the {holdout.strokes(content)} {with_it}, as measured by {size(nominal, words.unit)}; calibrated "
+            f"alone it is worse than that ({size(error, words.unit)})."
         )
-    return f" But on the {sight.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
+    return f" But on the {holdout.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
 
 
-def cautions(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
-    found = errors(content, words)
-    if found is None:
+    unseen_errors = errors(content, words)
+    if unseen_errors is None:
         return []
-    nominal, calibrated, explained = found
-    noise, said = content["fit"][f"noise_floor_{words.ending}"], []
-    named, strokes = content["verdict"] in ("explained", "ambiguous"), sight.strokes(content)
+    nominal, calibrated, explained = unseen_errors
+    noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
+    named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
     named_helps = named and explained < nominal  # then the first line says it
     if calibrated > WORSE * nominal and not named_helps:
         sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
-        said.append(
+        sentences.append(
             f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
     if harmful(content, words):
-        said.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
-        said += other_choice(content)
+        sentences.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
+        sentences += other_choice(content)
     elif named and explained > NO_BETTER * calibrated:
-        said.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
+        sentences.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
     if partly(content, words) and content["verdict"] != "unknown":
-        said.append(still_missing(content, words, explained / noise, named))
-    return [*said, *level.beaten(content, words)]
+        sentences.append(still_missing(content, words, explained / noise, named))
+    return [*sentences, *level.beaten(content, words)]
 
 
-def harmful(content: dict[str, Any], words: Vocabulary) -> bool:
+def harmful(content: Verdict, words: Vocabulary) -> bool:
     """Whether what is named makes the simulator worse on strokes that no fit has seen."""
-    found = errors(content, words)
-    if found is None or content["verdict"] not in ("explained", "ambiguous"):
+    unseen_errors = errors(content, words)
+    if unseen_errors is None or content["verdict"] not in ("explained", "ambiguous"):
         return False
-    _, calibrated, explained = found
+    _, calibrated, explained = unseen_errors
     return explained > max(WORSE * calibrated, calibrated + 0.1 * float(content["fit"][f"noise_floor_{words.ending}"]))
 
 
-def other_choice(content: dict[str, Any]) -> list[str]:
+def other_choice(content: Verdict) -> list[str]:
     """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
     chosen = content["evidence"].get("chosen_without_them")
     if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
@@ -95,22 +95,24 @@ def other_choice(content: dict[str, Any]) -> list[str]:
     ]
 
 
-def partly(content: dict[str, Any], words: Vocabulary) -> bool:
+def partly(content: Verdict, words: Vocabulary) -> bool:
     """Whether unseen strokes are missed by more than the noise."""
-    found = errors(content, words)
-    return found is not None and found[2] > STILL_MISSING * float(content["fit"][f"noise_floor_{words.ending}"])
+    unseen_errors = errors(content, words)
+    return unseen_errors is not None and unseen_errors[2] > STILL_MISSING * float(
+        content["fit"][f"noise_floor_{words.ending}"]
+    )
 
 
-def still_missing(content: dict[str, Any], words: Vocabulary, unseen: float, named: bool) -> str:
+def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: bool) -> str:
     """That unseen strokes are missed by more than the noise, beside what is left of those that the fit has seen.
 
     `unseen` is the error on unseen strokes in noise floors.
     """
     fitted = fitted_times(content, words, named)
     missed = (
-        f"the {sight.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
+        f"the {holdout.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
     )
-    if fitted is None or sight.sight(content) == sight.SEEN:
+    if fitted is None or holdout.status(content) == holdout.SEEN:
         return f"Something systematic is still missing: {missed}."
     both = f"{missed}, those that the fit has seen by {exact(fitted)} times"
     if unseen <= NOTHING_NEW * fitted:
@@ -126,43 +128,43 @@ def exact(ratio: float) -> str:
     return f"{ratio:.2f}" if ratio < NEAR * STILL_MISSING else times(ratio)
 
 
-def nothing_new(content: dict[str, Any], words: Vocabulary) -> bool:
+def nothing_new(content: Verdict, words: Vocabulary) -> bool:
     """Whether what is missed of unseen strokes is missed as much of those that the fit has seen."""
-    found, fitted = errors(content, words), fitted_times(content, words, named=True)
-    if found is None or fitted is None:
+    unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=True)
+    if unseen_errors is None or fitted is None:
         return False
-    return found[2] / float(content["fit"][f"noise_floor_{words.ending}"]) <= NOTHING_NEW * fitted
+    return unseen_errors[2] / float(content["fit"][f"noise_floor_{words.ending}"]) <= NOTHING_NEW * fitted
 
 
-def fitted_times(content: dict[str, Any], words: Vocabulary, named: bool) -> float | None:
+def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | None:
     """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
     evidence = content["evidence"]
     left = evidence.get(f"calibrated_{words.ending}")
     if named:
-        best = [one for one in evidence["explanations"] if one["standing"] == "named"]
+        best = [shown for shown in evidence["explanations"] if shown["standing"] == "named"]
         left = best[0][f"left_{words.ending}"] if best else None
     return float(left) / float(evidence[f"floor_{words.ending}"]) if left is not None else None
 
 
-def inexact(content: dict[str, Any], words: Vocabulary) -> bool:
+def inexact(content: Verdict, words: Vocabulary) -> bool:
     """Whether the verdict's simulator leaves more than noise of the whole recording."""
     fitted = fitted_times(content, words, content["verdict"] in ("explained", "ambiguous"))
     return fitted is not None and fitted > STILL_MISSING
 
 
-def left_over(content: dict[str, Any], words: Vocabulary) -> float:
+def left_over(content: Verdict, words: Vocabulary) -> float:
     """What a simulator without a name leaves beyond the noise, rms, of all or of unseen strokes; 0 near the noise."""
     noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
-    found, fitted = errors(content, words), fitted_times(content, words, named=False)
+    unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=False)
     beyond = [0.0]
     if fitted is not None and fitted > STILL_MISSING:
         beyond.append(floor * math.sqrt(fitted**2 - 1.0))
-    if found is not None and found[2] > STILL_MISSING * noise:
-        beyond.append(math.sqrt(found[2] ** 2 - noise**2))
+    if unseen_errors is not None and unseen_errors[2] > STILL_MISSING * noise:
+        beyond.append(math.sqrt(unseen_errors[2] ** 2 - noise**2))
     return max(beyond)
 
 
-def noises(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:
+def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
     noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     if not averaged(content, words):
@@ -172,7 +174,7 @@ def noises(content: dict[str, Any], words: Vocabulary) -> tuple[str, str]:
     return f"noise of averages{step}: {size(floor, words.unit)}", f"noise of single samples: {size(noise, words.unit)}"
 
 
-def averaged(content: dict[str, Any], words: Vocabulary) -> bool:
+def averaged(content: Verdict, words: Vocabulary) -> bool:
     """Whether the whole recording was compared in averages, which have less noise than its single samples."""
     noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     return bool(abs(floor - noise) > AVERAGED * noise)

@@ -2,22 +2,23 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from ...systems import System
+from ..content import Verdict
 from ..interface import physics
 from . import (
     adoption,
-    beaten,
     certainty,
     chances,
     effect_table,
     error_table,
+    holdout,
     level,
-    seen,
-    sight,
+    logged,
+    rejected_explanations,
     to_do,
     tolerances,
+    unexplained_pattern,
     unseen,
 )
 from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
@@ -36,13 +37,14 @@ RUN = " the run to make step by step,"
 
 
 def verdict_text(
-    content: dict[str, Any], system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
+    content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
 ) -> str:
     """The verdict on one page; `folders` are the runs it is about and `out` its own folder, for the commands.
 
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
     words = Vocabulary.of(system)
+    missing, would, temperature = _unknown(content, words), _would(content, words), logged.temperature(content, words)
     sections = [
         (headline(content, words), []),
         (
@@ -51,29 +53,29 @@ def verdict_text(
                 *doubts,
                 *adoption.cautions(content),
                 *unseen.cautions(content, words),
-                *(seen.remains(content, words) if unseen.partly(content, words) else []),
+                *(unexplained_pattern.remains(content, words) if unseen.partly(content, words) else []),
                 *_provisional(content, words),
             ],
         ),
-        (effect_table.HEADING, effect_table.lines(content, words)),
+        (effect_table.HEADING, [*effect_table.lines(content, words), *temperature] if content["mechanisms"] else []),
         (chances.HEADING, chances.lines(content, words)),
-        ("What is missing", _unknown(content, words)),
+        ("What is missing", [*missing, *temperature] if missing else []),
         (error_table.SHORT, error_table.short(content, words)),
         ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
         (to_do.HEADING, to_do.lines(content, words, folders, out)),
-        ("What would have been seen", _would(content, words)),
+        ("What would have been seen", [*would, *temperature] if would else []),
     ]
     return text(sections, last=(MORE.format(run=RUN if content["next_run"] else ""), []))
 
 
-def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
     """Why names may not last: dimensions that calibration moved far, slow effects that look alike, odd tolerances."""
     moved = far_moved(content)
     lines = tolerances.doubts(content, words)
     if moved:
         names = listing([f"the {name_of(name)}" for name in moved])
-        one = len(moved) == 1
-        their, are = ("its", "it is") if one else ("their", "they are")
+        single = len(moved) == 1
+        their, are = ("its", "it is") if single else ("their", "they are")
         lines.append(
             f"Calibration moved {names} by {_span(moved)} times {their} tolerance; three is the most that it may. "
             f"Until {are} measured again (below), {_what(content)} provisional."
@@ -96,12 +98,16 @@ def _provisional(content: dict[str, Any], words: Vocabulary) -> list[str]:
         )
     slow = certainty.slow_alike(content, words)
     if slow:
+        surely = not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
         others = listing(certainty.slow_others(slow), "or")
-        lines.append(f"Under one load slow effects look alike: what is called {listing(slow)} here can be {others}.")
+        lines.append(
+            f"Under one load slow effects look alike: what is called {listing(slow)} here can be {others}. That "
+            f"something slow acts is {'sure' if surely else 'likely'}; its name is not sure."
+        )
     return lines
 
 
-def _what(content: dict[str, Any]) -> str:
+def _what(content: Verdict) -> str:
     return "names, percentages and sizes are" if content["mechanisms"] else "this verdict is"
 
 
@@ -110,7 +116,7 @@ def _span(moved: dict[str, float]) -> str:
     return ends[0] if len(ends) == 1 else f"{ends[0]} to {ends[-1]}"
 
 
-def _unknown(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     """Of a mismatch without a name: how large it is, where, what it follows, what comes closest, the level to reach."""
     mismatch = content["mismatch"]
     if not mismatch or content["verdict"] != "unknown":
@@ -122,15 +128,17 @@ def _unknown(content: dict[str, Any], words: Vocabulary) -> list[str]:
     return [
         f"{missing}, {lies}. It follows {mismatch['driver']}.",
         "What comes closest, and does not do:",
-        *(f"  {line}" for line in beaten.insufficient(content, words)),
+        *(f"  {line}" for line in rejected_explanations.insufficient(content, words)),
         *level.to_reach(content, words),
     ]
 
 
-def _would(content: dict[str, Any], words: Vocabulary) -> list[str]:
+def _would(content: Verdict, words: Vocabulary) -> list[str]:
     """What a verdict without a name is worth, in short: from which size on effects would have been seen."""
-    there = content["fit"][f"detectable_{words.ending}"]
-    sizes = {id_: least for id_, least in there.items() if physics((id_,)) and id_ not in sight.included(content)}
+    detectable = content["fit"][f"detectable_{words.ending}"]
+    sizes = {
+        id_: least for id_, least in detectable.items() if physics((id_,)) and id_ not in holdout.included(content)
+    }
     if content["verdict"] not in UNNAMED or not sizes:
         return []
     left = unseen.left_over(content, words)
@@ -138,5 +146,5 @@ def _would(content: dict[str, Any], words: Vocabulary) -> list[str]:
         more = f"Of the errors above, {size(left, words.unit)} rms is more than noise"
         return [f"{more}: effects of that size and less may hide in it."]
     ends = [min(sizes, key=lambda id_: sizes[id_]), max(sizes, key=lambda id_: sizes[id_])]
-    said = " to ".join(f"{size(sizes[id_], words.unit)} ({id_})" for id_ in dict.fromkeys(ends))
-    return [f"An effect would have been seen from this size on: {said} rms. details.txt has the size of each."]
+    from_to = " to ".join(f"{size(sizes[id_], words.unit)} ({id_})" for id_ in dict.fromkeys(ends))
+    return [f"An effect would have been seen from this size on: {from_to} rms. details.txt has the size of each."]

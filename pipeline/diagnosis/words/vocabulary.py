@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ...ground.schemas import unit_of
+from ...ground.units import unit_of
 from ...systems import System
 
 ANGLES = ("deg", "rad", "turns")
@@ -65,20 +65,20 @@ class Vocabulary:
     def phase(self, phase: str) -> str:
         """A phase of the strokes."""
         up, down = self.ways
-        said = {"winding": f"on {up}", "unwinding": f"on {down}", "hold": "in holds", "rest": "at rest"}
+        phrases = {"winding": f"on {up}", "unwinding": f"on {down}", "hold": "in holds", "rest": "at rest"}
         if self.twisted:
-            said |= {"winding": "while winding", "unwinding": "while unwinding"}
-        return said.get(phase, "in all phases")
+            phrases |= {"winding": "while winding", "unwinding": "while unwinding"}
+        return phrases.get(phase, "in all phases")
 
     def follows(self, driver: str, loaded: bool = True) -> str:
         """What an effect follows, as the library or the generic dictionary calls it, in this rig's words."""
-        said = FOLLOWED.get(driver, driver)
+        phrase = FOLLOWED.get(driver, driver)
         if not loaded:
-            said = said.replace(" and the load", "").replace("the load and ", "")
+            phrase = phrase.replace(" and the load", "").replace("the load and ", "")
         if self.twisted:
-            return said
-        said = said.replace("twisting rate", self.rate).replace("displacement rate", f"rate of the {self.reading}")
-        return said.replace("twist", self.motion).replace("displacement", self.reading)
+            return phrase
+        phrase = phrase.replace("twisting rate", self.rate).replace("displacement rate", f"rate of the {self.reading}")
+        return phrase.replace("twist", self.motion).replace("displacement", self.reading)
 
 
 # how the words of `Mechanism.driver` and of `generic.groups`, which decide, are said

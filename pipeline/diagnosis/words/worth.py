@@ -1,14 +1,16 @@
 """What a proposed run is expected to tell, and whether it is worth making, in words."""
 
-from typing import Any
+import itertools
 
 from .. import design
 from ..adopt import NO_USE
+from ..content import NextRun, Verdict, proposal
 from ..design import PLAIN, deviations
 from . import probability, rivals, unseen
-from .quantity import listing, number, times
+from .quantity import listing, number, quantity, size, times
 from .vocabulary import Vocabulary
 
+NEW = 0.1  # of a speed: one that leaves what was recorded by less is none
 COMPARED = 4  # explanations that a proposed run is to part
 CARE = {
     "twice the speed": "Only if the motor can go so fast.",
@@ -18,26 +20,31 @@ CARE = {
 WRONG = "That is no noise, but a formula that is wrong by a few per cent can make it too"
 
 
-def first(run: dict[str, Any]) -> list[str]:
+def first(run: NextRun) -> list[str]:
     """What to know before the steps of a run that decides nothing."""
     return [] if "parts" not in run or raises(run) else [f"{NO_USE}: you can skip it."]
 
 
-def purpose(content: dict[str, Any], words: Vocabulary, whether: bool = True) -> str:
+def purpose(content: Verdict, words: Vocabulary, whether: bool = True) -> str:
     """Which two explanations the run parts, how probable each is, how far; before it `whether` it is worth making."""
-    run = content["next_run"]
+    run = proposal(content)
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     worth = "Worth making" if decides(run) else "Worth a try"
-    asked = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
-    value = (asked if raises(run) else first(run)[0]) + " " if whether else ""
-    one, other = (probable(ids, content) for ids in run["parts"])
+    advice = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
+    value = (advice if raises(run) else first(run)[0]) + " " if whether else ""
+    explanation, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
-    return f"{value}It is to tell {one} from {other}{closest}.{aside(content)} {gaps(run)}"
+    sentences = (
+        f"{value}It is to tell {explanation} from {other}{closest}.{aside(content)}",
+        readings(run, words),
+        gaps(run),
+    )
+    return " ".join(part for part in sentences if part)
 
 
-def gaps(run: dict[str, Any]) -> str:
+def gaps(run: NextRun) -> str:
     """How far the closest two predictions are apart without the run and with it, and what that is worth."""
     now, then = deviations(run["gap_now"]), deviations(run["gap_then"])
     so_far = f"So far the closest two predictions differ by {number(now)} standard deviations"
@@ -55,30 +62,59 @@ def gaps(run: dict[str, Any]) -> str:
     return f"{so_far}. {WRONG}, so it does not decide. {with_it} to make that. So the run can decide."
 
 
-def probable(ids: list[str], content: dict[str, Any]) -> str:
+def readings(run: NextRun, words: Vocabulary) -> str:
+    """By how much the two readings should differ in the run; nothing where an older file does not say it."""
+    known = run.get("apart")
+    if not known:
+        return ""
+    most, near = size(known[f"by_{words.ending}"], words.unit), quantity(known[words.driver], words.motion_unit)
+    names = [rivals.called(ids) for ids in run["parts"]]
+    both = [quantity(known[f"{which}_{words.ending}"], words.unit, 4) for which in ("first", "second")]
+    return (
+        f"In it the two predicted readings differ by up to {most}, most near {near}: {both[0]} if it is {names[0]}, "
+        f"{both[1]} if it is {names[1]}."
+    )
+
+
+def asks_speed(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the run moves at a speed that was not recorded; by its title where an older file does not say."""
+    run, known = proposal(content), content["evidence"].get("covered")
+    if known is None or "speed" not in run["title"]:
+        return "speed" in run["title"]
+    slow, fast = known["speed_per_s"]
+    places = [leg[words.driver] for leg in run["legs"]]
+    ways = zip(itertools.pairwise(places), run["legs"][1:], strict=True)
+    speeds = [abs(to - at) / leg["seconds"] for (at, to), leg in ways if to != at]
+    return not all((1.0 - NEW) * slow <= speed <= (1.0 + NEW) * fast for speed in speeds)
+
+
+def probable(ids: list[str], content: Verdict) -> str:
     """An explanation by its name with its probability, if it has one."""
-    found = [one for one in content["evidence"]["explanations"] if set(one["ids"]) == set(ids)]
-    likely = probability.said(found[0]) if found else ""
+    shown = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == set(ids)]
+    likely = probability.said(shown[0]) if shown else ""
     return f"{rivals.called(ids)}{f' ({likely})' if likely else ''}"
 
 
-def question(content: dict[str, Any]) -> str:
+def question(content: Verdict) -> str:
     """What the run is to answer: what the two explanations that it parts differ in."""
-    one, other = content["next_run"]["parts"]
-    rests = [listing([id_ for id_ in ids if id_ not in both]) for ids, both in ((one, other), (other, one))]
+    first_ids, other_ids = proposal(content)["parts"]
+    rests = [
+        listing([id_ for id_ in ids if id_ not in both])
+        for ids, both in ((first_ids, other_ids), (other_ids, first_ids))
+    ]
     if not all(rests):
         return f"whether {''.join(rests)} is at work"
     return f"which is at work: {', or '.join(rests) if any(' and ' in rest for rest in rests) else ' or '.join(rests)}"
 
 
-def aside(content: dict[str, Any]) -> str:
+def aside(content: Verdict) -> str:
     """Where the run is chosen for two others: that the best explanation differs from them by at least as much."""
     best = {entry["id"] for entry in content["mechanisms"]}
-    concerned = best in [set(ids) for ids in content["next_run"]["parts"]]
+    concerned = best in [set(ids) for ids in proposal(content)["parts"]]
     return "" if concerned else " The best explanation is neither of the two: it differs from both by at least as much."
 
 
-def otherwise(content: dict[str, Any], words: Vocabulary) -> str:
+def otherwise(content: Verdict, words: Vocabulary) -> str:
     """What to do with what ties without the run."""
     count = 1 + len(content["alternatives"])
     if unseen.harmful(content, words):
@@ -86,30 +122,31 @@ def otherwise(content: dict[str, Any], words: Vocabulary) -> str:
     return f"report the best explanation as one of {count}"
 
 
-def decides(run: dict[str, Any]) -> bool:
+def decides(run: NextRun) -> bool:
     """Whether a run parts two explanations by so much more, and so far, that it can be expected to decide."""
     return design.decides(run["gap_now"], run["gap_then"])
 
 
-def raises(run: dict[str, Any]) -> bool:
+def raises(run: NextRun) -> bool:
     """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
     return design.raises(run["gap_now"], run["gap_then"])
 
 
-def undecided(run: dict[str, Any]) -> str:
+def undecided(run: NextRun) -> str:
     """That no run can be expected to decide, and whether the one that is proposed is worth a try all the same."""
     if raises(run):
         return "No run that was tried is sure to decide; the one below is worth a try"
     return "No run that was tried decides"
 
 
-def care(content: dict[str, Any], words: Vocabulary) -> str:
+def care(content: Verdict, words: Vocabulary) -> str:
     """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
-    run = content["next_run"]
-    said = next((said for there, said in CARE.items() if there in run["title"]), "")
+    run = proposal(content)
+    changes = {change: text for change, text in CARE.items() if "speed" not in change or asks_speed(content, words)}
+    caution = next((text for change, text in changes.items() if change in run["title"]), "")
     if "load" in run["title"] and words.load:
         cannot = "If your rig cannot change its load, "
-    elif said:
+    elif caution:
         cannot = "If your rig cannot go so fast, "
     else:
         return ""
@@ -120,4 +157,4 @@ def care(content: dict[str, Any], words: Vocabulary) -> str:
         cannot += (
             "make the run at the other speed alone: it shows less." if "speed" in run["title"] else "leave it out."
         )
-    return " ".join(part for part in (said, cannot) if part)
+    return " ".join(part for part in (caution, cannot) if part)

@@ -1,6 +1,8 @@
 """The diagnosis' problem of training points: it sees their readings, and what moved between them."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -10,12 +12,38 @@ from ...diagnosis.drivers import Drivers, drivers_of
 from ...diagnosis.interface import Mechanism, Nonlinear, Term
 from ...diagnosis.problem import Problem
 from ...diagnosis.record import joined
+from ...diagnosis.recorded_run import RecordedRun
 from ...ground.kinematics import Array
 from ...run.description import Run
 from .motion import Motion
 
 SAMPLES = ["time_s", "motor_turns", "displacement_mm", "load_n"]
-FOLLOWED = ("rate", "moved", "path")  # what drivers find in neighbouring samples, and would find wrong at a hole
+
+
+@dataclass(frozen=True)
+class HoledDrivers(Drivers):
+    """Drivers at instants with holes between: what neighbouring samples tell is taken from the whole motion."""
+
+    whole: Drivers | None = None  # of the motion without holes, from the same start
+
+    @cached_property
+    def rate(self) -> Array:
+        """Rate of the motion. In the motion's unit a second, shape (samples,)."""
+        return self._of_whole("rate")
+
+    @cached_property
+    def moved(self) -> Array:
+        """The motion without encoder noise. In the motion's unit, shape (samples,)."""
+        return self._of_whole("moved")
+
+    @cached_property
+    def path(self) -> Array:
+        """Travel of the motion since the start. In the motion's unit, shape (samples,)."""
+        return self._of_whole("path")
+
+    def _of_whole(self, name: str) -> Array:
+        assert self.whole is not None
+        return np.interp(self.elapsed_s, self.whole.elapsed_s, getattr(self.whole, name))
 
 
 @dataclass(frozen=True)
@@ -45,10 +73,10 @@ class Holed(Problem):
 
 def plain(run: Run, samples: pd.DataFrame, started_s: float) -> Problem:
     """A simulator's problem for samples of any number, whose events are timed from `started_s`."""
-    record = joined([run], [samples], len(samples))
-    drivers = drivers_of(run.system, record, run)
+    record = joined([RecordedRun(run, samples)], len(samples))
     # A point that is asked from before the training must not shift what was timed from its start.
-    drivers.__dict__["elapsed_s"] = samples["time_s"].to_numpy() - started_s
+    counted_s = samples["time_s"].to_numpy() - started_s
+    drivers = replace(drivers_of(run.system, record, run), counted_s=counted_s)
     parameters = tuple(run.system.parameters(run))
     return Problem(run.system, record, drivers, parameters, record.measured, len(record))
 
@@ -65,10 +93,12 @@ def holed(run: Run, samples: pd.DataFrame, without: frozenset[str]) -> Problem:
     The motion between the samples goes straight, as it does when the simulator is asked afterwards: what a mechanism
     listens to, such as a rate, must not differ between the two.
     """
-    problem = engine.make_problem([run], [samples], most=len(samples), without=without)
+    problem = engine.make_problem([RecordedRun(run, samples)], most=len(samples), without=without)
     motion = Motion.of(samples)
     whole = along(run, motion.evenly(motion.step_s), float(motion.time_s[0])).drivers
-    for name in FOLLOWED:
-        problem.drivers.__dict__[name] = np.interp(problem.drivers.elapsed_s, whole.elapsed_s, getattr(whole, name))
-    fields = {name: getattr(problem, name) for name in Problem.__dataclass_fields__}
-    return Holed(**fields, whole=whole)
+    drivers = HoledDrivers(**_held(problem.drivers), whole=whole)
+    return Holed(**{**_held(problem), "drivers": drivers}, whole=whole)
+
+
+def _held(of: Problem | Drivers) -> dict[str, Any]:
+    return {each.name: getattr(of, each.name) for each in fields(of)}

@@ -125,6 +125,6 @@ class Simulator:
     @classmethod
     def from_saved(cls, saved: dict[str, Any]) -> "Simulator":
         """The simulator that `saved` wrote."""
-        acts = tuple(Act(act["id"], tuple(act["shapes"]), tuple(act["coefficients"])) for act in saved["acts"])
+        acts = tuple(Act(act["id"], tuple(act["nonlinear"]), tuple(act["coefficients"])) for act in saved["acts"])
         own = {"run": Run.model_validate(saved["run"]), "known": pd.DataFrame(saved["known"]), "acts": acts}
         return cls(**{**saved, **own})

@@ -3,6 +3,8 @@
 Which law a material follows is not known beforehand, and they part mostly beyond the strokes that were seen: so each is
 fitted without the last strokes of every string and judged by how well it foresees them, and by how well it follows all
 strokes once it has seen them. By foresight of a stroke or two alone, laws that part soon after are too much alike.
+
+Source: Tashman, "Out-of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000.
 """
 
 from collections.abc import Callable

@@ -7,6 +7,9 @@ seen get the scores of blocks held out inside strokes, strokes ahead those of as
 asked knows more than those that were tried: what their errors have above the noise is taken to fall with the points,
 and ahead with the square of the strokes. A point outside the model's box, or farther ahead than could be tried, gets
 no interval: low and high are infinite and it is flagged.
+
+Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction); Tashman, "Out-
+of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000 (rolling origin).
 """
 
 from collections.abc import Callable
@@ -33,7 +36,7 @@ MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
 class Scatter:
     """Local root mean square error of one map, by range of twist and direction."""
 
-    edges_turns: Array
+    edges_turns: Array  # (ranges + 1,)
     size: Array  # (ranges, 2): winding, unwinding; in the predicted column's unit
 
     @classmethod

@@ -1,4 +1,9 @@
-"""Levenberg and Marquardt's damped least squares, for models that know their own Jacobian."""
+"""Levenberg and Marquardt's damped least squares, for models that know their own Jacobian.
+
+Source: Levenberg, "A method for the solution of certain non-linear problems in least squares", Quarterly of Applied
+Mathematics 2, 1944; Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", SIAM Journal 11,
+1963.
+"""
 
 from collections.abc import Callable
 

@@ -19,14 +19,14 @@ from ...ground.kinematics import Array
 class Knots:
     """Knots of a spline for each point: `at` is shared, the rest is each point's own."""
 
-    at: Array  # (knots,), rising
-    start: Array  # (points,): value at the first knot
-    rise: Array  # (points, knots - 1), positive: value gained from knot to knot
-    slope: Array  # (points, knots), positive
+    at: Array  # (knots,), rising, in u's unit
+    start: Array  # (points,): value at the first knot, in the value's unit
+    rise: Array  # (points, knots - 1), positive: value gained from knot to knot, in the value's unit
+    slope: Array  # (points, knots), positive, in the value's unit over u's unit
 
     @property
     def values(self) -> Array:
-        """Value at every knot, shape (points, knots)."""
+        """Value at every knot, shape (points, knots), in the unit of `start`."""
         gained = np.cumsum(self.rise, axis=1)
         return self.start[:, None] + np.concatenate([np.zeros((len(self.rise), 1)), gained], axis=1)
 

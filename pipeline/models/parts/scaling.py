@@ -18,7 +18,7 @@ class Scaling:
 
     @classmethod
     def of(cls, values: Array) -> "Scaling":
-        """The scaling of a table of shape (rows, columns).
+        """The scaling of a table of shape (rows, columns), each column in its own unit.
 
         One string gives constant b, l and r. Their std would be 0 or mere rounding, and dividing by it NaN or
         a blown-up rounding error, so it is set to 1.
@@ -28,9 +28,9 @@ class Scaling:
         return cls(mean, np.where(constant, 1.0, std))
 
     def scaled(self, values: Array) -> Array:
-        """Values in standard deviations from the mean."""
+        """Values of shape (rows, columns) in standard deviations from the mean, without a unit."""
         return np.asarray((values - self.mean) / self.std)
 
     def restored(self, values: Array) -> Array:
-        """Values in their own units again."""
+        """Values of shape (rows, columns), in their own units again."""
         return np.asarray(values * self.std + self.mean)

@@ -1,4 +1,7 @@
-"""The training loop that the networks share: shuffled batches, Adam, one learning rate an epoch."""
+"""The training loop that the networks share: shuffled batches, Adam, one learning rate an epoch.
+
+Source: Kingma and Ba, "Adam: a method for stochastic optimization", ICLR 2015.
+"""
 
 import io
 import logging
@@ -44,7 +47,7 @@ def repeatable(seed: int) -> Iterator[None]:
 
 
 def tensor(values: object) -> Tensor:
-    """An array as a float32 tensor. Its shape and unit stay."""
+    """An array as a float32 tensor. It stays of its shape and in its unit."""
     return torch.as_tensor(values, dtype=torch.float32)
 
 
@@ -54,7 +57,7 @@ def minimise(
     """Lower a loss by Adam with the given learning rate in each epoch; `loss_of` takes a batch's row numbers.
 
     Shows the epochs as progress and logs the last one's mean loss. Raises ArithmeticError when the loss is not finite.
-    They have the shape (batch,).
+    Row numbers have the shape (batch,), as indices.
     """
     optimiser = torch.optim.Adam(network.parameters(), lr=rates[0], fused=True)
     batches = math.ceil(points / batch)

@@ -10,11 +10,12 @@ from pathlib import Path
 from threadpoolctl import threadpool_limits
 
 from ...diagnosis import engine, own_rate
+from ...diagnosis.recorded_run import RecordedRun
 from ...ground.errors import program
 from ...ground.files import write_text
 from ...ground.modules import holding
 from ...run.folder import read_run
-from ...run.samples import read_samples
+from ...run.samples import read_strokes
 from .learnt import Method, Said, calibrated, held_out_mm
 
 
@@ -32,8 +33,8 @@ def method(name: str) -> Method:
 
 def baselines(folder: Path) -> dict[str, Said]:
     """What every method says of one run folder; names come from the whole recording. Raises BadInput."""
-    run, samples = read_samples(folder)
-    problem, fine = engine.make_problem([run], [samples], [folder]), own_rate.at_own_rate([run], [samples])
+    recorded = [RecordedRun(*read_strokes(folder), folder)]
+    problem, fine = engine.make_problem(recorded), own_rate.at_own_rate(recorded)
     whole = calibrated(problem)
     answers: dict[str, Said] = {}
     for name in names():

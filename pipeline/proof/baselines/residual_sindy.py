@@ -16,41 +16,12 @@ from .learnt import Calibrated, Learnt
 
 THRESHOLDS = np.geomspace(0.02, 2.0, 14)  # of the residual's rms, on columns of unit spread
 RIDGE = 1e-2  # for each sample: keeps columns that look alike from cancelling each other, which would name at random
-SIGNED = {  # a term of which the sign tells two mechanisms apart: what falls behind, what runs ahead
-    "high twist": ("jam", "overtwist"),
-}
-STANDS_FOR = {
-    "twist": "radius_compaction",
-    "twist squared": "radius_compaction",
-    "low twist": "slack",
-    "contraction at its end": "end_stop",
-    "direction": "backlash",
-    "direction x twist": "backlash",
-    "direction x load": "friction_hysteresis",
-    "direction when slow": "stick_slip",
-    "rate": "viscous_loss",
-    "rate x twist": "sensor_lag",
-    "acceleration": "load_swing",
-    "load": "axial_elasticity",
-    "load x twist": "shaft_windup",
-    "load x time": "creep",
-    "load x work": "stiffening",
-    "time": "sensor_drift",
-    "work": "plastic_elongation",
-    "travel": "plastic_elongation",
-    "travel x twist": "wear",
-    "sine of the turn": "eccentricity",
-    "cosine of the turn": "eccentricity",
-    "temperature": "thermal",
-    "heat": "thermal",
-}  # sudden events have no driver, and therefore no term
 
 
 def learn(seen: Calibrated) -> Learnt:
     """The sparse model with the least BIC, named by its largest term; nothing when no term stays."""
     problem, rows = seen.problem, seen.problem.rows
     columns = products(problem.drivers)
-    names = list(columns)
     mean, spread = standard(columns, rows)
     zero = float(seen.residual_mm.mean())
     weights = _sparse(table(columns, mean, spread)[:rows], seen.residual_mm - zero)
@@ -61,9 +32,7 @@ def learn(seen: Calibrated) -> Learnt:
     if not weights.any():
         return Learnt([], adds_mm)
     largest = int(np.argmax(np.abs(weights)))
-    name = names[largest]
-    id_ = SIGNED[name][int(weights[largest] > 0.0)] if name in SIGNED else STANDS_FOR[name]
-    return Learnt([id_], adds_mm)
+    return Learnt([list(columns.values())[largest].mechanism(weights[largest])], adds_mm)
 
 
 def _sparse(table: Array, target: Array) -> Array:

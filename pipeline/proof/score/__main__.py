@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...ground.errors import program
+from ...ground.errors import BadInput, program
 from ...ground.files import write_text
-from . import beside
+from . import baselines_beside
 from .authors import by_author, by_law
 from .cases import OWN, gather
 from .figures import draw
@@ -28,17 +28,20 @@ def main() -> None:
     )
     parser.add_argument("--note", default="", metavar="TEXT", help="which configuration made it, to stand beneath")
     arguments = parser.parse_args()
+    if not arguments.twins.is_file():
+        raise BadInput(arguments.twins, "--twins", "is not there", "make it with python -m pipeline.proof.twins")
+    twins = pd.read_csv(arguments.twins)
     everyone, sizes = gather(arguments.place, arguments.batches)
     cases = everyone[everyone["author"] == OWN].reset_index(drop=True)
     sizes = sizes[sizes["run"].isin(cases["run"])]
-    besides = beside.gather(everyone, arguments.place, arguments.batches)
-    scored = pd.concat([scores(cases, sizes), beside.scores(besides)], ignore_index=True)
+    besides = baselines_beside.gather(everyone, arguments.place, arguments.batches)
+    scored = pd.concat([scores(cases, sizes), baselines_beside.scores(besides)], ignore_index=True)
     tables = {"cases": everyone, "sizes": sizes, "beside": besides, "scores": scored}
     tables |= {"authors": by_author(everyone), "laws": by_law(everyone)}
     for name, table in tables.items():
         write_text(arguments.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
     hands = section(tables["authors"], tables["laws"])
-    write_text(arguments.out / "proof.md", page(cases, scored, pd.read_csv(arguments.twins), hands) + arguments.note)
+    write_text(arguments.out / "proof.md", page(cases, scored, twins, hands) + arguments.note)
     made = cases[cases["skipped"] == ""]
     draw(made, sizes, arguments.out)
     print(made["outcome"].value_counts().to_string())

@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
-from ...run.strokes import label
+from ...run.samples import read_strokes
+from ...run.strokes import of_samples
 
 EDGE_TURNS = 1e-3  # what rounding moves an edge by
 
@@ -29,9 +29,9 @@ def inside(box: Mapping[str, Any], turns: Array, stroke: NDArray[Any], phase: ND
 
 def overlap(run: Path, first: Mapping[str, Any], other: Mapping[str, Any]) -> float:
     """Intersection over union of two boxes on the samples of a recording."""
-    table = pd.read_parquet(run / "recording.parquet", columns=["time_s", "motor_turns"])
-    time_s, turns = table["time_s"].to_numpy(), table["motor_turns"].to_numpy()
-    stroke, phase = label(time_s, turns)
+    _, samples, strokes = read_strokes(run)
+    turns = samples["motor_turns"].to_numpy()
+    stroke, phase = of_samples(strokes)
     held = [inside(box, turns, stroke, phase) for box in (first, other)]
     either = int((held[0] | held[1]).sum())
     return float((held[0] & held[1]).sum() / either) if either else 0.0

@@ -4,14 +4,20 @@ import json
 import random
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
+
+import pandas as pd
 
 from ...diagnosis.engine import make_problem, study
 from ...diagnosis.interface import physics
 from ...diagnosis.judge import Weighed
+from ...diagnosis.recorded_run import RecordedRun
 from ...diagnosis.weigh import weighed
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
 from ...run.description import parse_run
+from ...run.recording import to_samples
+from ...run.samples import check
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
 SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm
@@ -62,6 +68,17 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
     return lessons
 
 
+def recorded(content: dict[str, Any], table: pd.DataFrame) -> RecordedRun:
+    """A recording as a diagnosis of its run folder takes it, from what `run.yaml` says and its table; raises BadInput.
+
+    Under one load that nobody recorded, the load is what `run.yaml` says.
+    """
+    folder = Path(content["run"])
+    run = parse_run(content, folder / "run.yaml")
+    path = folder / "recording.parquet"
+    return RecordedRun(run, *check(run, to_samples(run, table, path, folder / "run.yaml"), path))
+
+
 def learnt(lesson: Lesson) -> Lesson:
     """A lesson with what the search makes of its recording: nothing where nothing was seen, or nothing can be made."""
     for number in range(TRIES):
@@ -73,8 +90,7 @@ def learnt(lesson: Lesson) -> Lesson:
             continue
     else:
         return lesson
-    run = parse_run({"run": "lesson", **made.content}, Path("lesson/run.yaml"))
-    studied = study(make_problem([run], [made.table]))
+    studied = study(make_problem([recorded({"run": "lesson", **made.content}, made.table)]))
     if not studied.judged.likely:
         return lesson
     return of(lesson, weighed(studied.search, studied.base, studied.noise.floor), tuple(studied.random))

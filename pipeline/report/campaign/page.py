@@ -13,7 +13,7 @@ from ...ground.errors import program
 from ...ground.files import write_text
 from ..drawing import STYLE, save
 from ..marks import add_mark, mark_from, write_page
-from ..plain import plain
+from ..plain_markdown import plain
 from ..sidecar import Column, describe
 from ..titles import titles_of
 from . import figures

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ...ground.schemas import unit_of
+from ...ground.units import unit_of
 from ...real.rigs import Answer, Expected
 
 SHOWN = 4  # of the explanations that tie

@@ -10,7 +10,7 @@ import pandas as pd
 
 from ...ground.errors import BadInput, program
 from ...ground.files import whole, write_text
-from ...ground.schemas import unit_of
+from ...ground.units import unit_of
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Rig, read_rigs
 from ..web.page import STYLE, link

@@ -7,7 +7,7 @@ from typing import Any
 
 import pandas as pd
 
-from ...ground.schemas import unit_of
+from ...ground.units import unit_of
 from ...real.black_boxes import looks
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Expected, Rig, expected_of

@@ -1,4 +1,4 @@
-"""The rig's effects: one file each, named as the contract names the mechanism, found by being there.
+"""The rig's effects: one file each, named as its mechanism in docs/physics.md, found by being there.
 
 Each holds its class `Model`, the machine, and its class `Hidden`, how a bench conceals it.
 

@@ -1,10 +1,15 @@
-"""The string is longer under a larger load, first by drawing its crimp straight."""
+"""The string is longer under a larger load, first by drawing its crimp straight.
+
+Source: the law is this rig's own; it is like the toe of a rope in McKenna, Hearle and O'Hear, Handbook of Fibre Rope
+Technology, 2004.
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -38,7 +43,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A string as soft as fibres and toe make it."""
 
-    claim = Claim("load", "under one load", ("at half speed", "never unwound"))
+    claim = Claim("load", otherwise.UNDER_ONE_LOAD, (otherwise.AT_HALF_SPEED, otherwise.NEVER_UNWOUND))
     grows = ("compliance_mm_per_n",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

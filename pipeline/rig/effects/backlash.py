@@ -1,10 +1,15 @@
-"""Play in the drive line: after a reversal the string stays where it is until the play is crossed."""
+"""Play in the drive line: after a reversal the string stays where it is until the play is crossed.
+
+Source: Wen, "Method for random vibration of hysteretic systems", Journal of the Engineering Mechanics Division 102,
+1976 (with both shape parameters 1/2).
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -52,7 +57,9 @@ def _cross(twist_rad: Array, half_rad: float, firmness: float, state: Array) -> 
 class Hidden(Concealed):
     """Play of a fifth of a turn, and more."""
 
-    claim = Claim("reversals of twist", "wound up once", ("at half speed", "under twice the load"))
+    claim = Claim(
+        "reversals of twist", otherwise.WOUND_UP_ONCE, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD)
+    )
     grows, most, wanders = ("turns",), 2.0, 0.034
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

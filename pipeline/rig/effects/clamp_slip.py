@@ -1,10 +1,15 @@
-"""A clamp gives way all at once: the string is longer from then on."""
+"""A clamp gives way all at once: the string is longer from then on.
+
+Source: Miner, "Cumulative damage in fatigue", Journal of Applied Mechanics 12, 1945 (damage that adds up); how the slip
+runs out is this rig's own.
+"""
 
 from collections.abc import Sequence
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
@@ -52,7 +57,7 @@ def _pull(tired_s: Array, lives_s: Array, slips_mm: Array, glides: float, state:
 class Hidden(Concealed):
     """A clamp that gives way once or twice."""
 
-    claim = Claim("an event", "in no time", ("at rest",))
+    claim = Claim("an event", otherwise.IN_NO_TIME, (otherwise.AT_REST,))
     grows, wanders, by_chance = ("slips_mm",), 0.019, True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

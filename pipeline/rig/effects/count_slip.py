@@ -1,10 +1,15 @@
-"""Twist is lost between encoder and string: a set screw that lets go now and then."""
+"""Twist is lost between encoder and string: a set screw that lets go now and then.
+
+Source: Miner, "Cumulative damage in fatigue", Journal of Applied Mechanics 12, 1945 (damage that adds up); how it slips
+is this rig's own.
+"""
 
 from collections.abc import Sequence
 
 import numpy as np
 
 from ...ground.kinematics import RAD_PER_TURN, Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
@@ -58,7 +63,7 @@ def _slip(tired_s: Array, lives_s: Array, slips_rad: Array, most_rad: float, sta
 class Hidden(Concealed):
     """A screw that lets go one to three times."""
 
-    claim = Claim("an event", "in no time")
+    claim = Claim("an event", otherwise.IN_NO_TIME)
     grows, most, wanders, by_chance = ("turns",), 2.0, 0.032, True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

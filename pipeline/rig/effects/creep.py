@@ -1,4 +1,8 @@
-"""A twisted string under load lengthens with time, and takes it back when it is untwisted."""
+"""A twisted string under load lengthens with time, and takes it back when it is untwisted.
+
+Source: Eyring, "Viscosity, plasticity, and diffusion as examples of absolute reaction rates", Journal of Chemical
+Physics 4, 1936.
+"""
 
 import math
 from collections.abc import Sequence
@@ -6,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -52,7 +57,7 @@ def _flow(pull_n: Array, compliance_mm_per_n: Array, kept: Array, yield_mm: floa
 class Hidden(Concealed):
     """A string that gives way in three times."""
 
-    claim = Claim("time under load", "in no time")
+    claim = Claim("time under load", otherwise.IN_NO_TIME)
     grows = ("compliance_mm_per_n", "yield_mm")
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""The hook that turns the string runs out of true: a ripple once a turn."""
+"""The hook that turns the string runs out of true: a ripple once a turn.
+
+Source: von Seherr-Thoss, Schmelz and Aucktor, Universal Joints and Driveshafts, 2006 (a bent joint, twice a turn); the
+rest is the geometry of this rig.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -32,7 +37,9 @@ class Model(Effect):
 class Hidden(Concealed):
     """A hook a tenth of a millimetre out of true, and more."""
 
-    claim = Claim("the angle within a turn", "by whole turns", ("at half speed", "under twice the load"))
+    claim = Claim(
+        "the angle within a turn", otherwise.BY_WHOLE_TURNS, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD)
+    )
     grows = ("run_out_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,4 +1,7 @@
-"""The load runs into a stop: it goes no further, however much is twisted."""
+"""The load runs into a stop: it goes no further, however much is twisted.
+
+Source: Johnson, Contact Mechanics, 1985 (a ball that is pressed in, after Hertz).
+"""
 
 from collections.abc import Mapping
 from typing import Any
@@ -6,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -46,7 +50,7 @@ def _dent(past_mm: Array, ratio: float) -> Array:
 class Hidden(Concealed):
     """A stop in the last hundredths of the stroke, and further in."""
 
-    claim = Claim("large displacement", "half wound", ("at half speed",))
+    claim = Claim("large displacement", otherwise.HALF_WOUND, (otherwise.AT_HALF_SPEED,))
     wanders = 0.035
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,10 +1,14 @@
-"""Friction of string on string holds back part of the twist, and lets it go only after a reversal."""
+"""Friction of string on string holds back part of the twist, and lets it go only after a reversal.
+
+Source: Dahl, "A solid friction model", The Aerospace Corporation, 1968.
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -59,7 +63,7 @@ def _hold_with_tail(limit_rad: Array, moved: Array, tail: float, held_rad: Array
 class Hidden(Concealed):
     """A loop of a tenth of a turn under the usual load, and more."""
 
-    claim = Claim("reversals of twist under load", "without load", ("at half speed",))
+    claim = Claim("reversals of twist under load", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
     grows = ("turns_per_n",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

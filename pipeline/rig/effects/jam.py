@@ -1,8 +1,13 @@
-"""Past a critical twist the coils touch, and further twist presses them together instead of shortening the string."""
+"""Past a critical twist the coils touch, and further twist presses them together instead of shortening the string.
+
+Source: the law is this rig's own; that contacts close one after the other is the idea of Greenwood and Williamson,
+"Contact of nominally flat surfaces", Proceedings of the Royal Society A 295, 1966.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -44,7 +49,7 @@ def _press(past: Array) -> Array:
 class Hidden(Concealed):
     """Coils that touch in the upper part of the twist."""
 
-    claim = Claim("large twist", "half wound", ("at half speed", "under twice the load"))
+    claim = Claim("large twist", otherwise.HALF_WOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
     grows, most, wanders = ("share",), 0.95, 0.036
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,10 +1,14 @@
-"""The hanging load swings after every start and stop."""
+"""The hanging load swings after every start and stop.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations, 1979 (an oscillator with drag of the square).
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -55,7 +59,7 @@ def _swing(contraction_mm: Array, steps: tuple[float, ...], state: Array) -> Arr
 class Hidden(Concealed):
     """A load of which a third swings, and more."""
 
-    claim = Claim("starts and stops", "infinitely slowly", ("under twice the load",))
+    claim = Claim("starts and stops", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
     grows, most = ("share",), 0.95
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

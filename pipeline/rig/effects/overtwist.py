@@ -1,8 +1,13 @@
-"""Past a critical twist the string coils up: it runs ahead, and uncoils only at a smaller twist."""
+"""Past a critical twist the string coils up: it runs ahead, and uncoils only at a smaller twist.
+
+Source: Preisach, "Über die magnetische Nachwirkung", Zeitschrift für Physik 94, 1935 (a sum of relays); the coils are
+this rig's own.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -54,7 +59,7 @@ def _coil(turns: Array, nucleates_turns: Array, melts_turns: Array, coiled: Arra
 class Hidden(Concealed):
     """Coils in the upper part of the twist."""
 
-    claim = Claim("large twist", "half wound", ("at half speed", "under twice the load"))
+    claim = Claim("large twist", otherwise.HALF_WOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
     grows, wanders = ("gain_mm_per_turn",), 0.034
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,10 +1,15 @@
-"""Winding under load stretches a string for good, ever less as it is worked."""
+"""Winding under load stretches a string for good, ever less as it is worked.
+
+Source: the law is this rig's own; that ropes bed in: McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology,
+2004.
+"""
 
 from collections.abc import Sequence
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -48,7 +53,7 @@ def _yield(work_n_mm: Array, capacity_n_mm: Array, left_mm: Array, given_mm: Arr
 class Hidden(Concealed):
     """A string that stretches by four tenths of a millimetre in all, and more."""
 
-    claim = Claim("worked strokes", "wound up once", ("at half speed",))
+    claim = Claim("worked strokes", otherwise.WOUND_UP_ONCE, (otherwise.AT_HALF_SPEED,))
     grows, wanders = ("stretch_mm",), 0.010
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

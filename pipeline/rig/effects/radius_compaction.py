@@ -1,4 +1,8 @@
-"""Lateral pressure packs the fibres of a twisted string tighter, so that its radius falls."""
+"""Lateral pressure packs the fibres of a twisted string tighter, so that its radius falls.
+
+Source: van Wyk, "Note on the compressibility of wool", Journal of the Textile Institute 37, 1946 (with an exponent of
+3; this one is drawn).
+"""
 
 import math
 from collections.abc import Mapping
@@ -7,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -58,7 +63,7 @@ def _pack(
 class Hidden(Concealed):
     """A bundle that is pressed thinner."""
 
-    claim = Claim("twist under load", "without load", ("at half speed",))
+    claim = Claim("twist under load", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
     wanders = 0.036
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""The displacement sensor's zero drifts as its electronics warm and age."""
+"""The displacement sensor's zero drifts as its electronics warm and age.
+
+Source: Utsu, Ogata and Matsu'ura, "The centenary of the Omori formula for a decay law of aftershock activity", Journal
+of Physics of the Earth 43, 1995 (a rate that falls so); that a zero does so is this rig's own.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -28,7 +33,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A zero that moves by a millimetre an hour, and more, either way."""
 
-    claim = Claim("time", "in no time", ("under twice the load", "at rest"))
+    claim = Claim("time", otherwise.IN_NO_TIME, (otherwise.UNDER_TWICE_THE_LOAD, otherwise.AT_REST))
     grows, either_sign, wanders = ("mm_per_hour",), True, 0.017
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,10 +1,14 @@
-"""The displacement sensor is late."""
+"""The displacement sensor is late.
+
+Source: Åström and Hägglund, PID Controllers, 1995 (dead time and two poles).
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, settle
 
@@ -41,7 +45,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A reading that is late by six hundredths of a second, and more."""
 
-    claim = Claim("displacement rate", "infinitely slowly", ("under twice the load",))
+    claim = Claim("displacement rate", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
     grows, most, wanders = ("lag_s",), 0.5, 0.044
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,12 @@
-"""The shaft between motor and string winds up under the string's torque."""
+"""The shaft between motor and string winds up under the string's torque.
+
+Source: the law is this rig's own; that rubber hardens: Treloar, The Physics of Rubber Elasticity, 1949.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -37,7 +41,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A coupling that gives way."""
 
-    claim = Claim("torque", "without load", ("at half speed",))
+    claim = Claim("torque", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
     grows, wanders = ("compliance_rad_per_n_mm",), 0.030
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

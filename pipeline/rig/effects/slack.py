@@ -1,8 +1,13 @@
-"""A string that hangs through: the first twist takes up the slack and moves nothing."""
+"""A string that hangs through: the first twist takes up the slack and moves nothing.
+
+Source: the law is this rig's own; with a hardness of 1.5 the bed is a ball after Hertz, in Johnson, Contact Mechanics,
+1985.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -59,7 +64,7 @@ def _lift(asked_mm: Array, softness_mm: Array, bed_mm: float, hardness: float) -
 class Hidden(Concealed):
     """A string that is four tenths of a millimetre too long, and more."""
 
-    claim = Claim("low twist", "never unwound", ("at half speed", "under twice the load"))
+    claim = Claim("low twist", otherwise.NEVER_UNWOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
     grows, wanders = ("take_up_mm", "bed_mm"), 0.020
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

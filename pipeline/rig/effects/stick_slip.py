@@ -1,10 +1,15 @@
-"""The load's slider sticks, is drawn along and slips, in steps, where it moves slowly."""
+"""The load's slider sticks, is drawn along and slips, in steps, where it moves slowly.
+
+Source: the law is this rig's own; that a grip grows with the time stood: Rabinowicz, "The nature of the static and
+kinetic coefficients of friction", Journal of Applied Physics 22, 1951.
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -60,7 +65,7 @@ def _stick(contraction_mm: Array, step_s: float, settings: tuple[float, ...], st
 class Hidden(Concealed):
     """Steps of a tenth of a millimetre, and more."""
 
-    claim = Claim("slow displacement", "a hundred times as fast")
+    claim = Claim("slow displacement", otherwise.A_HUNDRED_TIMES_AS_FAST)
     grows, by_chance = ("step_mm",), True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

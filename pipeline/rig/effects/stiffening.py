@@ -1,8 +1,13 @@
-"""A string that is worked grows stiffer: under the same load it is less long than it was."""
+"""A string that is worked grows stiffer: under the same load it is less long than it was.
+
+Source: the law is this rig's own; that yarns get stiffer as their fibres lock: Hearle, Grosberg and Backer, Structural
+Mechanics of Fibers, Yarns, and Fabrics, 1969.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -43,7 +48,7 @@ def _lock(work: Array, order: float, unlocked: Array) -> Array:
 class Hidden(Concealed):
     """A string that grows up to half as stiff again."""
 
-    claim = Claim("worked strokes, under load", "without load", ("at half speed",))
+    claim = Claim("worked strokes, under load", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
     grows = ("compliance_mm_per_n",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,4 +1,8 @@
-"""The string's length follows its temperature: that of the room, and what it warms itself by being worked."""
+"""The string's length follows its temperature: that of the room, and what it warms itself by being worked.
+
+Source: Carslaw and Jaeger, Conduction of Heat in Solids, 1959 (bodies that exchange heat in proportion to their
+difference).
+"""
 
 import math
 from collections.abc import Mapping
@@ -7,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -71,7 +76,7 @@ def _warm(warming_k: Array, room_k: Array, rates: tuple[float, ...], state: Arra
 class Hidden(Concealed):
     """A string that lengthens by two hundredths of a millimetre a kelvin, and more, or shrinks."""
 
-    claim = Claim("temperature", "at rest")
+    claim = Claim("temperature", otherwise.AT_REST)
     grows, either_sign = ("expansion_mm_per_k",), True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
@@ -87,7 +92,7 @@ class Hidden(Concealed):
     def claims(self, parameters: Mapping[str, Any]) -> Claim:
         """Heat that comes from the room stands still when time does, not when the string does."""
         warm = self.warms_the_room(parameters)
-        return Claim("temperature", "in no time", ("at rest",)) if warm else self.claim
+        return Claim("temperature", otherwise.IN_NO_TIME, (otherwise.AT_REST,)) if warm else self.claim
 
     def warms_the_room(self, parameters: Mapping[str, Any]) -> bool:
         """Whether the heat comes from the room, which nobody can know without a thermometer."""

@@ -1,10 +1,15 @@
-"""Strands that are twisted fast resist it, and the string is longer while they do."""
+"""Strands that are twisted fast resist it, and the string is longer while they do.
+
+Source: Bird, Armstrong and Hassager, Dynamics of Polymeric Liquids, 1977 (a power of the rate, and a stress that
+settles).
+"""
 
 import math
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -31,7 +36,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """Strands with something between them that resists."""
 
-    claim = Claim("twisting rate", "infinitely slowly", ("under twice the load",))
+    claim = Claim("twisting rate", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
     grows, wanders = ("mm_per_rate",), 0.015
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""The strands rub each other thinner, the more way they make on each other."""
+"""The strands rub each other thinner, the more way they make on each other.
+
+Source: Archard, "Contact and rubbing of flat surfaces", Journal of Applied Physics 24, 1953; the sharp asperities are
+this rig's own.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -45,7 +50,7 @@ def _rub(way_mm: Array, share_per_mm: Array, edge: float, first_mm: float, state
 class Hidden(Concealed):
     """A radius that falls by three hundredths a metre, and more; worn fibres may fuzz instead."""
 
-    claim = Claim("travel", "wound up once", ("at half speed",))
+    claim = Claim("travel", otherwise.WOUND_UP_ONCE, (otherwise.AT_HALF_SPEED,))
     grows, either_sign, wanders = ("share_per_m",), True, 0.030
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""A string that is spun fast bows out and so is shorter, whichever way it turns. No library holds it."""
+"""A string that is spun fast bows out and so is shorter, whichever way it turns. No library holds it.
+
+Source: the law is this rig's own; that a spun thread bows out: Padfield, "The motion and tension of an unwinding
+thread", Proceedings of the Royal Society A 245, 1958.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -25,7 +30,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A bow of a hundredth of a millimetre at a turn a second, and more."""
 
-    claim = Claim("twisting rate squared", "infinitely slowly", ("under twice the load",))
+    claim = Claim("twisting rate squared", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
     grows = ("mm_per_rate2",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""The encoder's two tracks are uneven: its count is wrong several times a turn. No library holds it."""
+"""The encoder's two tracks are uneven: its count is wrong several times a turn. No library holds it.
+
+Source: Heydemann, "Determination and correction of quadrature fringe measurement errors in interferometers", Applied
+Optics 20, 1981.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived
 
@@ -24,7 +29,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A count that errs by a fiftieth of a turn, and more."""
 
-    claim = Claim("the angle within a turn", "by whole turns", ("at half speed",))
+    claim = Claim("the angle within a turn", otherwise.BY_WHOLE_TURNS, (otherwise.AT_HALF_SPEED,))
     grows = ("error_turns",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

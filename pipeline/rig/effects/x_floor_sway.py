@@ -1,8 +1,12 @@
-"""The building sways: the reading goes to and fro in time, whatever the rig does. No library holds it."""
+"""The building sways: the reading goes to and fro in time, whatever the rig does. No library holds it.
+
+Source: Rayleigh, The Theory of Sound, 1877 (beats).
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -27,7 +31,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A floor that moves by a twentieth of a millimetre, and more."""
 
-    claim = Claim("time", "in no time", ("under twice the load", "at rest"))
+    claim = Claim("time", otherwise.IN_NO_TIME, (otherwise.UNDER_TWICE_THE_LOAD, otherwise.AT_REST))
     grows = ("sway_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""The string swells and dries with the air's humidity, slowly up and down. No library holds it."""
+"""The string swells and dries with the air's humidity, slowly up and down. No library holds it.
+
+Source: the law is this rig's own; that fibres swell in damp air: Morton and Hearle, Physical Properties of Textile
+Fibres, 1962.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -28,7 +33,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A string that swells by a tenth of a millimetre, and more."""
 
-    claim = Claim("time", "in no time", ("under twice the load", "at rest"))
+    claim = Claim("time", otherwise.IN_NO_TIME, (otherwise.UNDER_TWICE_THE_LOAD, otherwise.AT_REST))
     grows = ("swell_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

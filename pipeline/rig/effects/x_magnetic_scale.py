@@ -1,8 +1,13 @@
-"""A magnetic scale is unevenly magnetised: the sensor errs with a period of its way. No library holds it."""
+"""A magnetic scale is unevenly magnetised: the sensor errs with a period of its way. No library holds it.
+
+Source: the law is this rig's own; errors of sensors of displacement: Webster, The Measurement, Instrumentation and
+Sensors Handbook, 1999.
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -24,7 +29,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A scale that errs by a twentieth of a millimetre, and more."""
 
-    claim = Claim("displacement", "at rest", ("at half speed",))
+    claim = Claim("displacement", otherwise.AT_REST, (otherwise.AT_HALF_SPEED,))
     grows = ("error_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -1,8 +1,13 @@
-"""The strands lie down otherwise in every stroke: the radius is drawn anew each time. No library holds it."""
+"""The strands lie down otherwise in every stroke: the radius is drawn anew each time. No library holds it.
+
+Source: the law is this rig's own; scatter from one winding to the next: Joint Committee for Guides in Metrology, JCGM
+100:2008 (repeatability).
+"""
 
 import numpy as np
 
 from ...ground.kinematics import Array
+from .. import otherwise
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
@@ -37,7 +42,7 @@ def _tangle(twist_rad: Array, open_rad: float, factors: Array, state: Array) -> 
 class Hidden(Concealed):
     """A radius that scatters by half a hundredth, and more."""
 
-    claim = Claim("a new winding", "never unwound", ("at half speed", "under twice the load"))
+    claim = Claim("a new winding", otherwise.NEVER_UNWOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
     grows = ("scatter",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -10,9 +10,9 @@ from ...ground.kinematics import Array
 from . import cable_parts as parts
 from .cable_plan import STEP_S, TIME_S, Told, told
 from .capstan import Capstans
-from .chance import coloured, counted, stream, wander
 from .made import Kind, Made, check
 from .made import told as truth_of
+from .streams import coloured, counted, stream, wander
 
 NOMINAL_GEAR, GEAR_TOLERANCE = 0.9, 0.05
 MOTOR_QUANTUM_DEG, JAW_QUANTUM_DEG = 360.0 / 8192, 360.0 / 4000

@@ -16,7 +16,7 @@ def stretch_shape(torque_nm: Array, pretension_nm: float, power: float) -> Array
 
     A strand's tension is a power of its stretch above 1, as its wires bed in, and nearly nothing when it hangs
     loose; the jaw turns until the strands' difference carries the torque, which is found by looking it up.
-    Shape (samples,).
+    Torque in Nm, the answer without a unit, both of shape (samples,).
     """
 
     def tension(stretched: Array) -> Array:
@@ -49,7 +49,7 @@ def play_lost(motor_deg: Array, width_deg: float, soft: float) -> Array:
 def crept(torque_nm: Array, step_s: float, power: float) -> Array:
     """Lengthening under load over time, 1 after 20 s under 0.05 Nm: six elements from 0.6 s to 60 s, all recover.
 
-    Shape (samples,).
+    Torque in Nm, the answer without a unit, both of shape (samples,).
     """
     taus_s = np.geomspace(0.6, 60.0, 6)
     target = np.sign(torque_nm) * np.abs(torque_nm / FULL_NM) ** power

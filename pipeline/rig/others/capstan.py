@@ -16,10 +16,10 @@ REFERENCE_NM = 0.03  # the torque at which a loop's half-height is told
 class Capstans:
     """The pulleys of one cable: what each makes of its tension, and how far its bristles bend before they slip."""
 
-    angle: Array  # (pulleys,), friction coefficient times wrap
+    angle: Array  # (pulleys,), friction coefficient times wrap, without a unit
     slip_deg: Array  # (pulleys, bristles)
-    bend: Array  # (pulleys, bristles): exponent of the bristle's way into sliding
-    share: Array  # (pulleys,) of the give in the cable's lay
+    bend: Array  # (pulleys, bristles), without a unit: exponent of the bristle's way into sliding
+    share: Array  # (pulleys,) of the give in the cable's lay, in shares of 1
     film: float  # what friction loses at speed
     film_deg_per_s: float
     pretension_nm: float  # of each strand, times the jaw's radius

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from . import cable_drive, moving_mass
-from .chance import stream
 from .made import Made
+from .streams import stream
 
 DRAWN = (0.7, 1.4)  # of the size that a case tells
 

@@ -18,7 +18,7 @@ NOISES = ("none", "usual", "trap")
 
 @dataclass(frozen=True)
 class Kind:
-    """One concealed effect: the contract's name for it (None: outside the library), the size's unit and meaning."""
+    """One concealed effect: its name in docs/physics.md (None: it has none), the size's unit and meaning."""
 
     mechanism: str | None
     unit: str
@@ -55,7 +55,7 @@ def check(effects: Mapping[str, float], kinds: Mapping[str, Kind], noise: str) -
 def told(
     kinds: Mapping[str, Kind], sizes: Mapping[str, float], parts: Mapping[str, Array], drawn: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """The truth about every effect, by its name. Each of `parts` has the shape (samples,)."""
+    """The truth about every effect, by its name. Each of `parts` has the shape (samples,), in its effect's unit."""
     return {
         name: {
             "mechanism": kinds[name].mechanism,

@@ -8,11 +8,11 @@ import pandas as pd
 from scipy.signal import butter, sosfiltfilt
 
 from ...ground.kinematics import Array
-from .chance import coloured, counted, stream, wander
 from .made import Kind, Made, check
 from .made import told as truth_of
 from .mass_loop import Controller, Plant, ride
 from .mass_plan import STEP_S, TIME_S, told
+from .streams import coloured, counted, stream, wander
 
 NOMINAL_KG, TOLERANCE = 100.0, 0.1
 POSITION_QUANTUM_M, FORCE_QUANTUM_N = 1e-6, 0.0107

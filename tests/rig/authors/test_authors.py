@@ -11,7 +11,7 @@ from pipeline.rig.authors.interface import Asked, Leg
 from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parents[3]
-CONTRACT = {
+PHYSICS = {  # named in docs/physics.md
     "plastic_elongation", "creep", "stiffening", "axial_elasticity", "thermal", "radius_compaction", "wear",
     "friction_hysteresis", "viscous_loss", "stick_slip", "backlash", "shaft_windup", "count_slip", "slack", "jam",
     "overtwist", "sensor_lag", "sensor_drift", "eccentricity", "clamp_slip", "end_stop", "load_swing",
@@ -26,15 +26,15 @@ def asked(raw, answer, *more):
     return ("lattice", "--seed", 8, "--protocol", "usual", "--run", "case-001", "--raw", raw, "--answer", answer, *more)
 
 
-def test_the_authors_know_all_of_the_contracts_effects():
-    assert {effect for author in authors().values() for effect in author.laws} >= CONTRACT
+def test_the_authors_know_all_effects_of_known_physics():
+    assert {effect for author in authors().values() for effect in author.laws} >= PHYSICS
 
 
 @pytest.mark.parametrize("name", names())
-def test_every_author_knows_ten_of_the_contracts_effects_and_two_of_its_own(name):
+def test_every_author_knows_ten_effects_of_known_physics_and_two_of_its_own(name):
     laws = authors()[name].laws
-    assert len(CONTRACT & set(laws)) >= 10
-    own = set(laws) - CONTRACT
+    assert len(PHYSICS & set(laws)) >= 10
+    own = set(laws) - PHYSICS
     assert len(own) >= 2 and all(effect.startswith("x_") for effect in own)
     assert all(of_one and len(set(of_one)) == len(of_one) for of_one in laws.values())
 

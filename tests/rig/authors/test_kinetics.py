@@ -55,7 +55,7 @@ def of(*effects):
     return [(effect, law) for effect in effects for law in LAWS[effect]]
 
 
-def test_the_laws_are_the_contracts_and_own_ones_with_two_forms_where_print_knows_two():
+def test_the_laws_are_of_known_physics_and_own_ones_with_two_forms_where_print_knows_two():
     assert sum(effect.startswith("x_") for effect in LAWS) >= 4
     assert all(len(set(laws)) == len(laws) >= 2 for effect, laws in LAWS.items() if effect != "x_snag")
 

@@ -67,7 +67,7 @@ def accepted(made, folder):
     return read_samples(folder)[1]
 
 
-def test_it_has_ten_and_more_of_the_contracts_effects_with_two_laws_each():
+def test_it_has_ten_and_more_effects_of_known_physics_with_two_laws_each():
     known = [effect for effect in LAWS if not effect.startswith("x_")]
     assert len(known) >= 10 and all(len(LAWS[effect]) >= 2 for effect in known)
     assert len(LAWS) - len(known) >= 2

@@ -1,4 +1,4 @@
-"""Effects outside the contract: what else spoils a bench."""
+"""Effects whose names begin with `x_`: what else spoils a bench."""
 
 import numpy as np
 

@@ -1,0 +1,111 @@
+"""A motion that nobody recorded, and what a simulator says of it: alone, or after the recorded motion of its run."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..run.continued import continued
+from ..run.description import Run
+from ..run.outside import Mask, Outside, outside
+from .content import Simulated, Verdict
+from .library import mechanisms
+from .outcome import rms
+from .own_rate import at_own_rate
+from .prediction_band import Foretold, band, curves
+from .problem import Problem
+from .recorded_run import RecordedRun
+from .simulation import has_zero, simulated, tare, tared
+
+SHARE = 0.01  # of the reading's range: where no error is expected, a smaller difference is not worth a word
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A planned motion of a run: its samples, whether corners drew it, what was recorded, and what to simulate it by.
+
+    `content`, from the file `source`, is the simulator. `after`: whether the recorded motion goes before the plan.
+    """
+
+    run: Run
+    samples: pd.DataFrame
+    drawn: bool
+    recorded: pd.DataFrame | None
+    content: Simulated
+    source: Path
+    after: bool = False
+
+    @cached_property
+    def outside(self) -> Outside | None:
+        """Where it leaves what was recorded; None where nothing was."""
+        acting = [mechanisms()[entry["id"]] for entry in self.content["simulation"] if entry["id"] in mechanisms()]
+        remembers = any(mechanism.remembers_turns for mechanism in acting)
+        return None if self.recorded is None else outside(self.run, self.samples, self.recorded, remembers)
+
+    @cached_property
+    def problem(self) -> Problem:
+        """What is simulated: the plan's samples, which are the last ones."""
+        samples = self.samples
+        if self.after and self.recorded is not None:
+            samples = continued(self.run.system, samples, self.recorded, self.drawn)
+        problem = at_own_rate([RecordedRun(self.run, samples)], thin=False, to_fit=False)
+        if self.drawn:
+            problem = replace(problem, drivers=replace(problem.drivers, drawn=True), _terms={})
+        return problem
+
+    def own(self, values: Array) -> Array:
+        """The plan's rows of what was simulated: shape (samples,), in the channel's unit."""
+        return values[-len(self.samples) :]
+
+    @cached_property
+    def predicted(self) -> Array:
+        """The reading, of shape (samples,) in the channel's unit; raises BadInput as `tared` does."""
+        return self.own(tared(self.problem, self.content, self.source, self.run.run))
+
+    @cached_property
+    def without_effects(self) -> Array:
+        """The reading with the same dimensions and the same zero, if no effect acted.
+
+        Shape (samples,), in the channel's unit.
+        """
+        bare: Simulated = {**self.content, "simulation": []}
+        whole, alone = (simulated(self.problem, content, self.source, self.run.run) for content in (self.content, bare))
+        return self.predicted - self.own(whole) + self.own(alone)
+
+    def band(self, diagnosis: Verdict, path: Path) -> Foretold | None:
+        """How well the plan is foretold by what `diagnosis` leaves open; None where it does not say."""
+        width = band(self.problem, diagnosis, path, self.run.run)
+        return width and replace(width, sigma=self.own(width.sigma))
+
+    def curves(self, diagnosis: Verdict, path: Path) -> dict[str, Array]:
+        """What each explanation that ties says, by its mechanisms: of shape (samples,), in the channel's unit."""
+        return {ids: self.own(curve) for ids, curve in curves(self.problem, diagnosis, path, self.run.run).items()}
+
+    def inside(self) -> Mask:
+        """The rows within what was recorded, all where nothing was. Shape (samples,)."""
+        return np.ones(len(self.samples), bool) if self.outside is None else ~self.outside.rows
+
+    def changed_by_recording(self, expected: float | None) -> Array | None:
+        """What the reading would be more after the recorded motion, of shape (samples,) in the channel's unit.
+
+        None where that is not more than the error that is `expected`, or where nothing was recorded or acts.
+        """
+        if self.after or self.recorded is None or not self.content["simulation"]:
+            return None
+        try:
+            gap = replace(self, after=True).predicted - self.predicted
+        except BadInput:  # what cannot be simulated after the recording is no reason to refuse the plan alone
+            return None
+        if not has_zero(self.content, self.run.system, self.run.run) and self.run.system.free_zero:
+            gap = gap - tare(np.zeros_like(gap), gap, self.samples["time_s"].to_numpy())
+        limit = SHARE * float(np.ptp(self.predicted)) if expected is None else expected
+        return gap if rms(gap) > limit else None
+
+
+def expected_error(width: Foretold | None, rows: Mask) -> float | None:
+    """The error that is expected in some rows, rms in the channel's unit; None without a band, or without rows."""
+    return None if width is None or not rows.any() else width.expected(rows)

@@ -1,0 +1,56 @@
+"""What `simulate` may be told on its command line."""
+
+import argparse
+from pathlib import Path
+
+from ..ground.command import command
+from .home import HOME
+from .words.prediction import AFTER_RECORDING
+from .words.residual import RESIDUAL
+
+
+def parsed(description: str) -> argparse.Namespace:
+    """The arguments of the command line; it ends the program with 2 where they do not go together."""
+    parser = argparse.ArgumentParser(prog=command("simulate"), description=description)
+    parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="the run whose motion and load are simulated")
+    parser.add_argument(
+        "--simulation", type=Path, metavar="FILE.json",
+        help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "
+        "twice; default: the mechanisms that run.yaml has adopted with the dimensions that fit with them",
+    )  # fmt: skip
+    parser.add_argument(
+        "--motion", type=Path, metavar="PLAN.csv",
+        help="a motion that nobody has recorded, in place of the run's: .csv or .parquet with time_s, "
+        "motor_turns and, unless it stands still, load_n (a string's channels), or the names of channels in "
+        "run.yaml; corners will do. The answer has a band too: nine of ten readings lie from low_mm to "
+        "high_mm, if the explanation is right. Where the motion leaves what was recorded the column outside "
+        "is 1, and the band is empty",
+    )  # fmt: skip
+    parser.add_argument(
+        AFTER_RECORDING, action="store_true",
+        help="with --motion: the recorded motion of the run goes before the plan, so that creep, wear and heat are as "
+        "the recording left them. The plan begins at once, from where the recording ended. Default: the string as "
+        "before its first stroke",
+    )  # fmt: skip
+    parser.add_argument(
+        RESIDUAL, action="store_true",
+        help="also what a black box, which is no physics, adds: residual_mm, and residual_low_mm to residual_high_mm, "
+        "where nine of ten readings lie. It says whether it helps on strokes that it has not seen",
+    )  # fmt: skip
+    parser.add_argument(
+        HOME, action="store_true",
+        help="home the motor's zero anew, on the first stroke of the recording: for a run of which the diagnosis was "
+        "not made. Default: the zero that fits the diagnosis' own run",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="FILE",
+        help="the file that is written, .parquet or .csv, with a row for each sample and two columns: time_s, and what "
+        "the rig reads, displacement_mm of a string (jaw_deg of a cable_drive, force_n of a moving_mass, …); "
+        "with --motion more; required",
+    )  # fmt: skip
+    arguments = parser.parse_args()
+    if arguments.after_recording and not arguments.motion:
+        parser.error(f"{AFTER_RECORDING} goes with --motion PLAN.csv")
+    if arguments.home and arguments.motion:
+        parser.error(f"{HOME} needs the recording of the motion, and goes without --motion")
+    return arguments

@@ -1,0 +1,30 @@
+"""Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
+
+from ..content import Verdict
+from . import holdout, report, unseen
+from .dimensions import far_moved, name_of
+from .level import NO_BETTER
+from .quantity import listing
+from .vocabulary import Vocabulary
+
+
+def worse(content: Verdict) -> str:
+    """The advice where what is named makes the simulator worse on strokes that no fit has seen."""
+    return f"Adopt nothing: on the {holdout.strokes(content)} the explanation makes the simulator worse."
+
+
+def of_adopting(content: Verdict, words: Vocabulary) -> str:
+    """What to do about adopting what is named, by what the page says of it already; nothing decides anew here."""
+    if unseen.harmful(content, words):
+        return worse(content)
+    far = [f"the {name_of(name)}" for name in far_moved(content)]
+    if far:
+        return f"Do not adopt before {listing(far)} {'is' if len(far) == 1 else 'are'} measured again."
+    errors = unseen.errors(content, words)
+    if errors is not None and errors[2] > NO_BETTER * errors[1]:
+        return f"Adopting gains nothing: on the {holdout.strokes(content)} the explanation improves nothing."
+    reportable = report.own_sizes(content, words)
+    sizes = f"; of its sizes report that of {listing(reportable)} alone" if reportable else "; do not report its sizes"
+    sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
+    other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
+    return f"You may adopt this to predict motions like the recorded ones{other}{sizes}."

@@ -1,0 +1,28 @@
+"""Which of the tests that tell an effect from others a recording lacks: another load, another speed."""
+
+import re
+
+from ..content import Verdict
+from ..library import mechanisms
+from .vocabulary import Vocabulary
+
+ALIKE = 1.2  # times the slowest stroke's speed: a fastest one below that is no other speed
+LOADS = re.compile(r"two loads|second load|load steps|hold under load")
+SPEEDS = re.compile(r"(two|three) speeds|another speed|at speed")
+
+
+def missing(content: Verdict, words: Vocabulary, id_: str) -> list[str]:
+    """Of `load` and `speed` those of which the effect's test wants another one, and the recording has one alone.
+
+    Nothing on a rig that is no string, and where an older file does not say what was recorded.
+    """
+    known = content["evidence"].get("covered")
+    if known is None or not words.twisted:
+        return []
+    test = mechanisms()[id_].told_apart_by
+    (_, most), (slow, fast) = known["load"], known["speed_per_s"]
+    lacks = {
+        "load": bool(LOADS.search(test)) and most > 0.0 and not content["evidence"]["loaded"],
+        "speed": bool(SPEEDS.search(test)) and 0.0 < fast < ALIKE * slow,
+    }
+    return [what for what, lacking in lacks.items() if lacking]

@@ -1,0 +1,127 @@
+"""What a person is told of a motion that nobody recorded: by how much the simulator may err there, and why."""
+
+import numpy as np
+import pandas as pd
+
+from ...ground.command import command
+from ...ground.kinematics import Array
+from ...run.outside import Mask
+from ..outcome import rms
+from ..prediction_band import Foretold
+from .error_table import aligned
+from .quantity import listing, size, times
+
+OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
+BEND, CORNERS = 1e-3, 16  # of the highest speed: what changes it by more is a corner; of so many no table is printed
+STRETCHES = 3  # of time, that are said; the others are counted
+MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
+COVERS = (
+    "nine of ten readings lie between them, if the explanation is right. They cover how well its numbers are known, "
+    "and {missed}. They cover no wrong explanation, no other string, and no motion beyond what was recorded"
+)
+
+
+def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) -> list[str]:
+    """The expected error with its two parts, and what the columns `low` and `high` hold; `unit`: of the reading.
+
+    `inside` are the rows within what was recorded, of shape (samples,): of others nothing is expected.
+    """
+    out = int((~inside).sum())
+    beyond = (
+        f"{out} of {len(inside)} rows are outside (column {OUTSIDE}): nothing says how well the simulator does there, "
+        f"and {low} and {high} are empty there"
+    )
+    if out == len(inside):
+        return [f"no expected error: {beyond}"]
+    sigma = rms(foretold.sigma[inside])
+    missed = "what strokes that no fit had seen were missed by" if foretold.held_out else "the noise of the readings"
+    expected = f"{size(foretold.expected(inside), unit)} rms"
+    parts = f"{size(foretold.missed, unit)} is {missed}, {size(sigma, unit)} what the numbers of the fit leave open"
+    first = [f"expected error: {expected}, of which {parts}"]
+    if out:
+        first = [
+            f"expected error: {expected} where the motion is within what was recorded; {beyond}",
+            f"of the expected error {parts}",
+        ]
+    return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}"]
+
+
+def stretches(rows: Mask, time_s: Array) -> str:
+    """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], rows, [False]]).astype(int)))
+    pairs = zip(time_s[edges[::2]], time_s[edges[1::2] - 1], strict=True)
+    spans = [f"{first:.4g} to {last:.4g} s" for first, last in pairs]
+    more = [f"{len(spans) - STRETCHES} stretches more"] if len(spans) > STRETCHES else []
+    return f"from {listing([*spans[:STRETCHES], *more])}" if spans else ""
+
+
+def corners(table: pd.DataFrame, driver: str, channel: str, low: str, high: str) -> list[str]:
+    """The answer where a drawn plan turns or stops, a line each; nothing of a plan that has many such corners.
+
+    `driver` and `channel` are the columns of motion and reading, `low` and `high` those of the band, if there is one.
+    """
+    slope = np.diff(table[driver].to_numpy()) / np.diff(table["time_s"].to_numpy())
+    bend = np.abs(np.diff(slope)) > BEND * max(float(np.abs(slope).max(initial=0.0)), 1e-12)
+    places = [0, *(np.flatnonzero(bend) + 1).tolist(), len(table) - 1]
+    if len(places) > CORNERS:
+        return []
+    rows = [["time_s", driver, channel, "nine of ten readings"]]
+    for _, row in table.iloc[places].iterrows():
+        within = (
+            f"{row[low]:.6g} to {row[high]:.6g}"
+            if low in table and np.isfinite(row[[low, high]].to_numpy(float)).all()
+            else "no band"
+        )
+        rows.append([f"{row['time_s']:.4g}", f"{row[driver]:.4g}", f"{row[channel]:.6g}", within])
+    return aligned(rows)
+
+
+def of_state(gap: Array, expected: float | None, unit: str) -> str:
+    """What the reading would be after the recorded motion, which the plan's answer leaves out.
+
+    `gap`: by how much it would be more, of shape (samples,); with the error that is `expected`, in the reading's unit.
+    """
+    middle, most = float(np.mean(gap)), size(float(np.abs(gap).max()), unit)
+    way = f"{size(abs(middle), unit)} {'more' if middle > 0.0 else 'less'} on average, " if one_sided(gap) else ""
+    ratio = f", {times(rms(gap) / expected)} times the expected error" if expected else ""
+    return (
+        f"beware: this is the string as it was before its first stroke. After the recorded motion it would read {way}"
+        f"up to {most} otherwise ({size(rms(gap), unit)} rms{ratio}). For the string as the recording left it: "
+        f"{AFTER_RECORDING}"
+    )
+
+
+def one_sided(gap: Array) -> bool:
+    """Whether a difference is mostly of one sign. Of shape (samples,), in any unit."""
+    return bool(abs(float(np.mean(gap))) > MOSTLY * rms(gap))
+
+
+def no_band(source: str, run_dir: str, of_run_yaml: bool) -> str:
+    """Why there is no band, and the mend."""
+    if of_run_yaml:
+        return (
+            "no band: run.yaml does not say how well its numbers are known, and the diagnosis.json that was adopted is "
+            f"not where it was, or is another. Mend: diagnose again, {command('diagnose')} {run_dir} --out DIR, "
+            "or give the diagnosis.json by --simulation"
+        )
+    return (
+        f"no band: {source} does not say how well its numbers are known, as an earlier program wrote it. Mend: "
+        f"diagnose again: {command('diagnose')} {run_dir} --out DIR"
+    )
+
+
+def of_rivals(predicted: Array, curves: dict[str, Array], channel: str, unit: str) -> list[str]:
+    """By how much at most the curve of each explanation that ties leaves that of the best one, a line each.
+
+    Curves by their explanation, each of shape (samples,), in the channel's unit.
+    """
+    return [
+        f"{column_of(ids, channel)}: the reading if {listing(ids.split(' + '))} acted instead, at most "
+        f"{size(float(abs(curve - predicted).max()), unit)} from {channel}"
+        for ids, curve in curves.items()
+    ]
+
+
+def column_of(ids: str, channel: str) -> str:
+    """The column of an explanation that ties, such as `if_thermal_and_creep_mm`."""
+    return f"if_{ids.replace(' + ', '_and_')}_{channel.rpartition('_')[2]}"

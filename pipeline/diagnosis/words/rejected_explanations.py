@@ -1,0 +1,140 @@
+"""Why each explanation that was beaten was, and what comes closest where none explains, in words."""
+
+import math
+
+from ..content import Part, Verdict
+from ..interface import physics
+from ..search import EXPLAINED
+from . import left_out, probability
+from .places import EVERYWHERE, place
+from .quantity import listing, size, times
+from .reasons import why
+from .rivals import ALIKE, ALLOWED, called, entries, left, told
+from .vocabulary import Vocabulary
+
+CLOSEST = 4  # explanations that are shown where none does
+SHOWN = 8  # of those that were beaten
+RARE = 0.005  # a probability below which an explanation needs no further word
+VISIBLE = 0.4  # noise floors: smaller gains need no further word
+DEVIATIONS = "standard deviations"
+COUNTS = (
+    "Standard deviations count the noise alone, and a formula that is wrong by a few per cent makes many of them. So "
+    "they are no odds: the probabilities, learnt on recordings with such formulas, allow for that."
+)
+UNWEIGHED = "It was not weighed: the recording lacks a mark of its effects, or cheaper ones of its size are many. "
+
+
+def rejected(content: Verdict, words: Vocabulary) -> list[str]:
+    """Why each explanation that was beaten was: how much worse it is, where, and following what."""
+    first = next(iter(entries(content, "named", "not enough")), None)
+    shown = likeliest([explanation for explanation in entries(content, "beaten") if explanation is not first])[:SHOWN]
+    lines = [
+        _with_rule(with_why(_beaten(explanation, first, content, words), explanation, first), explanation, content)
+        for explanation in shown
+        if first
+    ]
+    larger = likeliest(entries(content, "not needed"))[: SHOWN - len(lines)]
+    lines += [
+        _with_rule(with_why(_not_needed(explanation, content, words), explanation, first), explanation, content)
+        for explanation in larger
+    ]
+    lines += [COUNTS] if any(DEVIATIONS in line for line in lines) else []
+    lines += [
+        f"{called([])}: leaves {left(explanation, content, words)}." for explanation in entries(content, "nothing")
+    ]
+    return lines
+
+
+def with_why(sentence: str, explanation: Part, first: Part | None) -> str:
+    """What is said of an explanation, and then why it is less likely than the first one."""
+    return " ".join(part for part in (sentence, why(explanation, first)) if part)
+
+
+def _with_rule(sentence: str, explanation: Part, content: Verdict) -> str:
+    """What is said of an explanation, and then the rule that leaves it out, if one does."""
+    return " ".join(part for part in (sentence, left_out.reason_of(content, explanation["ids"])) if part)
+
+
+def likeliest(explanations: list[Part]) -> list[Part]:
+    """Explanations by falling probability; those without one as they came, last."""
+    return sorted(explanations, key=lambda explanation: -(explanation.get("probability") or 0.0))
+
+
+def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
+    """What comes closest where nothing explains, with the share of the mismatch's energy that it takes."""
+    ending, floor = words.ending, content["evidence"][f"floor_{words.ending}"]
+    nothing = next(iter(entries(content, "nothing")), None)
+    if nothing is None:
+        return []
+    energy, lines = nothing[f"left_{ending}"] ** 2 - floor**2, []
+    for explanation in entries(content, "not enough", "beaten", "not needed")[:CLOSEST]:
+        taken = (nothing[f"left_{ending}"] ** 2 - explanation[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
+        likely = probability.said(explanation)
+        share = f"{100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
+        sentence = f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}takes {share}"
+        helper = not physics(tuple(explanation["ids"]))
+        summary = f"{sentence}{', and is no physics of the library' if helper else ''}."
+        lines.append(_with_rule(summary, explanation, content))
+    return [*lines, f"{100.0 * EXPLAINED:.0f} % make an explanation."]
+
+
+def _beaten(explanation: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
+    ending = words.ending
+    summary = told(explanation, content, words)
+    where = place(explanation["location"], content["evidence"], words)
+    where = where if where == EVERYWHERE else f"mostly {where}"
+    follows = f" This difference follows {words.follows(explanation['driver'])}." if explanation["driver"] else ""
+    if explanation.get("probability") is not None and explanation["probability"] < RARE:
+        return f"{summary}."
+    gap = size(explanation[f"gap_{ending}"], words.unit)
+    differs = f"Its prediction differs from the best one by {gap} rms, {where}.{follows}"
+    if explanation[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
+        return f"{summary}. {differs}"
+    if explanation["worse"] > 0.0:
+        far = f"by {times(math.sqrt(explanation['worse']))} {DEVIATIONS}"
+        less = f"Weighed sample by sample, the best one is nearer to the recording {far}"
+        return f"{summary}, {_beside(explanation, first, words)}. {less}. {differs}"
+    if explanation.get("balanced"):
+        return f"{summary}. Its effects are large and cancel each other almost fully: that is no explanation."
+    preferred = UNWEIGHED if explanation.get("probability") is None else ""
+    return f"{summary}, {_beside(explanation, first, words)}. {preferred}{differs}"
+
+
+def _beside(explanation: Part, first: Part, words: Vocabulary) -> str:
+    """What an explanation leaves beside what the best one does, which is hardly another size."""
+    mine, best = (size(each[f"left_{words.ending}"], words.unit) for each in (explanation, first))
+    if mine == best:
+        return "the same as the best one"
+    more = explanation[f"left_{words.ending}"] > first[f"left_{words.ending}"]
+    return f"{'hardly more' if more else 'even less'} than the best one ({best})"
+
+
+def _saved(base: Part, larger: Part, key: str) -> float:
+    """What a larger explanation takes away of what a smaller one leaves, rms."""
+    return math.sqrt(max(base[key] ** 2 - larger[key] ** 2, 0.0))
+
+
+def _not_needed(larger: Part, content: Verdict, words: Vocabulary) -> str:
+    """What a larger explanation takes away beyond the one that it contains."""
+    ending, shown = words.ending, content["evidence"]["explanations"]
+    smaller = [other for other in shown if set(other["ids"]) < set(larger["ids"]) and other["standing"] != "not needed"]
+    base = min(smaller, key=lambda other: float(other[f"left_{ending}"]), default=None)
+    if base is None:
+        return f"{told(larger, content, words)}: too little less for one mechanism more."
+    saved, with_discrepancy = (_saved(base, larger, f"{key}_{ending}") for key in ("left", "bent"))
+    further = [id_ for id_ in larger["ids"] if id_ not in base["ids"]]
+    likely = probability.said(larger)
+    added = f"{listing(further)}, added to {called(base['ids'])}{f' ({likely})' if likely else ''}"
+    if not saved:
+        return f"{added}: explains nothing more."
+    takes = "takes" if len(further) == 1 else "take"
+    more = f"{takes} away {size(saved, words.unit)} rms more and {'leaves' if takes == 'takes' else 'leave'}"
+    summary = f"{added}: {more} {left(larger, content, words)}"
+    if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and with_discrepancy < saved:
+        allowed = f"{ALLOWED[0].lower()}{ALLOWED[1:]}"
+        all_of_it, sure = size(saved, words.unit), size(with_discrepancy, words.unit)
+        summary += f". Of the {all_of_it} only {sure} are sure {allowed}" if sure != all_of_it else ""
+    kept = [other for other in entries(content, "tied") if len(other["ids"]) >= len(larger["ids"])]
+    if any(other[f"left_{ending}"] >= larger[f"left_{ending}"] for other in kept):
+        return f"{summary}. Some that are likely leave as much, and are ranked before it all the same."
+    return f"{summary}. That is too little for {'one mechanism' if len(further) == 1 else 'so many mechanisms'} more."

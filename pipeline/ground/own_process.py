@@ -1,0 +1,36 @@
+"""Each of a list in a process of its own: what one needs of memory is free again for the next."""
+
+import multiprocessing
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from typing import TypeVar
+
+from .command import HOUSE
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+
+def each_alone(
+    work: Callable[..., Result],
+    items: Sequence[Item],
+    *arguments: object,
+    jobs: int = 1,
+    preload: Sequence[str] = (HOUSE,),
+) -> Iterator[Result]:
+    """What `work(item, *arguments)` gives for each item, in their order, each in a fresh process, `jobs` at a time.
+
+    One item is worked on in this process. `preload` are modules that each process finds imported, where the system
+    can do that; the program itself is none, for a process runs it anew. An error of `work` is raised here.
+    """
+    if len(items) < 2:
+        yield from (work(item, *arguments) for item in items)
+        return
+    ways = multiprocessing.get_all_start_methods()
+    context = multiprocessing.get_context("forkserver" if "forkserver" in ways else "spawn")
+    if "forkserver" in ways:
+        context.set_forkserver_preload(list(preload))
+    with ProcessPoolExecutor(max(jobs, 1), context, max_tasks_per_child=1) as pool:
+        waiting = [pool.submit(work, item, *arguments) for item in items]
+        for future in waiting:
+            yield future.result()

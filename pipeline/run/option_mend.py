@@ -1,0 +1,39 @@
+"""A mend for the command line, where the `run.yaml` that it names is not there yet."""
+
+import copy
+import re
+import shlex
+from typing import Any
+
+from ..ground.bare_columns import written_out
+from ..ground.errors import BadInput
+from ..ground.strict_yaml import write_yaml
+
+KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
+
+
+def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
+    """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet.
+
+    The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
+    """
+    named = KEY.search(error.mend)
+    if named is None:
+        return error
+    section, whole = named[1], copy.deepcopy(content.get(named[1]) or {})
+    end = error.mend.find("; ", named.end())
+    mend, rest = (error.mend, "") if end < 0 else (error.mend[:end], error.mend[end:])
+    for match in KEY.finditer(mend):
+        key, *own = match[2].split(".")
+        if match[1] == section:
+            whole[key] = _left_open(key, own, whole.get(key) or {})
+    option = f"here by --{section} {shlex.quote(write_yaml(whole, flow=True))}"
+    return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
+
+
+def _left_open(key: str, own: list[str], held: Any) -> Any:
+    """What stands under a key, with a gap for what is to be given: for all of it, or for its own key `own`."""
+    given = written_out(key, held) if own else {}
+    if own == ["column"] and not given.keys() - {"column"}:
+        own = []  # a column's name alone says it
+    return {**given, own[0]: "…"} if own else "…"

@@ -1,0 +1,76 @@
+"""What the zero did between the runs that are asked about and the other runs of the same string beside them."""
+
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+from ..ground.errors import BadInput
+from ..run.folder import find_runs, read_run
+from .from_raw import read
+from .history import Recorded
+from .rests import Rests
+from .zero import Jump, jumps_among
+
+Reader = Callable[[Path], Recorded]
+
+
+class Beside:
+    """The rests of the runs that lie beside others, each read once in a program; `known` ones are not read at all.
+
+    `reader` reads the others: a program that holds recordings gives its own.
+    """
+
+    def __init__(self, known: Iterable[Rests] = (), reader: Reader = read) -> None:
+        self._reader = reader
+        self._rests: dict[Path, Rests | None] = {rests.folder.resolve(): rests for rests in known}
+
+    def at(self, folder: Path) -> Rests | None:
+        """The rests of a run, or None where it cannot be read."""
+        place = folder.resolve()
+        if place not in self._rests:
+            try:
+                self._rests[place] = Rests.of(self._reader(folder))
+            except (BadInput, OSError, ValueError):
+                self._rests[place] = None
+        return self._rests[place]
+
+    def of_strings(self, place: Path, strings: set[str], but: set[Path]) -> list[Rests]:
+        """Those of the runs in a folder of runs, `but` some, that name one of these strings."""
+        rests_beside = [self.at(folder) for folder in _naming(place, strings, but)]
+        return [rests for rests in rests_beside if rests]
+
+
+def are_beside(runs: list[Rests]) -> bool:
+    """Whether other runs lie beside these that name one of their strings; none of them is read."""
+    places, strings = {rests.folder.resolve() for rests in runs}, {rests.run.string_id for rests in runs}
+    return any(any(_naming(place, strings, places)) for place in {folder.parent for folder in places})
+
+
+def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
+    """Jumps of the zero into any of these runs, from one of them or from a run in the same folder as they.
+
+    A run beside them that cannot be read tells nothing.
+    """
+    known = {rests.run.run for rests in runs}
+    strings = {rests.run.string_id for rests in runs}
+    every = list(runs)
+    places = {rests.folder.resolve() for rests in runs}
+    for place in sorted({folder.parent for folder in places}):
+        every += [rests for rests in beside.of_strings(place, strings, places) if rests.run.run not in known]
+    jumps_found = []
+    for string in sorted(strings):
+        jumps_found += jumps_among([rests for rests in every if rests.run.string_id == string])
+    return [jump for jump in jumps_found if jump.run in known]
+
+
+def _naming(place: Path, strings: set[str], but: set[Path]) -> Iterator[Path]:
+    """Runs in a folder of runs, `but` some, whose run.yaml names one of these strings."""
+    return (folder for folder in find_runs(place) if folder.resolve() not in but and _names(folder, strings))
+
+
+def _names(folder: Path, strings: set[str]) -> bool:
+    """Whether a run's run.yaml names one of these strings."""
+    try:
+        text = (folder / "run.yaml").read_text(encoding="utf-8")
+        return any(string in text for string in strings) and read_run(folder).string_id in strings
+    except (BadInput, OSError, ValueError):
+        return False

@@ -1,0 +1,217 @@
+"""What each explanation foretells of strokes that nobody made: its numbers follow the physics, the page says them."""
+
+import re
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_content import SYSTEMS, confident, content, page, told
+
+from pipeline.diagnosis.in_memory import diagnosed
+from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.words.adoption import adopted_predictions
+from pipeline.diagnosis.words.expectation import lines
+from pipeline.diagnosis.words.make_sure import of_adopted
+from pipeline.diagnosis.words.missing_signs import missing
+from pipeline.diagnosis.words.prediction import corners, stretches
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.run.samples import read_samples
+
+WORDS = Vocabulary.of(SYSTEMS["mm"])
+BOTH = ["friction_hysteresis", "creep"]
+CREEP = {"ids": BOTH, "loop_as_before_mm": 0.2, "loop_half_speed_mm": 0.1, "hold_mm": -0.28, "rest_mm": 0.1}
+HEAT = {"ids": [BOTH[0], "thermal"], "loop_as_before_mm": 0.2, "loop_half_speed_mm": 0.2, "hold_mm": 0.001}
+EXPECTED = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": [CREEP, HEAT]}
+COVERED = {"load": [19.9, 20.1], "speed_per_s": [1.9, 2.1], "longest_hold_s": 3.0, "longest_rest_s": 60.0}
+
+
+def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
+    """What each explanation of a recording with one effect foretells, the best one first."""
+    made, _ = diagnosed([RecordedRun(*read_samples(conceal(kind, kappa=3.0, rich=rich)[0]))])
+    assert [entry["id"] for entry in made["mechanisms"]] == [kind]
+    known = made["evidence"]["expected"]["explanations"]
+    assert known[0]["ids"] == [kind] and len(known) > 1 and kind not in known[1]["ids"]
+    for other in known[1:]:
+        seen = [abs(other[key] - known[0][key]) for key in other if key != "ids"]
+        assert max(seen) >= 2.0 * made["evidence"]["floor_mm"], "a number parts them"
+    return known
+
+
+def test_a_loop_of_friction_does_not_follow_the_speed_as_those_of_its_look_alikes_do(conceal):
+    best, *others = foretold(conceal, "friction_hysteresis")
+    assert best["loop_half_speed_mm"] == pytest.approx(best["loop_as_before_mm"], rel=0.1)
+    assert any("viscous_loss" in other["ids"] or "sensor_lag" in other["ids"] for other in others), "its look-alikes"
+    assert "loop_half_load_mm" not in best, "two loads were recorded"
+
+
+def test_creep_has_a_hold_and_a_rest_and_a_drift_beside_it_has_no_loop(conceal):
+    best, *others = foretold(conceal, "creep")
+    assert {"hold_mm", "rest_mm", "top_mm", "loop_as_before_mm"} <= best.keys()
+    assert best["loop_as_before_mm"] < 0.1
+    drifting = [other for other in others if "sensor_drift" in other["ids"]]
+    assert drifting and not any(key.startswith("loop") for other in drifting for key in other)
+
+
+def test_no_loop_of_a_slow_effect_is_foretold_under_a_load_that_was_not_recorded(conceal):
+    best, *_ = foretold(conceal, "creep", rich=False)
+    assert "loop_half_speed_mm" in best and "loop_half_load_mm" not in best
+
+
+@pytest.mark.long
+def test_a_play_does_not_follow_the_speed_and_a_loss_of_speed_does(conceal):
+    play, loss = foretold(conceal, "backlash")[0], foretold(conceal, "viscous_loss")[0]
+    assert play["loop_half_speed_mm"] == pytest.approx(play["loop_as_before_mm"], rel=0.05)
+    assert loss["loop_half_speed_mm"] < 0.8 * loss["loop_as_before_mm"]
+
+
+@pytest.mark.long
+def test_wear_goes_on_at_the_highest_twist_and_has_no_loop(conceal):
+    best, *_ = foretold(conceal, "wear")
+    assert abs(best["top_mm"]) > 0.02 and best["loop_as_before_mm"] < 0.5 * abs(best["top_mm"])
+
+
+def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_would_see():
+    made = content(evidence__expected=EXPECTED)
+    rows = [re.split(r" {3,}", line) for line in lines(made, WORDS)]
+    assert rows[0] == ["What to expect of", "creep", "thermal"], "without what both have"
+    assert rows[1:5] == [
+        ["the loop of a stroke as before under 20 N", "0.20 mm", "0.20 mm"],
+        ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
+        ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 mm", "hardly"],
+        ["change in a rest of 2 min at 0 turns after it", "+0.10 mm", "–"],
+    ]
+    assert "Differences of less than 0.033 mm tell nothing" in rows[-1][0] and len(rows) == 8
+    assert rows[-2] == ["–: this explanation foretells no such number."]
+    small = EXPECTED | {"explanations": [{"ids": BOTH, "loop_as_before_mm": 0.05}]}
+    assert lines(content(evidence__expected=small), WORDS) == [] == lines(content(), WORDS)
+
+
+def test_what_lacks_a_part_of_the_best_explanation_comes_before_what_adds_to_it():
+    more = CREEP | {"ids": [*BOTH, "sensor_drift"], "loop_as_before_mm": 0.3}
+    made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, more, HEAT]})
+    heads = re.split(r" {3,}", lines(made, WORDS)[0])
+    assert heads[1:3] == ["creep", "thermal"]
+
+
+def test_the_load_that_a_run_asks_for_is_another_one_than_before():
+    legs = [{"seconds": 2.0, "motor_turns": 0.0, "load_n": 20.0}, {"seconds": 0.5, "motor_turns": 0.0, "load_n": 20.0}]
+    for load in (20.0, 10.0):
+        legs += [{"seconds": 15.0, "motor_turns": turns, "load_n": load} for turns in (30.0, 0.0)]
+    run = {"title": "one stroke; one stroke under half the load", "legs": legs, "load": 20.0, "fixed_load": True}
+    assert "another load (10 N)" in page(content(**{f"next_run__{key}": value for key, value in run.items()}))
+
+
+def test_more_strokes_have_a_row_where_an_effect_is_slow():
+    explanation = {"ids": BOTH, "top_mm": 0.11}
+    made = content(evidence__expected=EXPECTED | {"strokes": 10, "explanations": [explanation]})
+    assert "change at 30.7 turns, from the next stroke to the 10th   +0.11 mm" in lines(made, WORDS)
+
+
+def test_the_page_of_one_explanation_has_the_table_and_the_details_of_a_tie_have_it():
+    alone = {"verdict": "explained", "alternatives": [], "next_run": None}
+    text = page(content(**alone, evidence__expected=EXPECTED))
+    assert "What to expect of" in text and "new_run nylon-3-next --like raw/nylon-3" in text
+    assert "What to expect of" not in page(content(**alone)) and "What to expect of" not in page()
+    assert "What to expect of" in told(content(evidence__expected=EXPECTED))
+
+
+def test_the_page_of_a_tie_says_by_how_much_the_readings_part_in_the_run():
+    made = content(next_run__apart={"by_mm": 0.31, "motor_turns": 12.3, "first_mm": 31.42, "second_mm": 31.73})
+    both = "31.42 mm if it is friction_hysteresis + creep, 31.73 mm if it is friction_hysteresis + thermal."
+    text = " ".join(page(made).split())
+    assert f"two predicted readings differ by up to 0.31 mm, most near 12 turns: {both}" in text
+    assert "predicted readings differ" not in page()
+
+
+def test_a_run_asks_for_another_speed_only_if_it_leaves_those_that_were_recorded():
+    changes = {"next_run__title": "one stroke at twice the speed", "evidence__covered": COVERED}
+    assert "another speed" not in page(content(**changes)), "its legs move at 1.9 turns/s"
+    slow = COVERED | {"speed_per_s": [1.0, 1.1]}
+    assert "another speed" in page(content(**changes | {"evidence__covered": slow}))
+
+
+def test_a_plan_of_corners_is_answered_in_a_table():
+    time_s = np.arange(0.0, 10.01, 0.5)
+    turns = np.interp(time_s, [0.0, 4.0, 6.0, 10.0], [0.0, 8.0, 8.0, 0.0])
+    table = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "x_mm": 2.0 * turns, "low_mm": 2.0 * turns - 0.1})
+    table["high_mm"] = np.where(time_s > 6.0, np.nan, 2.0 * turns + 0.1)
+    lines_of_it = corners(table, "motor_turns", "x_mm", "low_mm", "high_mm")
+    cells = [re.split(r" {3,}", line) for line in lines_of_it[1:]]
+    assert [row[0] for row in cells] == ["0", "4", "6", "10"]
+    assert cells[1] == ["4", "8", "16", "15.9 to 16.1"] and cells[3][-1] == "no band"
+
+
+def test_the_page_says_what_was_recorded_and_which_string_a_plan_is_of():
+    text = " ".join(page(content(evidence__covered=COVERED)).split())
+    assert "like those recorded (0 to 30.7 turns, 1.9 to 2.1 turns/s, 19.9 to 20.1 N, pauses of up to 60 s):" in text
+    assert "creep stays in the string: add --after-recording" in text
+    assert "--after-recording" not in page(content(mechanisms=content()["mechanisms"][:1]))
+
+
+def test_adopting_what_stays_in_the_string_says_how_to_predict_the_string_as_it_is():
+    _, _, used, before = adopted_predictions("raw/a", "motor_turns", "load_n", ["wear"])
+    assert "--motion PLAN.csv --after-recording --out FILE.csv" in used and "--after-recording" not in before
+    assert not any("--after" in line for line in adopted_predictions("raw/a", "motor_turns", "load_n", ["backlash"]))
+
+
+def test_a_slow_effect_is_sure_only_with_a_second_load():
+    table = {loaded: page(confident(0.95, 0.9, evidence__loaded=loaded)) for loaded in (True, False)}
+    assert re.search(r"creep +sure, 90 %", table[True]) and re.search(r"creep +probable, 90 %", table[False])
+    alone = " ".join(table[False].split())
+    assert "That something slow acts is sure; its name is not sure." in alone
+    assert "creep is probable, not sure, while no other load was recorded." in alone
+
+
+def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
+    alone = {"evidence__loaded": False, "evidence__covered": COVERED}
+    assert missing(content(**alone), WORDS, "friction_hysteresis") == ["load", "speed"]
+    assert missing(content(**alone), WORDS, "backlash") == ["load"]
+    assert missing(content(**alone), WORDS, "viscous_loss") == ["speed"]
+    assert missing(content(**alone), WORDS, "jam") == [] == missing(content(), WORDS, "viscous_loss")
+    two = {"evidence__loaded": True, "evidence__covered": COVERED | {"speed_per_s": [1.0, 2.0]}}
+    assert missing(content(**two), WORDS, "friction_hysteresis") == []
+    text = " ".join(page(confident(0.95, 0.46, **alone)).split())
+    assert "friction_hysteresis is probable, not sure, while no other load and no other speed was recorded." in text
+
+
+def test_after_adopting_the_page_says_which_sign_of_a_name_is_still_open():
+    made = content(evidence__loaded=True, evidence__covered=COVERED)
+    ((head, line),) = of_adopted(made, WORDS, ["viscous_loss", "jam"])
+    assert "no second speed." in head and line == "- viscous_loss: three speeds and small strokes at low twist."
+    assert of_adopted(made, WORDS, ["jam", "gone"]) == []
+
+
+@pytest.mark.parametrize(
+    ("trend", "grows", "lowers"), [(0.2, "grows", "raises"), (-0.2, "falls", "lowers"), (None, "changes", "moves")]
+)
+def test_wear_says_which_way_it_moves_the_radius_and_the_reading(trend, grows, lowers):
+    entry = {"id": "wear", "rms_mm": {"value": 0.1, "low": 0.09, "high": 0.11}, "parameters": {}}
+    changes = {"mechanisms": [entry], "evidence__spans_mm": {"wear": 0.3}, "evidence__tops_mm": {"wear": 0.2}}
+    changes |= {"evidence__trends_mm": {"wear": trend}} if trend else {}
+    text = " ".join(page(content(**changes)).split())
+    assert f"radius {grows} with the distance travelled, which {lowers} the displacement by up to 0.30 mm" in text
+    assert "At 30.7 turns that is 0.20 mm more in the last stroke than in the first, which no dimension can do." in text
+
+
+def test_the_page_says_which_dimension_took_most_of_the_nominal_error_away():
+    changes = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.2, "evidence__moved_sigma": {"radius_mm": 1.2}}
+    text = " ".join(page(content(**changes)).split())
+    assert (
+        "The radius moved the most, from 0.55 mm to 0.5612 mm: 1.2 times its tolerance, which is no reason to measure"
+        in text
+    )
+    assert "moved the most" not in page(content(**changes | {"evidence__calibrated_mm": 0.9}))
+
+
+def test_when_a_plan_leaves_what_was_recorded_is_said_in_seconds():
+    rows = np.array([0, 1, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0], bool)
+    assert stretches(rows[:4], np.arange(4.0)) == "from 1 to 2 s"
+    assert stretches(rows, np.arange(12.0)) == "from 1 to 2 s, 4 to 4 s, 6 to 6 s and 2 stretches more"
+    assert stretches(np.zeros(3, bool), np.arange(3.0)) == ""
+
+
+def test_columns_that_do_not_fit_on_the_page_are_left_out():
+    wide = {"ids": ["plastic_elongation", "radius_compaction"], "loop_as_before_mm": 0.1, "hold_mm": 0.1}
+    made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, HEAT, wide]})
+    table = lines(made, WORDS)
+    assert "radius_compaction" not in table[0] and "creep" in table[0] and max(map(len, table)) <= 105
