@@ -141,7 +141,8 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         recording = read_recording((run / FRAMES).read_bytes())
         assert recording.account.end.reason == Reason.STOPPED and state(place, 0)["approved_by"].endswith("on the page")
         seen.until(f"document.getElementById('samples').textContent == '{len(recording.time_s):,}'")
-        assert seen.text("lost") == "0, 0" and "no loop is at work" in seen.text("loop-state")
+        seen.until("document.getElementById('loop-state').textContent.includes('no loop is at work')")
+        assert seen.text("lost") == "0, 0"
         assert seen.run("document.getElementById('stop').hidden")
         dark = "[...document.getElementById('foretold').getContext('2d').getImageData(0,0,800,100).data].some(v => v)"
         assert seen.run(dark), "something is drawn"
