@@ -352,6 +352,28 @@ def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
     assert "Leave what is still missing, unless it is too much for your use" in alike and "-next" not in alike
 
 
+def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_adopted():
+    assert "too much for your use" not in steps()
+    changes = steps(content(fit__heldout__explained_mm=0.06))
+    many = "record as many strokes again in the same way, and diagnose the runs together"
+    assert f"{many} (the commands stand in details.txt under The run to make next). If the error" in changes
+    assert "-next" not in changes, "no command is printed twice"
+    without = steps(content(fit__heldout__explained_mm=0.06, next_run=None))
+    assert f"{many}. If the error" in without and "new_run nylon-3-next --like raw/nylon-3" in without
+    idle = content(fit__heldout__explained_mm=0.06, next_run__gap_then=5.1)
+    assert "new_run nylon-3-next --like raw/nylon-3" in steps(idle), "a run that decides nothing has no commands"
+    made = content(fit__heldout__explained_mm=0.06)
+    made["evidence"]["explanations"][-1]["left_mm"] = 0.058
+    assert "Leave what is still missing, unless it is too much for your use. The best explanation" in steps(made)
+    tied = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    adopted = content(**NOTHING, mismatch=None, adopted=[tied], simulation=[{"id": "creep", "parameters": {}}])
+    adopted["evidence"]["moved_sigma"] = NEAR
+    adopted["evidence"]["calibrated_mm"] = 0.031
+    assert "Leave what is still missing" not in steps(adopted)
+    adopted["evidence"]["calibrated_mm"] = 0.06
+    assert "Leave what is still missing, unless it is too much for your use. No effect" in steps(adopted)
+
+
 def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_recording_holds():
     covered = {"load": [24.8, 36.9], "speed_per_s": [1.9, 5.8], "longest_hold_s": 3.7, "longest_rest_s": 6.5}
     said = steps(content(**ALONE, evidence__covered=covered))

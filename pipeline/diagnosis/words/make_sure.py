@@ -4,35 +4,43 @@ from pathlib import Path
 
 from ..content import Verdict, time_constants_s
 from ..library import mechanisms
-from . import commands, expectation, unseen
+from . import commands, expectation, unseen, worth
 from .missing_signs import ALIKE, missing
 from .quantity import duration, listing, number, quantity, times
 from .vocabulary import Vocabulary
 
 AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
+DETAILS = "details.txt"
+RUN = "The run to make next"  # the heading of its steps and commands in the details
+LEAVE = "Leave what is still missing, unless it is too much for your use."
+NO_NAME = "No effect of the library is named for it."
+TIED = "The best explanation leaves it too, and no further effect of the library is named for it."
+MORE = "Other speeds and loads, diagnosed together, show more of it."
+AS_MANY = (
+    "If what changes from stroke to stroke is too much for your use: record as many strokes again in the same way, and "
+    "diagnose the runs together{where}. If the error on unseen strokes falls to the noise, there were too few strokes. "
+    "If not, this rig has physics that the library lacks."
+)
 
 
 def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
-    """What to do about what is still missing beside the one explanation; nothing where nothing is, or some tie."""
-    if not unseen.partly(content, words) or content["verdict"] != "explained":
+    """What to do about what is still missing beside what is named; nothing where nothing is."""
+    if not unseen.partly(content, words) or content["verdict"] not in ("explained", "ambiguous"):
         return []
+    tie = content["verdict"] == "ambiguous"
     if unseen.nothing_new(content, words):
-        return [
-            [
-                "Leave what is still missing, unless it is too much for your use. No effect of the library is named "
-                "for it. Other speeds and loads, diagnosed together, show more of it.",
-            ]
-        ]
+        return [[f"{LEAVE} {TIED if tie else NO_NAME} {MORE}"]]
     again = commands.lines(folders, out, [""])
-    return [
-        [
-            "If what changes from stroke to stroke is too much for your use: record as many strokes again in the same "
-            "way, and diagnose both runs together. If the error on unseen strokes falls to the noise, there were too "
-            "few strokes. If not, this rig has physics that the library lacks.",
-            *(f"  {line}" for line in again),
-            commands.CAPTURE,
-        ]
-    ]
+    run = content["next_run"]
+    shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
+    where = f" (the commands stand in {DETAILS} under {RUN})" if shown else ""
+    typed = [] if shown else [*(f"  {line}" for line in again), commands.CAPTURE]
+    return [[AS_MANY.format(where=where), *typed]]
+
+
+def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:
+    """What to do about what is left beside what was adopted; nothing where that is noise."""
+    return [[f"{LEAVE} {NO_NAME} {MORE}"]] if unseen.left_over(content, words) else []
 
 
 def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:

@@ -10,6 +10,7 @@ from . import advice, deciding_run, experiment, holdout, make_sure, report, sign
 from .adoption import dimensions_came, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
+from .make_sure import DETAILS, RUN
 from .places import recorded
 from .prediction import AFTER_RECORDING
 from .quantity import listing, quantity
@@ -17,8 +18,6 @@ from .technician import lasting
 from .vocabulary import Vocabulary
 
 HEADING = "What to do, in this order"
-DETAILS = "details.txt"
-RUN = "The run to make next"  # the heading of its steps and commands in the details
 NAMED = ("explained", "ambiguous")
 
 
@@ -147,7 +146,7 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path]) -> list[l
     if tied and not deciding_run.worth_making(tied):
         count = 1 + max(len(adoption["tied"]) for adoption in tied)
         advice = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
-        return [[advice], *_anew(content, words, folders)]
+        return [[advice], *_anew(content, words, folders), *make_sure.of_what_is_left(content, words)]
     if tied:
         return [
             *_anew(content, words, folders),
@@ -156,6 +155,7 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path]) -> list[l
                 f"{DETAILS} under {RUN}. Take out what was adopted first, for it is not weighed again:",
                 *(f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders),
             ],
+            *make_sure.of_what_is_left(content, words),
         ]
     if unseen.left_over(content, words):
         return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]
