@@ -12,7 +12,7 @@ import pandas as pd
 from .diagnosis.content import Verdict
 from .diagnosis.home import homed
 from .diagnosis.own_rate import at_own_rate
-from .diagnosis.plan import Plan, expected_error
+from .diagnosis.plan import Plan, expected_error, tied_with
 from .diagnosis.prediction_band import adopted_diagnosis
 from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
@@ -42,7 +42,7 @@ from .ground.outputs import file_to_write
 from .run.description import Run
 from .run.folder import has_recording, read_run
 from .run.planned import planned
-from .run.samples import read_samples, read_strokes
+from .run.samples import read_strokes
 
 
 def warn_of_dimensions(run: Run, folder: Path) -> None:
@@ -65,10 +65,12 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     if arguments.after_recording and not has_samples:
         mend = f"record the run first, or leave {AFTER_RECORDING} out"
         raise BadInput(arguments.run_dir, AFTER_RECORDING, "needs a recording, and there is none", mend)
-    run, recorded = read_samples(arguments.run_dir) if has_samples else (read_run(arguments.run_dir), None)
-    samples, drawn = planned(run, arguments.motion, recorded)
+    recorded = RecordedRun(*read_strokes(arguments.run_dir)) if has_samples else None
+    run = recorded.run if recorded else read_run(arguments.run_dir)
+    samples, drawn = planned(run, arguments.motion, recorded and recorded.samples)
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
-    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording)
+    tied = tied_with(run, content, arguments.simulation is None)
+    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied)
 
 
 def source_of(arguments: argparse.Namespace) -> Path:
@@ -163,8 +165,7 @@ def main() -> None:
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
         print(f"its zero is {zero}; the string is taken to be {state}")
-    tied = run.adopted[-1].tied if run.adopted and not arguments.simulation else content.get("alternatives", [])
-    if isinstance(tied, list) and tied:
+    if tied := tied_with(run, content, arguments.simulation is None):
         print(f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here")
     if plan is None:
         error, _ = off(*compared(run, problem, predicted))

@@ -1,5 +1,6 @@
 """What a mechanism is: it offers terms, and a term acts at a port of the simulator."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
@@ -13,6 +14,7 @@ SWINGS = ("acceleration", "angle within the turn", "slow motion")  # drivers of 
 AT_REST = ("time under load", DRIFT)  # of what goes on while the rig stands
 FOR_GOOD = ("sudden events on the length", "sudden events on the twist")  # of what happens once and stays
 SLOW = (*AT_REST, "worked strokes", "load x worked strokes", "travel")  # of what goes on over a whole recording
+PACE = ("rate", "time", "speed", "slow", "acceleration", "temperature")  # words of a driver that another speed changes
 Nonlinear = dict[str, float]  # values of the parameters that enter a law nonlinearly, by name
 
 
@@ -97,6 +99,11 @@ class Mechanism:
     def drifts(self) -> bool:
         """Whether it goes on whatever the rig does."""
         return self.driver == DRIFT
+
+    @property
+    def paced(self) -> bool:
+        """Whether it does otherwise in the same motion at another speed: it follows a rate, heat, or time in use."""
+        return not self.drifts and any(word in PACE for word in re.findall(r"[a-z]+", self.driver))
 
     @property
     def stays(self) -> bool:

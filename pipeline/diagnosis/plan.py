@@ -1,8 +1,10 @@
 """A motion that nobody recorded, and what a simulator says of it: alone, or after the recorded motion of its run."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pandas as pd
@@ -10,8 +12,9 @@ import pandas as pd
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..run.continued import continued
+from ..run.course import Mask, Recorded
 from ..run.description import Run
-from ..run.outside import Mask, Outside, outside
+from ..run.outside import Outside, outside
 from .content import Simulated, Verdict
 from .library import mechanisms
 from .outcome import rms
@@ -29,29 +32,36 @@ class Plan:
     """A planned motion of a run: its samples, whether corners drew it, what was recorded, and what to simulate it by.
 
     `content`, from the file `source`, is the simulator. `after`: whether the recorded motion goes before the plan.
+    `tied`: the explanations that are as likely as what acts, by their mechanisms.
     """
 
     run: Run
     samples: pd.DataFrame
     drawn: bool
-    recorded: pd.DataFrame | None
+    recorded: RecordedRun | None
     content: Simulated
     source: Path
     after: bool = False
+    tied: Sequence[Sequence[str]] = ()
 
     @cached_property
     def outside(self) -> Outside | None:
         """Where it leaves what was recorded; None where nothing was."""
-        acting = [mechanisms()[entry["id"]] for entry in self.content["simulation"] if entry["id"] in mechanisms()]
-        remembers = any(mechanism.remembers_turns for mechanism in acting)
-        return None if self.recorded is None else outside(self.run, self.samples, self.recorded, remembers)
+        if self.recorded is None or self.recorded.strokes is None:
+            return None
+        known, acting = mechanisms(), [entry["id"] for entry in self.content["simulation"]]
+        remembers = any(known[id_].remembers_turns for id_ in acting if id_ in known)
+        likely = dict.fromkeys([*acting, *(id_ for ids in self.tied for id_ in ids)])
+        paced = [id_ for id_ in likely if id_ in known and known[id_].paced]
+        recorded = Recorded([self.recorded.samples], [self.recorded.strokes], self.run.system.driver)
+        return outside(self.run, self.samples, recorded, remembers, paced)
 
     @cached_property
     def problem(self) -> Problem:
         """What is simulated: the plan's samples, which are the last ones."""
         samples = self.samples
         if self.after and self.recorded is not None:
-            samples = continued(self.run.system, samples, self.recorded, self.drawn)
+            samples = continued(self.run.system, samples, self.recorded.samples, self.drawn)
         problem = at_own_rate([RecordedRun(self.run, samples)], thin=False, to_fit=False)
         if self.drawn:
             problem = replace(problem, drivers=replace(problem.drivers, drawn=True), _terms={})
@@ -109,3 +119,13 @@ class Plan:
 def expected_error(width: Foretold | None, rows: Mask) -> float | None:
     """The error that is expected in some rows, rms in the channel's unit; None without a band, or without rows."""
     return None if width is None or not rows.any() else width.expected(rows)
+
+
+def tied_with(run: Run, content: Simulated, adopted: bool) -> list[list[str]]:
+    """The explanations that tie with what is simulated: those of a diagnosis, or of what a run has `adopted` last."""
+    tied: Any = run.adopted[-1].tied if adopted and run.adopted else cast(Verdict, content).get("alternatives", [])
+    return (
+        [[id_ for id_ in ids if isinstance(id_, str)] for ids in tied if isinstance(ids, list)]
+        if isinstance(tied, list)
+        else []
+    )

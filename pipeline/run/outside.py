@@ -1,24 +1,20 @@
 """Where a planned motion leaves what was recorded, row by row: nothing there says how well a simulator does."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
-from ..ground.kinematics import Array
+from .course import Course, Mask, Recorded, stretches
 from .description import Run
-from .turning import turning_points
 
-STANDS, UNWOUND, SHORT_S = 0.02, 0.05, 1.0  # of the highest speed: slower stands; of the range; not worth a word
+SHORT_S = 1.0  # not worth a word
 LONGER = 2.0  # times the longest hold that was recorded: what is slow goes on in a longer one
 ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
-SLOWER = 0.5  # of the slowest stroke that was recorded: what lasts goes on in a slower one
-WINDOW_S = 0.2  # over which a speed is taken: less is encoder noise
-TURNS, NEAR = 0.02, 0.1  # of the recorded range: a smaller way back is no reversal; so near it was recorded
-
-Mask = NDArray[np.bool_]
+SLOWER = 0.5  # of the slowest stroke's speed: what lasts goes on in a slower one
+OTHER = 1.25  # times as slow or as fast as any stroke: another speed, where it matters or nobody knows whether it does
+NEAR = 0.1  # of the recorded range: so near it was recorded
 
 
 @dataclass(frozen=True)
@@ -29,59 +25,32 @@ class Outside:
     asks: list[str]
 
 
-def outside(run: Run, samples: pd.DataFrame, recorded: pd.DataFrame, turns_count: bool = False) -> Outside:
+def outside(
+    run: Run, samples: pd.DataFrame, recorded: Recorded, turns_count: bool = False, paced: Sequence[str] = ()
+) -> Outside:
     """The rows of a planned motion that leave what was recorded; a share `ROOM` of it is no leaving.
 
-    `turns_count`: whether an effect at work remembers where the motion turned, so that other reversals count.
+    `turns_count`: whether an effect at work remembers where the motion turned, so that other reversals count. `paced`:
+    the effects, at work or open, that follow speed or time, so that a speed counts as another one sooner.
     """
-    kept = [name for name in samples.columns if name not in ("time_s", run.system.channel) and name in recorded]
-    parts = [_beyond_range(name, samples[name].to_numpy(), recorded[name].to_numpy()) for name in kept]
-    planned, before = (_Motion.of(table, run.system.driver) for table in (samples, recorded))
-    parts += [_faster(planned, before, run.system.driver)]
-    parts += [_longer(planned, before, name, wound) for name, wound in (("hold", True), ("rest", False))]
-    parts += [_slower(planned, before, run.system.driver)]
-    parts += [_turned(planned, before, run.system.driver)] if turns_count else []
+    driver, channel = run.system.driver, run.system.channel
+    kept = [name for name in samples.columns if name not in ("time_s", channel)]
+    kept = [name for name in kept if all(name in table for table in recorded.samples)]
+    parts = [_beyond_range(name, samples, recorded) for name in kept]
+    planned = Course.of(samples, driver)
+    parts += [_faster(planned, recorded)]
+    parts += [_longer(planned, recorded, name, wound) for name, wound in (("hold", True), ("rest", False))]
+    parts += [_slower(planned, recorded, paced), _quicker(planned, recorded, paced)]
+    parts += [_turned(planned, recorded)] if turns_count else []
     rows = np.logical_or.reduce([rows for rows, _ in parts])
     return Outside(rows, [asks for _, asks in parts if asks])
 
 
-@dataclass(frozen=True)
-class _Motion:
-    """Time in s, a motion, and its speed over `WINDOW_S`, per second; each of shape (samples,)."""
-
-    time_s: Array
-    way: Array
-    speed: Array
-
-    @classmethod
-    def of(cls, samples: pd.DataFrame, driver: str) -> "_Motion":
-        time_s, way = samples["time_s"].to_numpy(float), samples[driver].to_numpy(float)
-        half_s = max(0.5 * WINDOW_S, float(np.median(np.diff(time_s))))
-        first_s, last_s = np.maximum(time_s - half_s, time_s[0]), np.minimum(time_s + half_s, time_s[-1])
-        moved = np.interp(last_s, time_s, way) - np.interp(first_s, time_s, way)
-        return cls(time_s, way, np.abs(moved) / (last_s - first_s))
-
-    @property
-    def fastest(self) -> float:
-        return float(self.speed.max())
-
-    def moves(self, least: float) -> Mask:
-        """Where it does not stand, beside a highest speed of `least` or its own."""
-        return np.asarray(self.speed >= STANDS * max(min(least, self.fastest), 1e-9))
-
-    @property
-    def high(self) -> Mask:
-        """Where it is wound: further than a part of its range from its lowest."""
-        return np.asarray(self.way > self.way.min() + UNWOUND * np.ptp(self.way))
-
-    @property
-    def range(self) -> float:
-        return float(np.ptp(self.way))
-
-
-def _beyond_range(name: str, planned: Array, recorded: Array) -> tuple[Mask, str]:
+def _beyond_range(name: str, samples: pd.DataFrame, recorded: Recorded) -> tuple[Mask, str]:
     """Rows in which a channel is lower or higher than recorded."""
-    least, most = float(recorded.min()), float(recorded.max())
+    planned = samples[name].to_numpy()
+    least = min(float(table[name].min()) for table in recorded.samples)
+    most = max(float(table[name].max()) for table in recorded.samples)
     room = ROOM * max(most - least, abs(most) * ROOM)
     rows = (planned < least - room) | (planned > most + room)
     low, high = float(planned.min()), float(planned.max())
@@ -89,78 +58,81 @@ def _beyond_range(name: str, planned: Array, recorded: Array) -> tuple[Mask, str
     return rows, asks if rows.any() else ""
 
 
-def _faster(planned: _Motion, recorded: _Motion, driver: str) -> tuple[Mask, str]:
+def _faster(planned: Course, recorded: Recorded) -> tuple[Mask, str]:
     """Rows that move faster than anything that was recorded."""
     rows = planned.speed > (1.0 + ROOM) * recorded.fastest
-    asks = f"{driver} that change by {planned.fastest:.3g} a second (at most {recorded.fastest:.3g} were recorded)"
-    return rows, asks if rows.any() else ""
+    asks = f"{recorded.driver} that change by {planned.fastest:.3g} a second"
+    return rows, f"{asks} (at most {recorded.fastest:.3g} were recorded)" if rows.any() else ""
 
 
-def _longer(planned: _Motion, recorded: _Motion, name: str, wound: bool) -> tuple[Mask, str]:
+def _longer(planned: Course, recorded: Recorded, name: str, wound: bool) -> tuple[Mask, str]:
     """Rows of a stand, wound or unwound, that come after `LONGER` times the longest that was recorded."""
-    stood_s = float(_lasted(recorded, ~recorded.moves(np.inf) & (recorded.high == wound)).max())
-    lasted_s = _lasted(planned, ~planned.moves(recorded.fastest) & (planned.high == wound))
+    stood_s = recorded.longest_s(name)
+    lasted_s = planned.lasted_s(~planned.moves(recorded.fastest) & (planned.high == wound))
     rows = lasted_s > max(LONGER * stood_s, SHORT_S)
     asks = f"a {name} of {lasted_s.max():.3g} s (at most {stood_s:.3g} s were recorded)"
     return rows, asks if rows.any() else ""
 
 
-def _slower(planned: _Motion, recorded: _Motion, driver: str) -> tuple[Mask, str]:
-    """Rows that go on for longer than recorded at less than `SLOWER` of the slowest recorded stroke's speed."""
-    moves, points = recorded.moves(np.inf), turning_points(recorded.way, ROOM * recorded.range)
-    legs = [np.flatnonzero(moves[first:last]) + first for first, last in pairwise(points)]
-    speeds = [float(np.median(recorded.speed[leg])) for leg in legs if len(leg)]
-    nothing = np.zeros(len(planned.way), bool)
-    if not speeds:
-        return nothing, ""
-    slowest = min(speeds)
-    slow, slow_before = (
-        motion.moves(recorded.fastest) & (motion.speed < SLOWER * slowest) for motion in (planned, recorded)
-    )
-    least_s = max(LONGER * float(_lasted(recorded, slow_before).max()), SHORT_S)
-    lasted_s, rows = _lasted(planned, slow), nothing
-    for first, last in _spans(slow):
-        if lasted_s[last - 1] > least_s:
-            rows[first:last] = True
-    if not rows.any():
-        return rows, ""
-    speed = float(np.median(planned.speed[rows]))
-    return rows, f"{driver} that change by only {speed:.3g} a second (at least {slowest:.3g} were recorded)"
+def _slower(planned: Course, recorded: Recorded, paced: Sequence[str]) -> tuple[Mask, str]:
+    """Rows that go on for longer than recorded at clearly less than the slowest recorded stroke's speed."""
+    slowest = min(recorded.speeds)
+    most = slowest * (1.0 / OTHER if paced or recorded.one_speed else SLOWER)
+    rows = _going_on(
+        planned, recorded, [course.moves(recorded.fastest) & (course.speed < most) for course in recorded.courses],
+        planned.moves(recorded.fastest) & (planned.speed < most),
+    )  # fmt: skip
+    speed = float(np.median(planned.speed[rows])) if rows.any() else 0.0
+    asks = f"{recorded.driver} that change by only {speed:.3g} a second"
+    return rows, f"{asks} ({_known(f'at least {slowest:.3g} were', recorded, paced)})" if rows.any() else ""
 
 
-def _turned(planned: _Motion, recorded: _Motion, driver: str) -> tuple[Mask, str]:
+def _quicker(planned: Course, recorded: Recorded, paced: Sequence[str]) -> tuple[Mask, str]:
+    """Rows that go on for longer than recorded at clearly more than the fastest stroke's speed, where that matters.
+
+    Moments of the recording may have been as fast.
+    """
+    least = OTHER * max(recorded.speeds)
+    if not (paced or recorded.one_speed):
+        return np.zeros(len(planned.way), bool), ""
+    fast = planned.speed > least
+    rows = _going_on(planned, recorded, [course.speed > least for course in recorded.courses], fast)
+    rows &= planned.speed <= (1.0 + ROOM) * recorded.fastest  # what is faster is named already
+    speed = float(np.median(planned.speed[rows])) if rows.any() else 0.0
+    asks = f"strokes whose {recorded.driver} change by {speed:.3g} a second"
+    known = _known(f"at most {max(recorded.speeds):.3g} over a stroke were", recorded, paced)
+    return rows, f"{asks} ({known})" if rows.any() else ""
+
+
+def _known(ends: str, recorded: Recorded, paced: Sequence[str]) -> str:
+    """What is known of other speeds, in words."""
+    known = f"one speed was recorded, {np.median(recorded.speeds):.3g}" if recorded.one_speed else f"{ends} recorded"
+    if paced:
+        return f"{known}, and {' and '.join(paced)} {'follow' if len(paced) > 1 else 'follows'} speed or time"
+    return f"{known}, and nothing in it says what another does" if recorded.one_speed else known
+
+
+def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows: Mask) -> Mask:
+    """The stretches of some rows that last for longer than `LONGER` times the longest `before`, a mask a recording."""
+    pairs = zip(recorded.courses, before, strict=True)
+    least_s = max(LONGER * max(float(course.lasted_s(mask).max()) for course, mask in pairs), SHORT_S)
+    lasted_s, going_on = planned.lasted_s(rows), np.zeros(len(rows), bool)
+    for first, last in stretches(rows):
+        going_on[first:last] = lasted_s[last - 1] > least_s
+    return going_on
+
+
+def _turned(planned: Course, recorded: Recorded) -> tuple[Mask, str]:
     """Rows from a reversal inside the recorded range, near which none was recorded, to the next one."""
     rows, places = np.zeros(len(planned.way), bool), []
-    known = {up: values for up, values in _turns(recorded, recorded.range)[1].items()}
-    points, _ = _turns(planned, recorded.range)
-    low, high = recorded.way.min(), recorded.way.max()
+    low, high = recorded.ends
+    points, _ = planned.turns(high - low)
     for before, point, after in zip(points[:-2], points[1:-1], points[2:], strict=True):
         value = planned.way[point]
-        near = np.abs(known[bool(value > planned.way[before])] - value) <= NEAR * recorded.range
+        near = np.abs(recorded.turns[bool(value > planned.way[before])] - value) <= NEAR * (high - low)
         if low <= value <= high and not near.any():
             rows[point : after + 1] = True
             places.append(float(value))
     many = f"{len(places)} reversals inside the range, the first" if len(places) > 1 else "a reversal inside the range,"
-    asks = f"{many} at {driver} of {places[0]:.4g} (none was recorded near there)" if places else ""
+    asks = f"{many} at {recorded.driver} of {places[0]:.4g} (none was recorded near there)" if places else ""
     return rows, asks
-
-
-def _turns(motion: _Motion, span: float) -> tuple[NDArray[np.intp], dict[bool, Array]]:
-    """Samples at which a motion turns, with its ends; and where it turned, by whether that was at a top."""
-    points = turning_points(motion.way, TURNS * span)
-    values, before = motion.way[points[1:-1]], motion.way[points[:-2]]
-    return points, {True: values[values > before], False: values[values <= before]}
-
-
-def _spans(mask: Mask) -> list[tuple[int, int]]:
-    """First row of each stretch in which a mask holds, and the row after its last."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
-    return [(int(first), int(last)) for first, last in zip(edges[::2], edges[1::2], strict=True)]
-
-
-def _lasted(motion: _Motion, mask: Mask) -> Array:
-    """For how long a mask has held already, in s, 0 where it does not. Shape (samples,)."""
-    lasted_s = np.zeros(len(mask))
-    for first, last in _spans(mask):
-        lasted_s[first:last] = motion.time_s[first:last] - motion.time_s[first]
-    return lasted_s

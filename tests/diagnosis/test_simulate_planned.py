@@ -10,7 +10,10 @@ import pytest
 import yaml
 from made_recording import recording
 
-from pipeline.run.samples import read_samples
+from pipeline.diagnosis.library import mechanisms
+from pipeline.run.course import Recorded
+from pipeline.run.outside import outside
+from pipeline.run.samples import read_samples, read_strokes
 
 
 @pytest.fixture
@@ -175,6 +178,7 @@ def acting(tmp_path: Path, entry: dict) -> Path:
 
 
 SLOWED = {"id": "viscous_loss", "parameters": {"loaded": 0.0, "steepest": 0.5, "straight_mm_per_turn_s": 0.1}}
+BACKLASH = {"id": "backlash", "parameters": {"half_width_turns": 0.001, "share": 0.1}}
 LOOP = {"id": "backlash", "parameters": {"half_width_turns": 0.5, "share": 0.8}}
 
 
@@ -190,7 +194,10 @@ def test_slower_than_recorded_and_reversals_inside_are_outside(make_run, tmp_pat
         return done.stderr, pd.read_csv(tmp_path / "a.csv")
 
     said, answer = asked({"time_s": [0.0, slow_s, 1.2 * slow_s], "motor_turns": [0.0, top, 0.0]}, LOOP)
-    assert "motor_turns that change by only" in said and "(at least" in said and "a reversal" not in said
+    assert (
+        "motor_turns that change by only" in said and "(one speed was recorded, " in said and "a reversal" not in said
+    )
+    assert "nothing in it says what another does)" in said
     rows = answer["outside"] == 1
     assert rows[answer["time_s"] < 0.95 * slow_s].all() and not rows[answer["time_s"] > 1.05 * slow_s].any()
 
@@ -202,6 +209,56 @@ def test_slower_than_recorded_and_reversals_inside_are_outside(make_run, tmp_pat
     assert rows[answer["time_s"] > legs[2] + 0.1].all() and not rows[answer["time_s"] < legs[2] - 0.1].any()
     said, answer = asked(inner, SLOWED)
     assert not said and not answer["outside"].any(), "no effect at work remembers where the motion turned"
+
+
+def test_another_speed_is_outside_where_it_matters_or_nobody_knows_whether_it_does(make_run, tmp_path):
+    folder, plan = four_strokes(make_run)[0], tmp_path / "plan.csv"
+    one, two = recording(4).assign(load_n=20.0), recording(4).assign(load_n=20.0)
+    two["time_s"] = np.where(
+        two.index < len(two) / 2, two["time_s"], two["time_s"].median() + (two["time_s"] - two["time_s"].median()) / 2
+    )
+    folders = {"one": folder, "two": make_run("two-speeds", two)}
+    top = float(one["motor_turns"].max())
+    speed = float(np.abs(np.diff(one["motor_turns"])).max() / np.diff(one["time_s"]).min())
+
+    def asked(kind: str, share: float, entry: dict, **more: object) -> str:
+        lasts_s = top / (share * speed)
+        corners = {"time_s": [0.0, lasts_s, 2.0 * lasts_s], "motor_turns": [0.0, top, 0.0]}
+        pd.DataFrame(corners).to_csv(plan, index=False)
+        path = acting(tmp_path, entry)
+        path.write_text(json.dumps(json.loads(path.read_text()) | more))
+        return simulated(folders[kind], path, tmp_path / "a.csv", "--motion", plan).stderr
+
+    assert not asked("one", 1.0, SLOWED) and not asked("one", 0.85, SLOWED), "the recorded speed, nearly"
+    for share in (0.5, 0.7):
+        assert "and viscous_loss follows speed or time)" in asked("one", share, SLOWED)
+        assert "nothing in it says what another does)" in asked("one", share, BACKLASH)
+        said = asked("two", share, SLOWED)
+        assert "(at least " in said and "were recorded, and viscous_loss follows speed or time)" in said
+    assert not asked("two", 0.7, BACKLASH), "two speeds were seen, and the effect follows none"
+    open_one = asked("two", 0.7, BACKLASH, alternatives=[["creep", "sensor_lag"]])
+    assert "and creep and sensor_lag follow speed or time)" in open_one
+    assert not asked("two", 1.5, SLOWED), "between two speeds that were recorded"
+
+
+def test_what_follows_speed_or_time_is_known_from_the_mechanisms_own_driver():
+    paced = {id_ for id_, mechanism in mechanisms().items() if mechanism.paced}
+    assert {"viscous_loss", "sensor_lag", "creep", "thermal", "stick_slip", "load_swing", "x_clock"} <= paced
+    assert not paced & {"backlash", "jam", "wear", "axial_elasticity", "sensor_drift", "friction_hysteresis"}
+
+
+def test_a_motion_as_fast_as_a_moment_of_the_recording_alone_is_outside(make_run):
+    """The recorded strokes are sines, whose middle is faster than they are on the whole; the plan stays that fast."""
+    time_s = np.arange(0.0, 60.0, 0.02)
+    table = pd.DataFrame({"time_s": time_s, "motor_turns": 10.0 - 10.0 * np.cos(np.pi * time_s / 10.0), "load_n": 20.0})
+    table["displacement_mm"] = 0.02 * table["motor_turns"] ** 2
+    run, samples, strokes = read_strokes(make_run("sines", table))
+    recorded = Recorded([samples], [strokes], "motor_turns")
+    turns = 0.5 + 19.0 * np.abs((0.16 * time_s + 1.0) % 2.0 - 1.0)
+    plan = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "load_n": 20.0})
+    answer = outside(run, plan, recorded)
+    assert "strokes whose motor_turns change by 3.04 a second (one speed was recorded, " in answer.asks[0]
+    assert answer.rows.mean() > 0.9 and not outside(run, table, recorded).asks
 
 
 def test_a_plan_may_use_the_names_and_units_of_the_recordings_columns(make_run, tmp_path):

@@ -2,11 +2,11 @@
 
 import re
 
+from ...run.course import ALIKE
 from ..content import Verdict
 from ..library import mechanisms
 from .vocabulary import Vocabulary
 
-ALIKE = 1.2  # times the slowest stroke's speed: a fastest one below that is no other speed
 LOADS = re.compile(r"two loads|second load|load steps|hold under load")
 SPEEDS = re.compile(r"(two|three) speeds|another speed|at speed")
 

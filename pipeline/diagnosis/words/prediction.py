@@ -5,7 +5,7 @@ import pandas as pd
 
 from ...ground.command import command
 from ...ground.kinematics import Array
-from ...run.outside import Mask
+from ...run.course import Mask
 from ..outcome import rms
 from ..prediction_band import Foretold
 from .error_table import aligned
