@@ -1,20 +1,23 @@
 """What a recording covers: the loads that hung, how fast it moved, how long it stood, wound and at rest."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..run.course import longest_s
+from ..run.strokes import label, of_samples
 from .record import PHASES, Record
+from .recorded_run import RecordedRun
 
 ENDS = (1.0, 99.0)  # per cent of the samples: what is beyond is noise or a moment
 
 
 def covered(record: Record) -> dict[str, Any]:
-    """Lowest and highest load, slowest and fastest stroke, longest hold and rest; as `diagnosis.json` holds them.
+    """Lowest and highest load, slowest and fastest stroke; as `diagnosis.json` holds them.
 
-    Loads in the load channel's unit, speeds in the motion's unit per second, times in s. `temperature_c`, where one was
-    logged, is its lowest and highest in °C.
+    Loads in the load channel's unit, speeds in the motion's unit per second. `temperature_c`, where one was logged, is
+    its lowest and highest in °C.
     """
     moving = np.isin(record.phase, [PHASES.index("winding"), PHASES.index("unwinding")])
     speeds = [
@@ -26,13 +29,15 @@ def covered(record: Record) -> dict[str, Any]:
     return warm | {
         "load": [float(end) for end in np.percentile(record.load, ENDS)],
         "speed_per_s": [min(speeds, default=0.0), max(speeds, default=0.0)],
-        "longest_hold_s": longest(record, record.phase == PHASES.index("hold")),
-        "longest_rest_s": longest(record, record.phase == PHASES.index("rest")),
     }
 
 
-def longest(record: Record, inside: NDArray[np.bool_]) -> float:
-    """The longest time without a break, in s, of the samples in a mask of shape (samples,); of one run at a time."""
-    edges = np.flatnonzero(np.diff(inside.astype(int)) | (np.diff(record.run_index) != 0)) + 1
-    parts = np.split(np.arange(len(inside)), edges)
-    return max((float(np.ptp(record.time_s[part])) for part in parts if len(part) and inside[part[0]]), default=0.0)
+def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
+    """The longest hold and the longest rest of some runs, in s, at their own rate: as a planned motion is told them."""
+    longest: dict[str, list[float]] = {"hold": [], "rest": []}
+    for each in recorded:
+        time_s, motion = (each.samples[name].to_numpy() for name in ("time_s", each.run.system.driver))
+        phase = (label(time_s, motion) if each.strokes is None else of_samples(each.strokes))[1]
+        for name, lasted_s in longest.items():
+            lasted_s.append(longest_s(time_s, phase == name))
+    return {f"longest_{name}_s": max(lasted_s) for name, lasted_s in longest.items()}

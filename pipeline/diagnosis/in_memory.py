@@ -10,6 +10,7 @@ from ..ground.errors import BadInput
 from ..run.description import Run
 from . import apart, engine, expected, faint, heldout, own_rate, verdict, without_last
 from .content import Adoption, Verdict
+from .covered import pauses
 from .judge import Judge
 from .outcome import Study, rms
 from .recorded_run import RecordedRun
@@ -52,6 +53,7 @@ def diagnosed(
     if earlier:
         content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
     content["evidence"] |= of_run_yaml(study, runs)
+    content["evidence"]["covered"] |= verdict.tidy(pauses(recorded))
     ending = study.problem.system.channel.rpartition("_")[2]
     named = (study, runs[0], content["mechanisms"], ending)
     if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):

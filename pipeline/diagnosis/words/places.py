@@ -25,7 +25,7 @@ def place(location: Part, evidence: Part, words: Vocabulary) -> str:
 
 
 def recorded(content: Verdict, words: Vocabulary) -> str:
-    """The motion, speeds, loads and pauses that were recorded, in brackets; nothing where an older file lacks them."""
+    """Motion, speeds, loads, holds and rests that were recorded, in brackets; nothing where an older file lacks them."""
     known = content["evidence"].get("covered")
     if known is None:
         return ""
@@ -34,5 +34,5 @@ def recorded(content: Verdict, words: Vocabulary) -> str:
     if words.load is not None and known["load"][1] > 0.0:
         least, most = known["load"]
         parts.append(ends(least, most, words.load_unit))
-    pause_s = max(known["longest_hold_s"], known["longest_rest_s"])
-    return f" ({', '.join(parts)}, pauses of up to {duration(pause_s)})"
+    parts += [f"{name}s of up to {duration(known[f'longest_{name}_s'])}" for name in ("hold", "rest")]
+    return f" ({', '.join(parts)})"
