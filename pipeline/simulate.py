@@ -18,13 +18,13 @@ from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
 from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis, tared
+from .diagnosis.words.corner_table import corners
 from .diagnosis.words.dimensions import name_of
 from .diagnosis.words.home import of_home
 from .diagnosis.words.prediction import (
     AFTER_RECORDING,
     OUTSIDE,
     column_of,
-    corners,
     no_band,
     of_band,
     of_rivals,
@@ -157,9 +157,7 @@ def main() -> None:
     for sentence in words:
         print(sentence)
     if plan and plan.drawn:
-        ending = problem.system.channel.rpartition("_")[2]
-        shown = (problem.system.driver, problem.system.channel, f"low_{ending}", f"high_{ending}")
-        print("\n".join(corners(table, *shown)))
+        print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
     if plan and problem.system.free_zero:
         as_there = plan.after or has_zero(content, problem.system, run.run)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"

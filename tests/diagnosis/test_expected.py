@@ -10,10 +10,11 @@ from made_content import SYSTEMS, confident, content, page, told
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.words.adoption import adopted_predictions
+from pipeline.diagnosis.words.corner_table import corners
 from pipeline.diagnosis.words.expectation import lines
 from pipeline.diagnosis.words.make_sure import of_adopted
 from pipeline.diagnosis.words.missing_signs import missing
-from pipeline.diagnosis.words.prediction import corners, stretches
+from pipeline.diagnosis.words.prediction import stretches
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.run.samples import read_samples
 
@@ -135,15 +136,36 @@ def test_a_plan_of_corners_is_answered_in_a_table():
     turns = np.interp(time_s, [0.0, 4.0, 6.0, 10.0], [0.0, 8.0, 8.0, 0.0])
     table = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "x_mm": 2.0 * turns, "low_mm": 2.0 * turns - 0.1})
     table["high_mm"] = np.where(time_s > 6.0, np.nan, 2.0 * turns + 0.1)
-    lines_of_it = corners(table, "motor_turns", "x_mm", "low_mm", "high_mm")
+    lines_of_it = corners(table, "motor_turns", "x_mm")
     cells = [re.split(r" {3,}", line) for line in lines_of_it[1:]]
     assert [row[0] for row in cells] == ["0", "4", "6", "10"]
     assert cells[1] == ["4", "8", "16", "15.9 to 16.1"] and cells[3][-1] == "no band"
 
 
+def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_outside():
+    time_s = np.arange(0.0, 42.01, 0.5)
+    turns = np.interp(time_s, [0.0, 10.0, 20.0, 42.0], [0.0, 112.5, 112.5, 0.0])
+    table = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "displacement_mm": -1.0 - turns * np.e})
+    table["without_effects_mm"] = 0.9 * table["displacement_mm"]
+    out = ((time_s >= 14.0) & (time_s < 20.0)) | (time_s > 20.0)
+    table["outside"] = out.astype(float)
+    for name, way in (("low_mm", -0.123456), ("high_mm", 0.123456)):
+        table[name] = np.where(out, np.nan, table["displacement_mm"] + way)
+    *lines_of_it, meaning = corners(table, "motor_turns", "displacement_mm")
+    head, *cells = [re.split(r" {3,}", line) for line in lines_of_it]
+    assert head[3:] == ["without_effects_mm", "nine of ten readings", "way to it"]
+    assert [row[-1] for row in cells[1:]] == ["inside", "63 % outside", "outside"]
+    assert cells[1][3] == f"{0.9 * (-1.0 - 112.5 * np.e):.6g}" and cells[3][-2] == "outside"
+    assert "from the row above is outside what was recorded" in meaning
+    assert max(map(len, [*lines_of_it, meaning])) <= 100
+    inside = corners(table.assign(outside=0.0), "motor_turns", "displacement_mm")
+    assert len(inside) == 5 and "way to it: " not in inside[-1]
+
+
 def test_the_page_says_what_was_recorded_and_which_string_a_plan_is_of():
     text = " ".join(page(content(evidence__covered=COVERED)).split())
-    assert "like those recorded (0 to 30.7 turns, 1.9 to 2.1 turns/s, 19.9 to 20.1 N, pauses of up to 60 s):" in text
+    recorded = "0 to 30.7 turns, 1.9 to 2.1 turns/s, 19.9 to 20.1 N, holds of up to 3 s, rests of up to 60 s"
+    assert f"like those recorded ({recorded}):" in text
     assert "creep stays in the string: add --after-recording" in text
     assert "--after-recording" not in page(content(mechanisms=content()["mechanisms"][:1]))
 

@@ -1,18 +1,15 @@
 """What a person is told of a motion that nobody recorded: by how much the simulator may err there, and why."""
 
 import numpy as np
-import pandas as pd
 
 from ...ground.command import command
 from ...ground.kinematics import Array
 from ...run.course import Mask
 from ..outcome import rms
 from ..prediction_band import Foretold
-from .error_table import aligned
 from .quantity import listing, size, times
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
-BEND, CORNERS = 1e-3, 16  # of the highest speed: what changes it by more is a corner; of so many no table is printed
 STRETCHES = 3  # of time, that are said; the others are counted
 MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
 COVERS = (
@@ -53,27 +50,6 @@ def stretches(rows: Mask, time_s: Array) -> str:
     spans = [f"{first:.4g} to {last:.4g} s" for first, last in pairs]
     more = [f"{len(spans) - STRETCHES} stretches more"] if len(spans) > STRETCHES else []
     return f"from {listing([*spans[:STRETCHES], *more])}" if spans else ""
-
-
-def corners(table: pd.DataFrame, driver: str, channel: str, low: str, high: str) -> list[str]:
-    """The answer where a drawn plan turns or stops, a line each; nothing of a plan that has many such corners.
-
-    `driver` and `channel` are the columns of motion and reading, `low` and `high` those of the band, if there is one.
-    """
-    slope = np.diff(table[driver].to_numpy()) / np.diff(table["time_s"].to_numpy())
-    bend = np.abs(np.diff(slope)) > BEND * max(float(np.abs(slope).max(initial=0.0)), 1e-12)
-    places = [0, *(np.flatnonzero(bend) + 1).tolist(), len(table) - 1]
-    if len(places) > CORNERS:
-        return []
-    rows = [["time_s", driver, channel, "nine of ten readings"]]
-    for _, row in table.iloc[places].iterrows():
-        within = (
-            f"{row[low]:.6g} to {row[high]:.6g}"
-            if low in table and np.isfinite(row[[low, high]].to_numpy(float)).all()
-            else "no band"
-        )
-        rows.append([f"{row['time_s']:.4g}", f"{row[driver]:.4g}", f"{row[channel]:.6g}", within])
-    return aligned(rows)
 
 
 def of_state(gap: Array, expected: float | None, unit: str) -> str:
