@@ -25,7 +25,7 @@ def place(location: Part, evidence: Part, words: Vocabulary) -> str:
 
 
 def recorded(content: Verdict, words: Vocabulary) -> str:
-    """Motion, speeds, loads, holds and rests that were recorded, in brackets; nothing where an older file lacks them."""
+    """What was recorded of motion, speeds, loads and stands, in brackets; nothing where an older file lacks it."""
     known = content["evidence"].get("covered")
     if known is None:
         return ""
