@@ -29,4 +29,5 @@ rule ingest:
         "ingest {wildcards.run}, and cut it into strokes"
     shell:
         "exec python -m pipeline.stages.ingest raw/{wildcards.run:q} --out {output.samples:q}"
-        " --out-strokes {output.strokes:q} $NOTE_REFUSALS > {log:q} 2>&1"
+        " --out-strokes {output.strokes:q} --read-ahead {READ_AHEAD:q} --of {params.content:q} {READS:q}"
+        " $NOTE_REFUSALS > {log:q} 2>&1"

@@ -11,17 +11,19 @@ from pipeline.workflow.usable import refusals
 
 # What there is to make. A recording that ingest would refuse is left out of the plan, as one with a bad run.yaml is.
 # A node of a cluster, which evaluates all this again for one job, takes the plan of the start that sent it.
+# What its reading gives is kept for ingest, where both see one processed/.
 KNOWN = KnownFiles(Path(".snakemake/known_files.json"))
-ON_NODE = workflow.remote_exec
+ON_NODE, COPY = workflow.remote_exec, copy_of_storage(workflow.storage_settings)
+READS, READ_AHEAD = fingerprint("pipeline.stages.ingest", "pipeline.systems.*"), Path("processed/.read_ahead")
 if ON_NODE and os.environ.get(handed.PLAN):
     PLAN, RECORDED = handed.unpacked(os.environ[handed.PLAN])
     CONTENT = {}
 else:
     PLAN = make_plan(RAW, SYNTHETIC)
     CONTENT = {run: KNOWN.digest(recorded_files(RAW, run, SYNTHETIC)) for run in PLAN.runs}
-    READS = fingerprint("pipeline.stages.ingest", "pipeline.systems.*")
+    RECORDINGS = {run: CONTENT[run] for run in PLAN.runs if run not in SYNTHETIC}
     UNUSABLE, KNOWN.notes["usable"] = refusals(
-        RAW, {run: CONTENT[run] for run in PLAN.runs if run not in SYNTHETIC}, READS, KNOWN.notes.get("usable")
+        RAW, RECORDINGS, READS, KNOWN.notes.get("usable"), None if COPY else READ_AHEAD
     )
     PLAN.leave_out(UNUSABLE)
     RECORDED = {run: recorded_files(RAW, run, SYNTHETIC) for run in PLAN.runs}
@@ -36,5 +38,5 @@ DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml
 MODELS = table_order(config["models"], DEFAULT["models"])
 # What jobs may take, and where they start: without a shared file system, in a machine's own copy of the storage, in which
 # a job's raw/, processed/ and reports/ lie.
-NEEDS, COPY = Needs(PLAN.materials), copy_of_storage(workflow.storage_settings)
+NEEDS = Needs(PLAN.materials)
 TO_COPY = f"mkdir -p {shlex.quote(COPY)} && cd {shlex.quote(COPY)} || exit 1; " if COPY else ""

@@ -12,6 +12,7 @@ from ..ground.files import whole
 from ..ground.outputs import file_to_write
 from ..run.folder import recording_path
 from ..run.left_out import noted
+from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes
 from ..run.tolerances_given import tolerance_questions
 
@@ -23,13 +24,18 @@ def main() -> None:
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the samples, Parquet; required")
     parser.add_argument("--out-strokes", type=Path, help="the file of the strokes, Parquet; default: none is written")
+    parser.add_argument("--read-ahead", type=Path, help="where a plan keeps what it has read; default: nowhere")
+    of = "digests of the run's files and of the code that reads them, to which what is kept must be bound"
+    parser.add_argument("--of", nargs=2, default=("", ""), metavar=("CONTENT", "CODE"), help=of)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
     files = [path for path in (arguments.out, arguments.out_strokes) if path]
     for path, option in zip(files, ("--out", "--out-strokes"), strict=False):
         file_to_write(path, option)
     with noted(arguments.run_dir, files, arguments.note_refusals), whole(arguments.out) as temporary:
-        run, samples, strokes = stored_strokes(arguments.run_dir, temporary)
+        ahead, bound_to = arguments.read_ahead, " ".join(arguments.of)
+        kept = ahead and taken_over(arguments.run_dir, ahead, bound_to, temporary)
+        run, samples, strokes = kept or stored_strokes(arguments.run_dir, temporary)
         odd = tolerance_questions(run, arguments.run_dir / "run.yaml")
         for question in [*odd, *questions(run, samples, recording_path(arguments.run_dir))]:
             print(f"warning: {question}", file=sys.stderr)
@@ -38,6 +44,8 @@ def main() -> None:
             schemas.write(strokes, schemas.STROKES, arguments.out_strokes)
         cut = f"{strokes['stroke'].max()} strokes in {len(strokes)} stretches"
         print(f"{run.run}: {len(samples)} samples over {end_s - begin_s:.1f} s, {cut}")
+    if arguments.read_ahead:
+        forget(arguments.run_dir, arguments.read_ahead)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,18 @@
 """New recordings are read once before the plan, and what their reading program dies of costs no other."""
 
+import os
+import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from made_recording import recording
 
+from pipeline.run.folder import recording_path
 from pipeline.workflow import usable
 from pipeline.workflow.usable import answers, refusals
+
+ROOT = Path(__file__).parents[2]
 
 
 def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_run, tmp_path, capsys, monkeypatch):
@@ -18,7 +24,7 @@ def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_r
     assert "2 (a-01, b-01)" in capsys.readouterr().err
 
     asked = []
-    monkeypatch.setattr(usable, "answers", lambda folders: asked.extend(folders) or {})
+    monkeypatch.setattr(usable, "answers", lambda folders, place: asked.extend(folders) or {})
     assert refusals(raw, contents, "code", kept) == (refused, kept) and not asked
     assert capsys.readouterr().err == ""
     refusals(raw, {**contents, "b-01": "3"}, "code", kept)
@@ -46,4 +52,59 @@ def test_a_recording_at_which_the_reader_dies_has_no_answer_and_the_others_do(ma
     )
     python.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(python))
-    assert answers(folders) == {"a-01": [], "c-01": []}
+    monkeypatch.setattr(usable, "AT_ONCE", 2)  # programs of two runs each
+    assert answers(dict.fromkeys(folders, "")) == {"a-01": [], "c-01": []}
+
+
+def ingested(place, run, *words) -> str:
+    """Ingest a run, as its rule does; what it says."""
+    files = ["--out", f"processed/{run}/samples.parquet", "--out-strokes", f"processed/{run}/strokes.parquet"]
+    command = [sys.executable, "-m", "pipeline.stages.ingest", f"raw/{run}", *files, *words]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, capture_output=True, text=True, cwd=place, env=environment)
+    assert done.returncode == 0, done.stderr
+    return done.stdout + done.stderr
+
+
+def made(place, run) -> list[bytes]:
+    return [(place / "processed" / run / f"{name}.parquet").read_bytes() for name in ("samples", "strokes")]
+
+
+WILD = recording(4)
+WILD.loc[777, "displacement_mm"] = 1e6  # a warning of the reading
+
+
+def test_what_the_plan_read_is_taken_over_and_the_recording_is_not_read_again(make_run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    folder, ahead = make_run("a-01", WILD), tmp_path / "processed" / ".read_ahead"
+    plain = ingested(tmp_path, "a-01")
+    files = made(tmp_path, "a-01")
+    assert "warning" in plain
+    words = ["--read-ahead", "processed/.read_ahead", "--of", "1", "code"]
+
+    refusals(Path("raw"), {"a-01": "1"}, "code", None, ahead)
+    file = recording_path(folder)
+    content = file.read_bytes()
+    file.write_bytes(b"no table\n")  # whoever decodes it again fails
+    assert ingested(tmp_path, "a-01", *words) == plain and made(tmp_path, "a-01") == files
+    assert not list(ahead.iterdir()), "it is kept until ingest has it"
+
+    file.write_bytes(content)
+    assert ingested(tmp_path, "a-01", *words) == plain and made(tmp_path, "a-01") == files
+
+
+def test_a_refused_recording_and_one_that_is_gone_leave_nothing_behind(make_run, tmp_path):
+    ahead = tmp_path / "processed" / ".read_ahead"
+    make_run("a-01")
+    make_run("b-01", recording(4).assign(displacement_mm=1.0))
+    refused, kept = refusals(tmp_path / "raw", {"a-01": "1", "b-01": "2"}, "code", None, ahead)
+    assert list(refused) == ["b-01"] and [folder.name for folder in ahead.iterdir()] == ["a-01"]
+    refusals(tmp_path / "raw", {}, "code", kept, ahead)
+    assert not list(ahead.iterdir())
+
+
+def test_no_recording_is_refused_because_nothing_can_be_kept(make_run, tmp_path):
+    make_run("a-01")
+    (tmp_path / "processed").write_text("a file, not a folder")
+    refused, _ = refusals(tmp_path / "raw", {"a-01": "1"}, "code", None, tmp_path / "processed" / ".read_ahead")
+    assert refused == {}
