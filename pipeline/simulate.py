@@ -32,6 +32,7 @@ from .diagnosis.words.prediction import (
     stretches,
 )
 from .diagnosis.words.quantity import listing, size
+from .diagnosis.words.residual import RESIDUAL
 from .ground import schemas
 from .ground.command import command
 from .ground.complaint import key_name
@@ -78,6 +79,13 @@ def source_of(arguments: argparse.Namespace) -> Path:
     return Path(arguments.simulation or arguments.run_dir / "run.yaml")
 
 
+def after_recording(arguments: argparse.Namespace) -> str:
+    """The command that simulates the same plan after the recorded motion."""
+    words = [str(arguments.run_dir), *(["--simulation", str(arguments.simulation)] if arguments.simulation else [])]
+    words += ["--motion", str(arguments.motion), AFTER_RECORDING, *([RESIDUAL] if arguments.residual else [])]
+    return f"{command('simulate')} {shlex.join([*words, '--out', str(arguments.out)])}"
+
+
 def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array], list[str]]:
     """Columns of a planned motion beside its reading, each of shape (samples,) in its unit; and what is said.
 
@@ -105,7 +113,7 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
         columns |= {column_of(ids, channel): curve for ids, curve in rivals.items()}
         words = [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, channel, unit)]
     gap = plan.changed_by_recording(expected)
-    return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit)])]
+    return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit, after_recording(arguments))])]
 
 
 def write(table: pd.DataFrame, path: Path) -> None:

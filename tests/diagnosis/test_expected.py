@@ -166,8 +166,10 @@ def test_the_page_says_what_was_recorded_and_which_string_a_plan_is_of():
     text = " ".join(page(content(evidence__covered=COVERED)).split())
     recorded = "0 to 30.7 turns, 1.9 to 2.1 turns/s, 19.9 to 20.1 N, holds of up to 3 s, rests of up to 60 s"
     assert f"like those recorded ({recorded}):" in text
-    assert "creep stays in the string: add --after-recording" in text
-    assert "--after-recording" not in page(content(mechanisms=content()["mechanisms"][:1]))
+    assert "creep stays in the string; without --after-recording a plan is of the string as it was before." in text
+    assert "--motion PLAN.csv --after-recording --out FILE.csv" in text, "the command can be pasted as it stands"
+    passing = page(content(mechanisms=content()["mechanisms"][:1]))
+    assert "--after-recording" not in passing and "--motion PLAN.csv --out FILE.csv" in passing
 
 
 def test_adopting_what_stays_in_the_string_says_how_to_predict_the_string_as_it_is():

@@ -183,7 +183,9 @@ def test_after_the_recorded_motion_the_plan_goes_on_from_the_state_that_it_left(
     expected = float(np.sqrt(np.mean((fresh["displacement_mm"] - truth) ** 2)))
     assert np.abs(answer["displacement_mm"] - truth).max() < 0.1 * expected, "as one simulation of both"
     assert "beware: this is the string as it was before its first stroke. After the recorded motion it" in alone
-    assert "times the expected error). For the string as the recording left it: --after-recording" in alone
+    again = f"--simulation {path} --motion {plan} --after-recording --out {out}"
+    assert "times the expected error). For the string as the recording left it: python -m pipeline.simulate" in alone
+    assert f"pipeline.simulate {mine} {again}\n" in alone, "the command can be pasted as it stands"
     assert "beware: this is the string" not in done.stdout and "to be as the recording left it" in done.stdout
     done = programs.run("pipeline.simulate", mine, "--after-recording", "--out", out)
     assert done.returncode == 2 and "--after-recording goes with --motion" in done.stderr

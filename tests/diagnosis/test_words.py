@@ -1000,7 +1000,7 @@ def test_adopting_is_told_with_its_command_and_after_measuring_where_dimensions_
         "To predict with it, dimensions included (PLAN.csv is a motion that you plan: time_s, motor_turns and, unless "
         "it stands still, load_n; its corners will do): python -m pipeline.simulate raw/nylon-3 --simulation"
     )
-    assert "--simulation 'reports/nylon 3/diagnosis.json' --motion PLAN.csv --out FILE.csv" in use
+    assert "--simulation 'reports/nylon 3/diagnosis.json' --motion PLAN.csv --after-recording --out FILE.csv" in use
     assert "--simulation 'reports/nylon 3/diagnosis.json' --out FILE" in use
     assert ("Do not adopt before the radius is measured again." in use) is first
     assert "with the dimensions that fit with them; yours stay as measured" in use

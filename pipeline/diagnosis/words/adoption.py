@@ -1,6 +1,7 @@
 """What run.yaml has adopted, and how what was found is adopted, in words."""
 
 import shlex
+from collections.abc import Sequence
 from pathlib import Path
 
 from ...ground.command import command, program_name
@@ -97,10 +98,28 @@ def doubtful(content: Verdict) -> list[str]:
     return lines
 
 
-def predictions(source: Path, folders: list[Path]) -> list[str]:
-    """The commands that predict with a diagnosis, its dimensions included: the recorded motion, and a planned one."""
+def predictions(source: Path, folders: list[Path], ids: Sequence[str]) -> list[str]:
+    """The commands that predict with a diagnosis, its dimensions included: the recorded motion, and a planned one.
+
+    `ids` are the effects that act: where one stays in the string, the planned motion goes on from the recorded one.
+    """
     starts = [f"{SIMULATE} {shlex.quote(str(folder))} --simulation {shlex.quote(str(source))}" for folder in folders]
-    return [line for start in starts for line in (f"{start} --out FILE", f"{start} --motion PLAN.csv --out FILE.csv")]
+    planned = f"--motion PLAN.csv {f'{AFTER_RECORDING} ' * bool(staying(ids))}--out FILE.csv"
+    return [line for start in starts for line in (f"{start} --out FILE", f"{start} {planned}")]
+
+
+def staying(ids: Sequence[str]) -> list[str]:
+    """Those of some effects that leave the string another one than it was."""
+    return [id_ for id_ in ids if id_ in mechanisms() and mechanisms()[id_].stays]
+
+
+def of_staying(ids: Sequence[str]) -> list[str]:
+    """Which string the command of a planned motion is of, where one of the effects stays in it; else nothing."""
+    stay = staying(ids)
+    if not stay:
+        return []
+    what = f"{listing(stay)} {'stay' if len(stay) > 1 else 'stays'} in the string"
+    return [f"{what}; without {AFTER_RECORDING} a plan is of the string as it was before."]
 
 
 def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[str]) -> list[str]:
@@ -108,7 +127,7 @@ def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[s
     start = f"  {SIMULATE} {shlex.quote(str(folder))}"
     plan = columns_of_plan(driver, load)
     lines = [f"To predict with it ({plan}):", f"{start} --out FILE.csv"]
-    if not any(mechanisms()[id_].stays for id_ in ids if id_ in mechanisms()):
+    if not staying(ids):
         return [*lines, f"{start} --motion PLAN.csv --out FILE.csv"]
     planned = f"{start} --motion PLAN.csv"
     used = f"{planned} {AFTER_RECORDING} --out FILE.csv"
@@ -129,7 +148,9 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
         return [advice.worse(content)]
     source = out / "diagnosis.json"
     lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, words.load)}):"]
-    lines += [f"  {line}" for line in predictions(source, folders)]
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    lines += [f"  {line}" for line in predictions(source, folders, ids)]
+    lines += of_staying(ids)
     lines.append(advice.of_adopting(content, words))
     lines.append("To put its effects into run.yaml, with the dimensions that fit with them; yours stay as measured:")
     lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]

@@ -52,10 +52,11 @@ def stretches(rows: Mask, time_s: Array) -> str:
     return f"from {listing([*spans[:STRETCHES], *more])}" if spans else ""
 
 
-def of_state(gap: Array, expected: float | None, unit: str) -> str:
+def of_state(gap: Array, expected: float | None, unit: str, again: str) -> str:
     """What the reading would be after the recorded motion, which the plan's answer leaves out.
 
     `gap`: by how much it would be more, of shape (samples,); with the error that is `expected`, in the reading's unit.
+    `again`: the command that asks for it.
     """
     middle, most = float(np.mean(gap)), size(float(np.abs(gap).max()), unit)
     way = f"{size(abs(middle), unit)} {'more' if middle > 0.0 else 'less'} on average, " if one_sided(gap) else ""
@@ -63,7 +64,7 @@ def of_state(gap: Array, expected: float | None, unit: str) -> str:
     return (
         f"beware: this is the string as it was before its first stroke. After the recorded motion it would read {way}"
         f"up to {most} otherwise ({size(rms(gap), unit)} rms{ratio}). For the string as the recording left it: "
-        f"{AFTER_RECORDING}"
+        f"{again}"
     )
 
 

@@ -5,14 +5,12 @@ from pathlib import Path
 
 from ...ground.command import command
 from ..content import NextRun, Verdict
-from ..library import mechanisms
 from . import advice, deciding_run, experiment, holdout, make_sure, report, signs, to_measure, unseen, worth
-from .adoption import dimensions_came, predictions
+from .adoption import dimensions_came, of_staying, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
 from .make_sure import DETAILS, RUN
 from .places import recorded
-from .prediction import AFTER_RECORDING
 from .quantity import listing, quantity
 from .technician import lasting
 from .vocabulary import Vocabulary
@@ -107,16 +105,8 @@ def _use(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | N
     if out is None or not content.get("simulation", [True]):
         return []
     head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded{recorded(content, words)}:"
-    return [[head, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders)), *_state(content)]]
-
-
-def _state(content: Verdict) -> list[str]:
-    """Which string a planned motion is of, where an effect leaves it another one than it was."""
-    ids = [entry["id"] for entry in content["mechanisms"] if mechanisms()[entry["id"]].stays]
-    if not ids:
-        return []
-    what = f"{listing(ids)} {'stay' if len(ids) > 1 else 'stays'} in the string"
-    return [f"{what}: add {AFTER_RECORDING} to --motion for the string as this recording left it."]
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    return [[head, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders, ids)), *of_staying(ids)]]
 
 
 def _adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
@@ -183,8 +173,9 @@ def _anew(content: Verdict, words: Vocabulary, folders: list[Path]) -> list[list
     if dimensions_came(content):
         keep = f"If nothing changed, keep what was adopted, and predict with {command('simulate')} as it is."
         return [again, [change, *remove], [keep]]
-    adopted = [adoption["diagnosis"] for adoption in content.get("adopted", []) if adoption.get("diagnosis")][-1:]
-    predict = [f"  {line}" for source in adopted for line in predictions(Path(source), folders)]
+    adopted = [adoption for adoption in content.get("adopted", []) if adoption.get("diagnosis")][-1:]
+    known = [(Path(str(adoption["diagnosis"])), adoption["effects"]) for adoption in adopted]
+    predict = [f"  {line}" for source, ids in known for line in predictions(source, folders, ids)]
     keep = (
         f"If nothing changed, predict with {'the diagnosis that was adopted:' if adopted else 'that diagnosis.json.'}"
     )
