@@ -15,6 +15,7 @@ from .judge import Judge
 from .outcome import Study, rms
 from .recorded_run import RecordedRun
 from .simulation import at_its_best_zero, of_run
+from .spikes_found import spikes_found
 
 Result = TypeVar("Result")
 Say = Callable[[str], None]
@@ -54,6 +55,8 @@ def diagnosed(
         content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
     content["evidence"] |= of_run_yaml(study, runs)
     content["evidence"]["covered"] |= verdict.tidy(pauses(recorded))
+    if lonely := spikes_found(recorded):
+        content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]
     named = (study, runs[0], content["mechanisms"], ending)
     if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):

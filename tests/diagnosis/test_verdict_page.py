@@ -541,3 +541,17 @@ def test_a_hidden_effect_says_how_much_of_it_looks_the_same_as_which_dimensions(
     assert "far larger than the" not in text and "length" not in text.partition("Mostly hidden")[2].partition(". ")[0]
     made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
     assert f"Partly hidden: 0.60 mm rms is creep, but all of it except 0.031 mm {looks}" in " ".join(page(made).split())
+
+
+def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page_where_they_are_many():
+    assert "spike" not in details(content()) and "spike" not in page()
+    first = {"run": "nylon-3", "column": "displacement_mm", "count": 4, "first_s": 12.34567}
+    few = content(evidence__spikes=[first, {**first, "column": "motor_turns", "count": 1, "first_s": 1234.5}])
+    told = "5 spikes were found, single samples that stand far from their neighbours: 4 of the displacement (the first "
+    told += "at time_s = 12.34567) and 1 of the twist (at time_s = 1234.5). They do not count."
+    assert told in details(copy.deepcopy(few)) and "spike" not in page(few)
+    many = content(evidence__spikes=[first, {**first, "column": "load_n", "count": 2}])
+    assert "2 of the load (the first at" in " ".join(page(many).split())
+    assert "neighbours: all of the displacement (the first at" in details(content(evidence__spikes=[first]))
+    single = content(evidence__spikes=[{**first, "count": 1}])
+    assert "A spike was found, a single sample that stands far" in details(single)
