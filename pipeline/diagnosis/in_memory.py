@@ -9,6 +9,7 @@ from typing import Any, TypeVar, cast
 from ..ground.errors import BadInput
 from ..run.description import Run
 from . import apart, engine, expected, faint, heldout, own_rate, verdict, without_last
+from .adopted_effects import adopted_effects
 from .content import Adoption, Verdict
 from .covered import pauses
 from .judge import Judge
@@ -58,6 +59,8 @@ def diagnosed(
     if lonely := spikes_found(recorded):
         content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]
+    if adopted := optional("what was adopted", name, lambda: adopted_effects(study, runs[0], ending)):
+        content["evidence"]["adopted_effects"] = verdict.tidy(adopted)
     named = (study, runs[0], content["mechanisms"], ending)
     if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):
         content["evidence"]["expected"] = verdict.tidy(foretold)

@@ -17,7 +17,9 @@ def spikes_found(recorded: Sequence[RecordedRun]) -> list[Part]:
     for each in recorded:
         system, rows = each.run.system, rows_of(each.samples)
         for column in (system.driver, system.channel, system.load):
-            places = spikes(rows, column) if column in rows.columns and column is not None else ()
+            if column is None or column not in rows.columns:
+                continue
+            places = spikes(rows, column)
             if len(places):
                 first_s = float(rows.at("time_s", places[:1])[0])
                 entries.append({"run": each.run.run, "column": column, "count": len(places), "first_s": first_s})

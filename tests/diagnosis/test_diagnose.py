@@ -180,6 +180,9 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     assert done.returncode == 0, done.stderr
     again = json.loads((tmp_path / "out" / folder.name / "diagnosis.json").read_text())
     assert again["verdict"] in ("consistent", "parameters")
+    (kept,) = again["evidence"]["adopted_effects"]
+    assert kept["id"] == "creep" and kept["sentence"].startswith("Under load the string lengthens by up to")
+    assert kept["rms_mm"] == pytest.approx(content["mechanisms"][0]["rms_mm"]["value"], rel=0.05)
     assert again["evidence"]["adopted_mm"] < 1.3 * again["evidence"]["floor_mm"] < again["evidence"]["nominal_mm"]
     assert not (tmp_path / "out" / folder.name / "simulation.yaml").exists()
     text = (tmp_path / "out" / folder.name / "details.txt").read_text()

@@ -422,11 +422,34 @@ def test_what_was_adopted_and_still_fits_is_said_first_to_do_so():
     ]
     made["evidence"] |= {"explanations": [], "adopted_mm": 0.033}
     assert " ".join(page(made).split()).startswith(
-        "nylon-3: parameters: what was adopted explains the recording, with the dimensions that came with it (0.033 mm "
-        "rms, 1.1 times the noise); nothing further can be named beside what was adopted (creep)."
+        "nylon-3: creep was adopted and still holds (parameters): with it and the dimensions that came with it the "
+        "simulator explains the recording (0.033 mm rms, 1.1 times the noise); nothing further can be named."
     )
+    tied = copy.deepcopy(made)
+    tied["adopted"][0]["tied"] = [["thermal"], ["wear"]]
+    assert "what was adopted is one of 3 likely explanations" in " ".join(page(tied).split())
     made["evidence"]["adopted_mm"] = 0.2
-    assert "what was adopted explains the recording" not in " ".join(page(made).split())
+    assert "dimensions that came with it the simulator explains" not in " ".join(page(made).split())
+    more = content(simulation=[{"id": "wear", "parameters": {}}])
+    more["simulation"] += [{"id": entry["id"], "parameters": {}} for entry in more["mechanisms"]]
+    assert page(more).startswith("nylon-3: wear was adopted and something new is there (ambiguous): physics is missing")
+
+
+def test_what_was_adopted_keeps_its_table_with_the_sizes_that_it_has_here():
+    made = content(**NOTHING, mismatch=None)
+    made["simulation"] = [{"id": "creep", "parameters": {}}, {"id": "backlash", "parameters": {}}]
+    assert "What was adopted" not in page(made), "an older file has no sizes"
+    made["adopted"] = [{"effects": ["creep", "backlash"], "verdict": "ambiguous", "tied": [["creep", "wear"]]}]
+    lengthens = {"id": "creep", "rms_mm": 0.41, "sentence": "Under load the string lengthens.", "top_mm": -0.3}
+    jerks = {"id": "backlash", "rms_mm": 0.08, "sentence": "", "top_mm": None}
+    made["evidence"]["adopted_effects"] = [lengthens, jerks]
+    for text in (page(copy.deepcopy(made)), details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")])):
+        rows = under("What was adopted, by the library's names", text)
+        assert rows[1].split() == ["creep", "in", "all", "of", "2", "likely", "explanations", "0.41", "mm"]
+        assert rows[2].strip().startswith("Under load the string lengthens. At 30.7 turns that is 0.30 mm less in the")
+        place = next(number for number, row in enumerate(rows) if row.strip().startswith("backlash "))
+        assert rows[place].split() == ["backlash", "in", "1", "of", "2", "likely", "explanations", "0.080", "mm"]
+        assert rows[place + 1].strip() == "play of constant width, whatever the load."
 
 
 def test_a_sure_effect_whose_interval_reaches_0_says_why_both_hold():

@@ -460,7 +460,8 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
     for verdict in ("consistent", "parameters"):
         text = adopted(verdict)
         assert (
-            "physics is missing" not in text and "nothing further can be named beside what was adopted (creep)" in text
+            "physics is missing" not in text
+            and f"creep was adopted and still holds ({verdict}): with it the sim" in text
         )
         assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
         assert "the dimensions alone explain" not in text and "None is proposed: beside what" in text
@@ -624,8 +625,9 @@ def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left
     text = adopted(verdict, **LEFT)
     head = " ".join(text.partition("\n\n")[0].split())
     assert head == (
-        f"nylon-3: {verdict}: nothing further can be named beside what was adopted (creep), and 0.052 mm rms stays "
-        "unexplained, 2.5 times the noise. run.yaml as it stands errs by 0.053 mm rms, calibrated by 0.052 mm."
+        f"nylon-3: creep was adopted and something without a name is left ({verdict}): nothing further can be named, "
+        "and 0.052 mm rms stays unexplained, 2.5 times the noise. run.yaml as it stands errs by 0.053 "
+        "mm rms, calibrated by 0.052 mm."
     )
     assert "Something systematic is still missing" in text
     assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
@@ -850,13 +852,15 @@ def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
     assert "Hardly worth making" in made
     text = second(next_experiment=made)
     assert "found no run that decides between them" in text and "pipeline.new_run" not in text
-    assert "beside what was adopted (creep: one of 2 likely explanations)" in text
+    assert "nothing further can be named; what was adopted is one of 2 likely explanations" in " ".join(text.split())
     assert "The run that decides is still" not in text
 
 
 def test_dimensions_at_their_bounds_take_trust_from_the_first_line_after_adopting():
     far = adopted(evidence__moved_sigma={"radius_mm": 3.0})
-    assert "some by three times their tolerance: measure them again before you trust it." in " ".join(far.split())
+    assert "some by three times their tolerance: measure them again before you trust it; nothing" in " ".join(
+        far.split()
+    )
     assert "before you trust it" not in adopted(evidence__moved_sigma={"radius_mm": 2.0})
 
 
@@ -1194,7 +1198,8 @@ def test_effects_that_work_against_each_other_more_are_said_to():
 
 def test_the_first_line_says_by_how_much_a_run_with_adopted_effects_errs_and_when_not_to_predict_with_it():
     bad = adopted(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034).partition("\n\n")[0]
-    said = "parameters: do not predict with run.yaml as it stands: it errs by 1.0 mm rms, and by 0.034 mm once"
+    said = "fits no more with the dimensions of run.yaml (parameters): "
+    said += "do not predict with run.yaml as it stands: it errs by 1.0 mm rms, and by 0.034 mm once"
     assert said in " ".join(bad.split())
     fair = " ".join(adopted(evidence__nominal_mm=0.05, evidence__calibrated_mm=0.034).partition("\n\n")[0].split())
     assert (

@@ -6,6 +6,7 @@ from pathlib import Path
 from ...systems import System
 from ..content import Part, Verdict, mismatch_of
 from . import (
+    adopted_table,
     adoption,
     certainty,
     commands,
@@ -64,6 +65,7 @@ def details_text(
                 *spikes.lines(content, words),
             ],
         ),
+        (adopted_table.HEADING, adopted_table.lines(content, words)),
         ("What is missing", missing(content, words)),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",

@@ -49,7 +49,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     does = {entry["id"]: entry["sentence"] for entry in entries}
     table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
-        table_lines += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}{at_the_top(content, id_, words)}"]
+        table_lines += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}{_of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     best = " + ".join(entry["id"] for entry in content["mechanisms"])
     return [
@@ -120,9 +120,16 @@ def _than_the_explanation(content: Verdict) -> list[str]:
     return [ALSO_ELSEWHERE.format(percent(share))]
 
 
-def at_the_top(content: Verdict, id_: str, words: Vocabulary) -> str:
-    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees."""
-    change = content["evidence"].get(f"tops_{words.ending}", {}).get(id_)
+def _of_strokes(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """What a named effect does from stroke to stroke."""
+    return at_the_top(content, content["evidence"].get(f"tops_{words.ending}", {}).get(id_), words)
+
+
+def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:
+    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees.
+
+    `change` is from the first stroke to the last.
+    """
     if not change or abs(change) < content["evidence"][f"floor_{words.ending}"]:
         return ""
     low, high = content["evidence"][words.driver]

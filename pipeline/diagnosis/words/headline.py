@@ -17,18 +17,20 @@ SAID = {
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 WITH_ADOPTED = {
-    "consistent": "{adopted}; with it the simulation explains the recording to its noise ({floor}).",
-    "parameters": "{adopted}; with it the simulation explains the recording once its dimensions move{far}.",
+    "consistent": "with {it} the simulation explains the recording to its noise ({floor}); {adopted}.",
+    "parameters": "with {it} the simulation explains the recording once its dimensions move{far}; {adopted}.",
 }
 AS_ADOPTED = (
-    "what was adopted explains the recording, with the dimensions that came with it ({error} rms, {ratio} times the "
-    "noise); {adopted}."
+    "with {it} and the dimensions that came with {it} the simulator explains the recording ({error} rms, {ratio} times "
+    "the noise); {adopted}."
 )
 HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
+HOLDS, NEW, LEFT = "and still hold{s}", "and something new is there", "and something without a name is left"
+MAY_HOLD, UNFIT = "and may hold", "and fit{s} no more with the dimensions of run.yaml"
 FAR = ", some by three times their tolerance: measure them again before you trust it"
 PARTLY = "physics is missing, and named in part{sure}."
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
-NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named beside what was adopted ({})"
+NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
 NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
     "would show more.",
@@ -60,17 +62,18 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         sentence = PARTLY
     elif verdict == "parameters" and moved_in_vain(content, words):
         sentence = HARDLY_MOVED
-    evidence, named = content["evidence"], NOTHING_FURTHER.format(listing(adopted)) if adopted else NOTHING_NAMED
+    evidence, named = content["evidence"], NOTHING_FURTHER if adopted else NOTHING_NAMED
     likely = max((len(adoption["tied"]) for adoption in content.get("adopted", [])), default=0)
     if adopted and likely:
-        named = f"{named.removesuffix(')')}: one of {1 + likely} likely explanations)"
+        named = f"{named}; what was adopted is one of {1 + likely} likely explanations"
     fields = {
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
         "sure": how_sure(content),
         "adopted": named,
-        "beside": f"{named}; with it " if adopted else "",
+        "beside": f"{named}; with {_them(adopted)} " if adopted else "",
+        "it": _them(adopted),
         "far": FAR if at_bound(evidence["moved_sigma"]) else "",
         "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
         "ratio": times(fitted or 0.0),
@@ -78,10 +81,28 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     if kept := kept_times(content, words):
         sentence = AS_ADOPTED
         fields |= {"error": size(content["evidence"][f"adopted_{words.ending}"], words.unit), "ratio": times(kept)}
-    sentence = sentence.format(**fields)
-    if warning := unfit(content, words):
-        return f"{run}: {verdict}: {warning}. {sentence[0].upper()}{sentence[1:]}{unseen.worse(content, words)}"
-    return f"{run}: {verdict}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+    warning = unfit(content, words)
+    state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
+    state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
+    about, sentence = f"{run}: {_lead(verdict, adopted, UNFIT if warning else state)}", sentence.format(**fields)
+    if warning:
+        return f"{about}: {warning}. {sentence[0].upper()}{sentence[1:]}{unseen.worse(content, words)}"
+    return f"{about}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+
+
+def _them(adopted: list[str]) -> str:
+    """How adopted effects are referred to."""
+    return "it" if len(adopted) == 1 else "them"
+
+
+def _lead(verdict: str, adopted: list[str], state: str) -> str:
+    """The verdict's word; where effects are adopted, first which ones, and the `state` that they are in."""
+    if not adopted:
+        return verdict
+    single = len(adopted) == 1
+    return (
+        f"{listing(adopted)} {'was' if single else 'were'} adopted {state.format(s='s' if single else '')} ({verdict})"
+    )
 
 
 def kept_times(content: Verdict, words: Vocabulary) -> float:

@@ -7,6 +7,7 @@ from ...systems import System
 from ..content import Verdict
 from ..interface import physics
 from . import (
+    adopted_table,
     adoption,
     certainty,
     chances,
@@ -60,6 +61,7 @@ def verdict_text(
             ],
         ),
         (effect_table.HEADING, [*effect_table.lines(content, words), *temperature] if content["mechanisms"] else []),
+        (adopted_table.HEADING, adopted_table.lines(content, words)),
         (chances.HEADING, chances.lines(content, words)),
         ("What is missing", [*missing, *temperature] if missing else []),
         (error_table.SHORT, error_table.short(content, words)),

@@ -1,0 +1,55 @@
+"""What the effects that run.yaml has adopted do in this recording: sizes and sentences, as a verdict gives them."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from ..ground.kinematics import Array
+from ..run.description import Run
+from . import extents, loops
+from .content import Part
+from .library import mechanisms
+from .mechanism_entries import parameters_of
+from .outcome import Study, rms
+from .problem import Act, Problem
+from .simulation import of_run, state_of
+from .system_units import Units
+from .words.effects import sentence
+from .words.vocabulary import Vocabulary
+
+
+def adopted_effects(study: Study, run: Run, ending: str) -> list[Part]:
+    """An entry each: `id`, its `rms` and `top` (`extents.tops`) in the reading's unit `ending`, `sentence`.
+
+    The numbers are held as they were adopted, so that no size has an interval.
+    """
+    problem, system, entries = study.problem, study.problem.system, []
+    words, units = Vocabulary.of(system), Units.of(system)
+    for act, effect in effects_of(problem, run):
+        widest, worth = loops.widest(problem, effect), rms(effect)
+        parameters = parameters_of(problem, act, (1.0, 1.0), {}, widest.width / 2 if widest else None)
+        entry = {"id": act.id, f"rms_{ending}": {"value": worth, "low": worth, "high": worth}, "parameters": parameters}
+        opened = {f"width_{ending}": widest.width, system.driver: widest.motion} if widest else None
+        by_id = {act.id: effect}
+        span, trend = extents.spans(by_id)[act.id], extents.trends(by_id)[act.id]
+        does = sentence(mechanisms()[act.id], entry, span, words, units, opened, trend) if worth else ""
+        top = extents.tops(by_id, problem.record).get(act.id)
+        entries.append({"id": act.id, f"rms_{ending}": worth, "sentence": does, f"top_{ending}": top})
+    return entries
+
+
+def effects_of(problem: Problem, run: Run) -> list[tuple[Act, Array]]:
+    """Each effect that a run has adopted, all times it acts together, and what it does to the reading.
+
+    With the dimensions that were adopted; each of shape (samples,), in the reading's unit.
+    """
+    adopted = state_of(of_run(run), problem, Path("run.yaml"), run.run)
+    acts_by_id: dict[str, list[Act]] = {}
+    for act in adopted.acts:
+        acts_by_id.setdefault(act.id, []).append(act)
+    whole, effects = problem.simulate(adopted), []
+    for id_, acts in acts_by_id.items():
+        rest = replace(adopted, acts=tuple(act for act in adopted.acts if act.id != id_))
+        nonlinear = tuple(each for act in acts for each in act.nonlinear)
+        together = Act(id_, nonlinear, tuple(value for act in acts for value in act.coefficients))
+        effects.append((together, whole - problem.simulate(rest)))
+    return effects
