@@ -11,12 +11,13 @@ from pydantic import ValidationError
 
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
+from .adoption.number_sizes import sizes
 from .diagnosis.adopt import acts_from, adoptions, checked
 from .diagnosis.content import Verdict
 from .diagnosis.own_rate import at_own_rate
 from .diagnosis.problem import Problem
 from .diagnosis.recorded_run import RecordedRun
-from .diagnosis.simulation import of_run, read_diagnosis
+from .diagnosis.simulation import of_run, read_diagnosis, state_of
 from .diagnosis.words import coefficients
 from .diagnosis.words.adoption import adopted_predictions
 from .diagnosis.words.quantity import listing
@@ -62,12 +63,12 @@ def without_effects(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> P
 
 def explained(folder: Path) -> list[str]:
     """What the numbers mean that a run's `run.yaml` has adopted. Raises BadInput."""
-    run, samples, strokes = read_strokes(folder)
+    (run, samples, strokes), path = read_strokes(folder), folder / "run.yaml"
     if not run.simulation:
-        return [f"{folder / 'run.yaml'} holds nothing that was adopted"]
+        return [f"{path} holds nothing that was adopted"]
     bare = without_effects(run, samples, strokes)
-    acts = acts_from(run.simulation, bare.drivers, str(folder / "run.yaml"))
-    return coefficients.lines(acts, bare.drivers, Vocabulary.of(run.system))
+    state = state_of(of_run(run), bare, path, run.run)
+    return coefficients.lines(state.acts, bare.drivers, Vocabulary.of(run.system), sizes(bare, state))
 
 
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
@@ -117,13 +118,12 @@ def main() -> None:
     """Command line."""
     program = command("adopt")
     usage = f"{program} DIAGNOSIS.json RUN_DIR\n       {program} --remove RUN_DIR\n       {program} --explain RUN_DIR"
-    parser = argparse.ArgumentParser(prog=command("adopt"), usage=usage, description=__doc__)
+    parser = argparse.ArgumentParser(prog=program, usage=usage, description=__doc__)
     parser.add_argument(
         "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
     )
-    parser.add_argument(
-        "run_dir", type=Path, nargs="?", metavar="RUN_DIR", help="the run whose run.yaml takes them over"
-    )
+    whose = "the run whose run.yaml takes them over"
+    parser.add_argument("run_dir", type=Path, nargs="?", metavar="RUN_DIR", help=whose)
     parser.add_argument(
         "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
     )

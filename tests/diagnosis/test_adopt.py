@@ -233,9 +233,9 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     )
     assert f"  python -m pipeline.adopt --explain {folder}" in lines
     means = programs.run("pipeline.adopt", "--explain", folder).stdout
-    assert means.startswith("What the numbers under simulation mean, for who looks")
-    assert f"  sensor_drift: {mechanisms()['sensor_drift'].equation}" in means
-    assert re.search(r"straight_mm = -?[0-9.]+: in mm, add to the", means)
+    assert means.startswith("What each number under simulation means, for who looks")
+    assert f"    Its formula: {mechanisms()['sensor_drift'].equation}" in means
+    assert re.search(r"straight_mm = -?[0-9.]+ mm: adds to the reading. It moves the reading by [0-9.]+ mm rms", means)
 
 
 def test_a_diagnosis_of_other_dimensions_than_run_yaml_has_now_is_not_adopted(folder: Path, diagnosis: Path) -> None:

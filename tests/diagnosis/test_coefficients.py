@@ -1,24 +1,55 @@
 """What the numbers of an adopted effect multiply, in words."""
 
 import re
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from pipeline.adoption.number_sizes import sizes
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.words.coefficients import multiplied
+from pipeline.diagnosis.outcome import rms
+from pipeline.diagnosis.problem import Act
+from pipeline.diagnosis.words import coefficients
+from pipeline.diagnosis.words.coefficients import factors
+from pipeline.diagnosis.words.shape_numbers import CHOSEN, shape_number
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 NAMES = {"twist": "a", "steep_twist": "b", "load": "c", "dry_*_twist": "d"}
 
 
 def test_of_two_words_at_one_place_the_longer_one_is_meant() -> None:
-    assert multiplied(NAMES, ["steep_twist_60_s_mm_per_10_n"]) == ["    steep_twist in a name: it multiplies b"]
-    both = multiplied(NAMES, ["steep_twist_60_s_mm", "twist_60_s_mm", "load_4_s_mm", "load_15_s_mm"])
-    assert [line.split()[0] for line in both] == ["steep_twist", "twist", "load"]
+    assert factors(NAMES, "steep_twist_60_s_mm_per_10_n") == ["b"]
+    assert factors(NAMES, "twist_60_s_mm") == ["a"] and factors(NAMES, "load_4_s_mm") == ["c"]
 
 
-def test_a_share_within_a_name_is_any_number_and_is_not_said() -> None:
-    found = multiplied(NAMES, ["dry_0.02_twist_mm_per_10_n", "dry_0.1_twist_mm_per_10_n"])
-    assert found == ["    dry_twist in a name: it multiplies d"]
+def test_a_share_within_a_name_is_any_number() -> None:
+    assert factors(NAMES, "dry_0.02_twist_mm_per_10_n") == ["d"]
+
+
+def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist(problem) -> None:
+    words = Vocabulary.of(problem.system)
+    shape = {"critical_turns": 0.5 * float(problem.record.motion.max()), "softness_turns": 0.1}
+    state = replace(problem.nominal(), acts=(Act("jam", (shape,), (0.4, 0.0)),))
+    ((whole, share),) = own = sizes(problem, state)
+    assert whole == share, "the other coefficient is 0, and has no line"
+    effect = problem.simulate(state) - problem.simulate(problem.nominal())
+    assert whole.rms == pytest.approx(rms(effect - effect.mean())) and whole.at_top < 0.0
+    top = problem.record.motion >= 0.999 * problem.record.motion.max()
+    assert whole.at_top == pytest.approx(np.mean(effect[top]), rel=0.1), "beyond the critical twist it contracts less"
+    _, first, number, critical, softness, formula = coefficients.lines(state.acts, problem.drivers, words, own)
+    assert first.startswith("  jam: ") and "In all it moves the reading by " in first and " rms, and by -" in first
+    assert number.startswith("    share = 0.4 (a share): acts on the twist. It moves the reading by ")
+    assert critical.endswith(" turns: the twist from which on it acts.") and softness.startswith("    softness_turns")
+    assert formula == f"    Its formula: {mechanisms()['jam'].equation}"
+
+
+def test_every_number_in_a_formula_has_its_meaning(problem) -> None:
+    words = Vocabulary.of(problem.system)
+    keys = {key for one in mechanisms().values() for shape in one.candidates(problem.drivers) for key in shape}
+    for key in keys | {key for one in mechanisms().values() for key in one.units}:
+        assert CHOSEN not in shape_number(key, key, words) and "{" not in shape_number(key, key, words), key
+    assert CHOSEN in shape_number("of_your_own", "of_your_own", words)
 
 
 @pytest.mark.parametrize("id_", [id_ for id_, one in mechanisms().items() if one.names])

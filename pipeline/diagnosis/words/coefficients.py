@@ -1,70 +1,92 @@
-"""What the numbers of adopted effects mean, from the library's own data: name, unit and what each does."""
+"""What the numbers of adopted effects mean, a sentence each: what it is, its unit, what it does to the reading."""
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from ..drivers import Drivers
 from ..library import mechanisms
 from ..problem import Act
-from .quantity import listing, number, said_unit
+from .explained_words import meaning, on_rig
+from .quantity import at, number, said_unit, size
+from .shape_numbers import shape_number
 from .vocabulary import Vocabulary
 
 HEAD = (
-    "What the numbers under simulation mean, for who looks: nobody needs them to predict. Equations and sources: "
-    "docs/physics.md."
+    "What each number under simulation means, for who looks: nobody needs them to predict. What a number does is said "
+    "for this recording, all else held. Equations and sources: docs/physics.md."
 )
 BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
-CHOSEN = "numbers in the equation itself, chosen by the search or fitted"
 DOES = {
-    "twist": "act on the {motion}",
-    "radius": "change the radius, as a share of it",
-    "length": "lengthen the {string}",
-    "resistance": "are lost where motion is resisted",
-    "sensor": "add to the reading",
-}  # what coefficients do, by the port that they act at
+    "twist": "acts on the {motion}",
+    "radius": "changes the radius, as a share of it",
+    "length": "lengthens the {string}",
+    "resistance": "is lost where motion is resisted",
+    "sensor": "adds to the reading",
+}  # what a coefficient does, by the port that it acts at
 
 
-def multiplied(words: dict[str, str], names: Sequence[str]) -> list[str]:
-    """What each word in the names of coefficients multiplies, a line each; of two words at one place the longer one."""
-    left, lines = [f"_{name}_" for name in dict.fromkeys(names)], []
-    for word, what in sorted(words.items(), key=lambda item: -len(item[0])):
+@dataclass(frozen=True)
+class Size:
+    """What something does to the reading: rms; at the highest motion less at the lowest one; and these two `ends`."""
+
+    rms: float
+    at_top: float
+    ends: tuple[float, float]
+
+
+def factors(words: dict[str, str], name: str) -> list[str]:
+    """What the coefficient `name` multiplies, by the `words` in names; of two words at one place the longer one."""
+    left, what = f"_{name}_", []
+    for word, factor in sorted(words.items(), key=lambda item: -len(item[0])):
         pattern = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
-        if any(pattern.search(name) for name in left):
-            lines.append(f"    {word.replace('_*', '')} in a name: it multiplies {what}")
-        left = [pattern.sub("_", name) for name in left]
-    return lines
+        if pattern.search(left):
+            what.append(factor)
+            left = pattern.sub("_", left)
+    return what
 
 
-def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary) -> list[str]:
-    """Each effect with its equation, then its coefficients by what they do, then the shape that they were found at."""
-    blocks = dict.fromkeys(tuple(_block(act, drivers, words)) for act in acts)  # an effect may act several times
-    act_lines = [line for block in blocks for line in block]
+def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary, sizes: Sequence[Sequence[Size]]) -> list[str]:
+    """Each effect with what it does, then a sentence for each of its numbers, the equation last.
+
+    `sizes` has of each act the size of all of it, then that of each coefficient that is not 0.
+    """
+    act_lines = [line for act, own in zip(acts, sizes, strict=True) for line in _block(act, drivers, words, own)]
     return [HEAD, *act_lines] if act_lines else []
 
 
-def _block(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
-    mechanism = mechanisms()[act.id]
-    written = [f"  {act.id}: {mechanism.equation}"]
-    groups: dict[str, dict[str, float]] = {}
-    values = iter(act.coefficients)
+def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size]) -> list[str]:
+    mechanism, (whole, *each) = mechanisms()[act.id], sizes
+    written = [f"  {act.id}: {on_rig(meaning(act.id), words)} In all it {_moves(whole, words)}."]
+    coefficients, moved = iter(act.coefficients), iter(each)
     for nonlinear in act.nonlinear:
         for term in mechanism.terms(drivers, nonlinear):
-            value = next(values)
-            if value:
-                unit = said_unit(drivers.units.unit(term.unit))
-                what = DOES[term.port].format(motion=words.motion, string=words.string)
-                does = f"in {unit}, {what}" if unit else f"as shares, {what}"
-                groups.setdefault(does, {})[drivers.units.name(term.name)] = value
-    for does, strengths in groups.items():
-        each = [f"{name} = {number(value, 3)}" for name, value in strengths.items()]
-        written.append(f"    {listing(each)}: {does}")
-    held = [name for strengths in groups.values() for name in strengths]
-    written += multiplied(mechanism.names, held)
-    branch = next((match[1] for name in held if (match := BRANCH.search(name))), None)
-    written += (
-        [f"    {branch}_s in a name: of the branch with a time constant of {branch} s; so for others"] if branch else []
-    )
-    fixed = {drivers.units.name(name): value for nonlinear in act.nonlinear for name, value in nonlinear.items()}
-    each = [f"{name} = {number(value, 3)}" for name, value in fixed.items()]
-    written += [f"    {listing(each)}: {CHOSEN}"] if fixed else []
-    return written
+            value = next(coefficients)
+            if not value:
+                continue
+            name, unit = drivers.units.name(term.name), said_unit(drivers.units.unit(term.unit))
+            does = DOES[term.port].format(motion=words.motion, string=words.string)
+            what = factors(mechanism.names, name)
+            branch = BRANCH.search(name)
+            parts = [
+                does,
+                *(f"it multiplies {factor}" for factor in what),
+                *([f"it acts with a time constant of {branch[1]} s"] if branch else []),
+            ]
+            strength = f"{name} = {number(value, 3)} {unit or '(a share)'}"
+            written.append(f"    {strength}: {'; '.join(parts)}. It {_moves(next(moved), words)}.")
+    for nonlinear in act.nonlinear:
+        for key, value in nonlinear.items():
+            name = drivers.units.name(key)
+            written.append(f"    {name} = {number(value, 3)}{shape_number(key, name, words)}")
+    return [*written, f"    Its formula: {mechanism.equation}"]
+
+
+def _moves(moved: Size, words: Vocabulary) -> str:
+    """What something does to the reading, without a full stop."""
+    low, high = moved.ends
+    places = [at(place, words.motion_unit, high - low) for place in (high, low)]
+    typical = f"moves the reading by {size(moved.rms, words.unit)} rms"
+    way = f"{'+' if moved.at_top > 0.0 else '-'}{size(abs(moved.at_top), words.unit)}"
+    more = f", and by {way} at {places[0]} against {places[1]}"
+    return f"{typical}{more if abs(moved.at_top) > 0.0 else ''}"

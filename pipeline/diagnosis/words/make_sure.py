@@ -4,7 +4,7 @@ from pathlib import Path
 
 from ..content import Verdict, time_constants_s
 from ..library import mechanisms
-from . import commands, expectation, unseen, worth
+from . import commands, expectation, holdout, unseen, worth
 from .missing_signs import ALIKE, missing
 from .quantity import duration, listing, number, quantity, times
 from .vocabulary import Vocabulary
@@ -18,7 +18,7 @@ TIED = "The best explanation leaves it too, and no further effect of the library
 MORE = "Other speeds and loads, diagnosed together, show more of it."
 AS_MANY = (
     "If what changes from stroke to stroke is too much for your use: record as many strokes again in the same way, and "
-    "diagnose the runs together{where}. If the error on unseen strokes falls to the noise, there were too few strokes. "
+    "diagnose the runs together{where}. If the error on the {strokes} falls to the noise, there were too few strokes. "
     "If not, this rig has physics that the library lacks."
 )
 
@@ -35,7 +35,7 @@ def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path],
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
     where = f" (the commands stand in {DETAILS} under {RUN})" if shown else ""
     typed = [] if shown else [*(f"  {line}" for line in again), commands.CAPTURE]
-    return [[AS_MANY.format(where=where), *typed]]
+    return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
 
 
 def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:

@@ -1,0 +1,47 @@
+"""What each number of adopted effects does to the reading of a recording, all else held."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..diagnosis.outcome import rms
+from ..diagnosis.problem import Act, Problem, State
+from ..diagnosis.words.coefficients import Size
+from ..ground.kinematics import Array
+
+NEAR = 0.02  # of the motion's range: what is nearer to its highest or lowest value is at it
+
+
+def sizes(problem: Problem, state: State) -> list[list[Size]]:
+    """Of each act in a state: what it does as a whole, and then what each of its coefficients does that is not 0."""
+    whole = problem.simulate(state)
+
+    def size_of(act: Act, instead: Act | None) -> Size:
+        acts = tuple(instead if other is act else other for other in state.acts)
+        rest = replace(state, acts=tuple(other for other in acts if other is not None))
+        return _size(problem, whole - problem.simulate(rest))
+
+    return [
+        [
+            size_of(act, None),
+            *(
+                size_of(act, replace(act, coefficients=_without(act.coefficients, place)))
+                for place, value in enumerate(act.coefficients)
+                if value
+            ),
+        ]
+        for act in state.acts
+    ]
+
+
+def _without(coefficients: tuple[float, ...], place: int) -> tuple[float, ...]:
+    return (*coefficients[:place], 0.0, *coefficients[place + 1 :])
+
+
+def _size(problem: Problem, effect: Array) -> Size:
+    """The size of an effect of shape (samples,), in the reading's unit; a constant is no size where zeros are free."""
+    motion = problem.record.motion
+    low, high = float(motion.min()), float(motion.max())
+    near = NEAR * (high - low)
+    at_top = float(np.mean(effect[motion >= high - near]) - np.mean(effect[motion <= low + near]))
+    return Size(rms(effect - np.mean(effect) if problem.system.free_zero else effect), at_top, (low, high))
