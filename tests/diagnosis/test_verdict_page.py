@@ -578,3 +578,28 @@ def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page_where_
     assert "neighbours: all of the displacement (the first at" in details(content(evidence__spikes=[first]))
     single = content(evidence__spikes=[{**first, "count": 1}])
     assert "A spike was found, a single sample that stands far" in details(single)
+
+
+def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
+    folder = tmp_path / "nylon-3"
+    folder.mkdir()
+
+    def typed(**changes):
+        made = spoken(content(**changes), SYSTEMS["mm"])
+        text = details_text(made, SYSTEMS["mm"], [folder], Path("reports/nylon-3"))
+        return [line.strip() for line in under("The run to make next", text) if "pipeline." in line], text
+
+    capturing, text = typed()
+    assert any("pipeline.capture PORT" in line for line in capturing) and "--recording FILE instead" in text
+    (folder / "recording.csv").write_text("time_s\n")
+    of_a_file, text = typed()
+    assert of_a_file[0] == f"python -m pipeline.new_run nylon-3-next --like {folder} --recording FILE.csv"
+    assert len(of_a_file) == 2 and "FILE.csv is the new file of your logger" in text and "PORT" not in text
+    through = f"# imported from 'a.mat', sha256 {64 * 'a'}\n# through the mapping 'my map.yaml', sha256 {64 * 'b'}\n"
+    (folder / "run.yaml").write_text(f"{through}run: nylon-3\n")
+    imported, text = typed()
+    assert imported[0] == f"python -m pipeline.import_run FILE --map 'my map.yaml' --run nylon-3-next --out {tmp_path}"
+    assert len(imported) == 2 and "the mapping is that of nylon-3:" in text
+    (folder / "run.yaml").write_text("run: nylon-3\n")
+    (folder / "recording.frames").write_bytes(b"")
+    assert typed()[0] == capturing

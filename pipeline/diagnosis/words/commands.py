@@ -4,33 +4,60 @@ import shlex
 from pathlib import Path
 
 from ...ground.command import command
+from ...run.whence import mapping_of, own_log
 
 DIAGNOSE = command("diagnose")
 CAPTURE = (
     "PORT is the rig's; --text where it prints lines of numbers. With a file of your own logger give new_run "
     "--recording FILE instead, and leave the capture line out."
 )
+OWN_LOG = "{file} is the new file of your logger, with the columns of the one that {old} was made of."
+IMPORTED = "{file} is the new file of your logger. The mapping says the load too: where it changes, copy and change it."
 
 
 def lines(folders: list[Path], out: Path | None, loads: list[str]) -> list[str]:
     """The commands for one new run beside the last of `folders` for each of `loads`, then that of the diagnosis.
 
     A load is that of `--load-n`, empty where it stays. `out` is the folder of the diagnosis that proposes the run.
+    A run that came from a file, or through a mapping, is made in that way again.
     """
     old = folders[-1]
     endings = [f"-{number}" for number in range(1, len(loads) + 1)] if len(loads) > 1 else [""]
     new = [old.with_name(f"{old.name}-next{ending}") for ending in endings]
     made = []
-    for folder, load in zip(new, loads, strict=True):
-        other = f" --load-n {load}" if load else ""
-        made.append(f"{command('new_run')} {shlex.quote(folder.name)} --like {shlex.quote(str(old))}{other}")
-        made.append(f"{command('capture')} PORT {shlex.quote(str(folder))}")
+    for folder, load, ending in zip(new, loads, endings, strict=True):
+        made += _recorded(old, folder, load, _file(old, ending))
     where = shlex.quote(str(out.with_name(f"{out.name}-next"))) if out else "DIR"
     named = " ".join(shlex.quote(str(folder)) for folder in (*folders, *new))
     return [*made, f"{DIAGNOSE} {named} --together --out {where}"]
 
 
-def block(commands: list[str], old: str, twisted: bool) -> list[str]:
+def _recorded(old: Path, new: Path, load: str, file: str) -> list[str]:
+    """The commands that make the run `new` with its recording, as `old` was made; `file` is a logger's."""
+    name, mapping = shlex.quote(new.name), mapping_of(old)
+    if mapping:
+        out = shlex.quote(str(new.parent))
+        return [f"{command('import_run')} {file} --map {shlex.quote(mapping)} --run {name} --out {out}"]
+    like = f"{command('new_run')} {name} --like {shlex.quote(str(old))}{f' --load-n {load}' if load else ''}"
+    if own_log(old):
+        return [f"{like} --recording {file}"]
+    return [like, f"{command('capture')} PORT {shlex.quote(str(new))}"]
+
+
+def _file(old: Path, ending: str = "") -> str:
+    """What stands for a logger's new file; one that was imported may end in anything."""
+    return f"FILE{ending}{'' if mapping_of(old) else own_log(old)}"
+
+
+def remark(old: Path) -> str:
+    """What to fill into the commands that make a run as `old` was made."""
+    if mapping_of(old):
+        return IMPORTED.format(file=_file(old))
+    return OWN_LOG.format(file=_file(old), old=old.name) if own_log(old) else CAPTURE
+
+
+def block(commands: list[str], old: Path, twisted: bool) -> list[str]:
     """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
-    taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old}"
-    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), CAPTURE]
+    taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old.name}"
+    taken = f"the mapping is that of {old.name}" if mapping_of(old) else taken
+    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), remark(old)]

@@ -185,4 +185,4 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     lines += [worth.care(content, words), worth.purpose(content, words)]
     to_type = commands.lines(folders, out, experiment.loads(run, words))
-    return [line for line in (*lines, *commands.block(to_type, folders[-1].name, words.twisted)) if line]
+    return [line for line in (*lines, *commands.block(to_type, folders[-1], words.twisted)) if line]

@@ -34,7 +34,7 @@ def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path],
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
     where = f" (the commands stand in {DETAILS} under {RUN})" if shown else ""
-    typed = [] if shown else [*(f"  {line}" for line in again), commands.CAPTURE]
+    typed = [] if shown else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
     return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
 
 
@@ -52,9 +52,15 @@ def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path
     tests = [f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}." for id_ in ids]
     if not tests:
         return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
-    again = [AGAIN, *(f"  {line}" for line in commands.lines(folders, out, [""]))] if numbers else []
+    again = [_again(folders[-1]), *(f"  {line}" for line in commands.lines(folders, out, [""]))] if numbers else []
     head = "Only if you need to be surer of a name, record what tells the effect from others:"
     return [[head, *tests, *held(content, words, tests), *numbers, *again]]
+
+
+def _again(old: Path) -> str:
+    """What to fill into the commands that record what tells an effect from others, as the run `old` was recorded."""
+    remark = commands.remark(old)
+    return AGAIN if remark == commands.CAPTURE else remark
 
 
 def of_adopted(content: Verdict, words: Vocabulary, ids: list[str]) -> list[list[str]]:
