@@ -27,6 +27,7 @@ class NextRun(TypedDict, total=False):
     parts: list[list[str]]  # explanations that it tells from the best
     gap_now: float
     gap_then: float
+    pairs: list[Part]  # each two explanations that were compared: `ids`, and their own `gap_now` and `gap_then`
     apart: Part  # by how much the readings that the two expect differ at most, and the motion where
     follows: str
     decides: bool

@@ -21,17 +21,18 @@ from .noise import Noise
 from .problem import Problem
 from .record import PHASES, Record
 from .search import Explanation, Search
+from .tie_gaps import Gap, closest, pairs
 
 MOST_STEPS = 4000
-Gap = tuple[float, tuple[str, ...], tuple[str, ...]]  # misfit, and the two explanations that it parts
 
 
 @dataclass(frozen=True)
 class Proposal:
     """A run to add: what it is called, its legs from where the recording ended, and what it is expected to tell.
 
-    `now` and `then` are the smallest gap between two explanations that tie, without the run and with it; `follows` is
-    the driver that it tries, where there are no explanations to part.
+    `now` and `then` are the smallest gap between two explanations that tie, without the run and with it; `all_now` and
+    `all_then` are those of each two that were compared. `follows` is the driver that it tries, where there are no
+    explanations to part.
     """
 
     title: str
@@ -40,6 +41,8 @@ class Proposal:
     now: Gap | None = None
     then: Gap | None = None
     follows: str | None = None
+    all_now: tuple[Gap, ...] = ()
+    all_then: tuple[Gap, ...] = ()
 
     def entry(self, run: Run, fixed_load: bool) -> dict[str, Any]:
         """It as `diagnosis.json` holds it; `fixed_load`: whether the load stood still in what was recorded."""
@@ -48,6 +51,7 @@ class Proposal:
         if self.now and self.then:
             content["parts"] = [list(ids) for ids in self.then[1:]]
             content |= {"gap_now": self.now[0], "gap_then": self.then[0]}
+            content["pairs"] = pairs(self.all_now, self.all_then)
         return content | ({"follows": self.follows} if self.follows else {})
 
 
@@ -95,10 +99,13 @@ def lengthened(problem: Problem, run: Run, record: Record) -> Problem:
     return replace(problem, record=record, drivers=drivers, measured=record.measured, rows=len(record), _terms={})
 
 
-def separation(
+def separations(
     problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation], record: Record
-) -> Gap:
-    """Smallest expected gap between two explanations that tie, if the recording went on like `record`; which two."""
+) -> tuple[Gap, ...]:
+    """Expected gaps between each two explanations that tie, if the recording went on like `record`.
+
+    Each is the misfit that the second would leave of a recording that the first made.
+    """
     longer = lengthened(problem, run, record)
     catalogue: dict[str, list] = {}
     chosen: list[tuple[Key, ...]] = []
@@ -119,7 +126,7 @@ def separation(
         for rival, other in zip(chosen, sets, strict=True):
             if not set(explanation.ids) <= set(other.ids):  # a larger one can always copy it
                 gaps.append((linear.gap(truth, linear.columns_of(rival)), explanation.ids, other.ids))
-    return min(gaps, key=lambda gap: gap[0])
+    return tuple(gaps)
 
 
 class Runs:
@@ -128,19 +135,21 @@ class Runs:
     def __init__(self, problem: Problem, run: Run, noise: Noise, search: Search, sets: list[Explanation]) -> None:
         self.rig, self.changes = Rig(problem.record), bool(problem.record.load.any())
         tied = (problem, run, noise, search, sets[:4])
-        self.now = separation(*tied, problem.record)
-        self.parted: Callable[[tuple[Leg, ...]], Gap] = cache(
-            lambda legs: separation(*tied, appended(problem.record, list(legs)))
+        self.now = separations(*tied, problem.record)
+        self.parted: Callable[[tuple[Leg, ...]], tuple[Gap, ...]] = cache(
+            lambda legs: separations(*tied, appended(problem.record, list(legs)))
         )
 
     def proposal(self, title: str, legs: list[Leg]) -> Proposal:
         """A run by its words and legs, with what it is expected to tell."""
-        return Proposal(title, legs, self.rig, self.now, self.parted(tuple(legs)))
+        then = self.parted(tuple(legs))
+        return Proposal(title, legs, self.rig, closest(self.now), closest(then), all_now=self.now, all_then=then)
 
     def built(self, loads: bool, faster: bool) -> Proposal:
         """The run that is built for this tie; `loads` and `faster`: whether it may ask other loads, a higher speed."""
+        now = closest(self.now)[0]
         return self.proposal(
-            *design.designed(self.rig, lambda legs: self.parted(tuple(legs))[0], self.now[0], loads, faster)
+            *design.designed(self.rig, lambda legs: closest(self.parted(tuple(legs)))[0], now, loads, faster)
         )
 
 

@@ -51,14 +51,17 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     assert set(proposal.title.split("; ")) <= set(possible) and all(leg[0] > 0 for leg in proposal.legs)
     entry = proposal.entry(run, fixed_load=True)
     assert entry["gap_then"] >= entry["gap_now"] > 0.0 and all(entry["parts"])
+    assert len(entry["pairs"]) == 3, "each two of three"
+    assert min(pair["gap_then"] for pair in entry["pairs"]) == entry["gap_then"]
+    assert min(pair["gap_now"] for pair in entry["pairs"]) == entry["gap_now"]
     assert [leg["seconds"] for leg in entry["legs"]] == [leg[0] for leg in proposal.legs]
-    asked, plain = [], nextrun.separation
+    asked, plain = [], nextrun.separations
 
     def counted(*told):
         asked.append(len(told[-1]))
         return plain(*told)
 
-    monkeypatch.setattr(nextrun, "separation", counted)
+    monkeypatch.setattr(nextrun, "separations", counted)
     first = nextrun.best(problem, run, found.noise, found.search, rivals)
     alone = len(asked)
     every = nextrun.options(problem, run, found.noise, found.search, rivals)

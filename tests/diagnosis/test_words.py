@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 import yaml
-from made_content import CONTENT, SYSTEMS, confident, content, explanation, leg, parameter, told, weighed
+from made_content import CONTENT, SYSTEMS, confident, content, explanation, leg, page, parameter, told, weighed
 
 from pipeline.diagnosis.adopted_run import as_list
 from pipeline.diagnosis.bounds import at_bound
@@ -100,6 +100,47 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
     made["fit"]["heldout"]["explained_mm"] = 0.95
     assert "whether slack is at work; otherwise report all 5 explanations and adopt none." in told(made)
+
+
+def parted(*gaps, **changes):
+    """A tie of three: friction with creep, heat or wear; `gaps` as foretold of creep-heat, creep-wear, heat-wear."""
+    ids = [["friction_hysteresis", last] for last in ("creep", "thermal", "wear")]
+    pairs = [[ids[0], ids[1]], [ids[0], ids[2]], [ids[1], ids[2]]]
+    entries = [
+        {"ids": pair, "gap_now": 9.0, "gap_then": then} for pair, then in zip(pairs[::-1], gaps[::-1], strict=True)
+    ]
+    least = min(entries, key=lambda entry: entry["gap_then"])
+    made = content(next_run__pairs=entries, next_run__gap_now=9.0, next_run__gap_then=least["gap_then"], **changes)
+    made["next_run"]["parts"], made["alternatives"] = least["ids"], ids[1:]
+    return made
+
+
+@pytest.mark.parametrize(
+    ("gaps", "said"),
+    [
+        (
+            (400.0, 400.0, 9.1),
+            "Of the 3 likeliest explanations it can tell creep from the others; thermal and wear stay",
+        ),
+        (
+            (9.1, 400.0, 400.0),
+            "Of the 3 likeliest explanations it can tell wear from the others; creep and thermal stay",
+        ),
+        ((400.0, 400.0, 400.0), "It can tell all 3 of the likeliest explanations from each other."),
+        ((9.1, 400.0, 9.1), "It is sure to part none of the 3 likeliest explanations from all others."),
+    ],
+)
+def test_a_run_says_which_of_three_explanations_it_parts_and_which_it_leaves_together(gaps, said):
+    made = parted(*gaps)
+    assert said in told(copy.deepcopy(made)), "the details"
+    text = " ".join(page(made).split())
+    assert (said in text) is ("none" not in said), "the page, where it is worth something"
+
+
+def test_of_two_explanations_and_in_an_older_file_nothing_is_said_to_stay_together():
+    assert "stay together" not in told() and "likeliest explanations it can" not in told()
+    two = {"ids": [["friction_hysteresis", "creep"], ["friction_hysteresis", "thermal"]], "gap_now": 5.02}
+    assert "It can tell all" not in told(content(next_run__pairs=[two | {"gap_then": 5330.0}]))
 
 
 def test_the_json_holds_the_same_protocol_in_one_string():

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ...ground.command import command
 from ..content import NextRun, Verdict
-from . import advice, deciding_run, experiment, holdout, make_sure, report, signs, to_measure, unseen, worth
+from . import advice, deciding_run, experiment, holdout, make_sure, parting, report, signs, to_measure, unseen, worth
 from .adoption import dimensions_came, of_staying, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
@@ -73,14 +73,18 @@ def _run(content: Verdict, words: Vocabulary) -> list[list[str]]:
     where = (
         f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(content, run, words)}."
     )
-    differ = worth.readings(run, words)
+    differ, parts = worth.readings(run, words), parting.sentence(content)
     if worth.decides(run):
         need = f"Make the run that can decide {worth.question(content)}, if you need to know. {where}"
-        return [[" ".join(part for part in (need, differ, worth.care(content, words)) if part), *_else(content)]]
+        return [[" ".join(part for part in (need, parts, differ, worth.care(content, words)) if part), *_else(content)]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {worth.question(content)}{hard}: try the run that parts them most."
-        return [[f"{need} About half of such runs decided in tests. {where}", *_else(content)]]
+        tried = "About half of such runs decided in tests."
+        return [[" ".join(part for part in (need, tried, parts, where) if part), *_else(content)]]
+    if parting.some(content):
+        best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
+        return [[f"No run that was tried decides {worth.question(content)}. {parts} {best}"]]
     return [[f"Make no other run: none that was tried decides {worth.question(content)}."]]
 
 

@@ -6,7 +6,7 @@ from .. import design
 from ..adopt import NO_USE
 from ..content import NextRun, Verdict, proposal
 from ..design import PLAIN, deviations
-from . import probability, rivals, unseen
+from . import parting, probability, rivals, unseen
 from .quantity import listing, number, quantity, size, times
 from .vocabulary import Vocabulary
 
@@ -38,6 +38,7 @@ def purpose(content: Verdict, words: Vocabulary, whether: bool = True) -> str:
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
     sentences = (
         f"{value}It is to tell {explanation} from {other}{closest}.{aside(content)}",
+        parting.sentence(content),
         readings(run, words),
         gaps(run),
     )

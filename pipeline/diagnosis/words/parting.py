@@ -1,0 +1,61 @@
+"""Which of the likeliest explanations a proposed run can tell apart, and which it leaves together, in words."""
+
+from .. import design
+from ..content import NextRun, Verdict, proposal
+from . import rivals
+from .quantity import listing
+
+Ids = tuple[str, ...]
+
+
+def sentence(content: Verdict) -> str:
+    """What the run parts and what it leaves together; nothing of two explanations, or where an older file lacks it."""
+    run = proposal(content)
+    names = _order(content, run)
+    if len(names) < 3:
+        return ""
+    groups = together(run, names)
+    if len(groups) == len(names):
+        return f"It can tell all {len(names)} of the likeliest explanations from each other."
+    if len(groups) == 1:
+        return f"It is sure to part none of the {len(names)} likeliest explanations from all others."
+    own = {ids: _called(ids, names) for ids in names}
+    alone = [f"({own[group[0]]})" if "+" in own[group[0]] else own[group[0]] for group in groups if len(group) == 1]
+    left = [listing([own[ids] for ids in group], "and") for group in groups if len(group) > 1]
+    parts = f"it can tell {listing(alone)} from the others" if alone else "it can tell these apart"
+    stay = "; ".join(f"{names_} stay together" for names_ in left)
+    return f"Of the {len(names)} likeliest explanations {parts}; {stay}."
+
+
+def some(content: Verdict) -> bool:
+    """Whether the run parts some of three or more explanations from the others, and leaves others together."""
+    run = proposal(content)
+    names = _order(content, run)
+    return len(names) > 2 and 1 < len(together(run, names)) < len(names)
+
+
+def together(run: NextRun, names: list[Ids]) -> list[list[Ids]]:
+    """The explanations in groups: of two in one group the run need not tell which is right, at least over a third."""
+    groups = [[ids] for ids in names]
+    for pair in run["pairs"]:
+        if not design.decides(pair["gap_now"], pair["gap_then"]):
+            ends = [next(group for group in groups if tuple(ids) in group) for ids in pair["ids"]]
+            if ends[0] is not ends[1]:
+                groups.remove(ends[1])
+                ends[0] += ends[1]
+    return [sorted(group, key=names.index) for group in groups]
+
+
+def _order(content: Verdict, run: NextRun) -> list[Ids]:
+    """The explanations that were compared, in the order of the verdict."""
+    best = [entry["id"] for entry in content["mechanisms"]]
+    ordered = [tuple(ids) for pair in run.get("pairs", []) for ids in pair["ids"]]
+    rank = [tuple(sorted(ids)) for ids in (best, *content["alternatives"])]
+    places = {ids: rank.index(tuple(sorted(ids))) if tuple(sorted(ids)) in rank else len(rank) for ids in ordered}
+    return sorted(dict.fromkeys(ordered), key=lambda ids: places[ids])
+
+
+def _called(ids: Ids, names: list[Ids]) -> str:
+    """An explanation without what all that are compared have in common, where something is left then."""
+    shared = set.intersection(*map(set, names))
+    return rivals.called([id_ for id_ in ids if id_ not in shared] or list(ids))
