@@ -25,6 +25,7 @@ from .diagnosis.words.prediction import (
     AFTER_RECORDING,
     OUTSIDE,
     column_of,
+    in_one_number,
     no_band,
     of_band,
     of_rivals,
@@ -111,7 +112,9 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
         rivals = plan.curves(diagnosis, place)
         columns = {low: predicted - half, high: predicted + half, **columns}
         columns |= {column_of(ids, channel): curve for ids, curve in rivals.items()}
-        words = [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, channel, unit)]
+        gaps = [curve - predicted for curve in rivals.values()]
+        words = in_one_number(width, inside, gaps, len(plan.tied), channel, unit)
+        words += [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, channel, unit)]
     gap = plan.changed_by_recording(expected)
     return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit, after_recording(arguments))])]
 

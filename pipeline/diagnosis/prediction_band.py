@@ -6,6 +6,7 @@ other string, and no motion beyond what was recorded.
 """
 
 import copy
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, FiniteFloat, NonNegativeInt
+from scipy.optimize import brentq
+from scipy.special import ndtr
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
@@ -26,6 +29,7 @@ from .problem import Problem
 from .simulation import measured_since, read_diagnosis, tared
 
 SMALL = 0.1  # of a sigma: a step so short is straight
+HELD, FAR, MOST = 0.9, 8.0, 20_000  # of the readings; sigmas that hold all; rows that tell a distance
 MEND = "give a diagnosis.json as it was made"
 
 
@@ -74,6 +78,26 @@ class Foretold:
     def expected(self, rows: NDArray[np.bool_]) -> float:
         """The error that is expected in some rows, rms in the channel's unit; `rows`, of shape (samples,), a mask."""
         return float(np.hypot(rms(self.sigma[rows]), self.missed))
+
+    def within(self, rows: NDArray[np.bool_], gaps: Sequence[Array]) -> float:
+        """How near to the best curve nine of ten readings of some rows are expected, whichever explanation is right.
+
+        `rows` is a mask. `gaps` say by how much the curve of each explanation that ties is more. Both of shape
+        (samples,); gaps and answer in the channel's unit.
+        """
+        places = np.flatnonzero(rows)
+        places = places[:: 1 + len(places) // MOST]
+        sigma = np.maximum(np.hypot(self.sigma[places], self.missed), np.finfo(float).tiny)
+        return max(_nine_of_ten(sigma, gap) for gap in (np.zeros(len(places)), *(gap[places] for gap in gaps)))
+
+
+def _nine_of_ten(sigma: Array, gap: Array) -> float:
+    """The distance that nine of ten normal numbers keep, `gap` their means; all of shape (numbers,), in one unit."""
+
+    def lacking(distance: float) -> float:
+        return float(np.mean(ndtr((distance - gap) / sigma) - ndtr((-distance - gap) / sigma))) - HELD
+
+    return float(brentq(lacking, 0.0, float(np.abs(gap).max() + FAR * sigma.max())))
 
 
 def band(problem: Problem, content: Verdict, path: Path, run: str) -> Foretold | None:

@@ -1,6 +1,7 @@
 """Of a motion that nobody recorded a diagnosis says how far it may be off, and what each rival says."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -10,11 +11,12 @@ import pytest
 
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.own_rate import at_own_rate
-from pipeline.diagnosis.prediction_band import band, curves
+from pipeline.diagnosis.prediction_band import Foretold, band, curves
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.rivals import refitted
 from pipeline.diagnosis.simulation import tared
 from pipeline.diagnosis.uncertainty import factor
+from pipeline.diagnosis.words.prediction import in_one_number
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 
@@ -48,8 +50,36 @@ def test_nine_of_ten_readings_that_no_fit_has_seen_lie_in_the_band(conceal, kind
         acting = [entry for entry in content["simulation"] if entry["id"] == doubt["id"]]
         assert doubt["entry"] < len(acting), "each is of something that acts"
     assert np.mean(off <= width.half_width[seen:]) > 0.87
+    rows = np.arange(len(samples)) >= seen
+    assert np.mean(off <= width.within(rows, [])) > 0.87, "and one number for the whole plan holds as many"
     assert np.mean(width.half_width[seen:]) < 8.0 * 1.645 * np.sqrt(np.mean(off**2)), "it says something"
     assert width.missed >= content["fit"]["noise_floor_mm"]
+
+
+def test_the_one_number_of_a_plan_holds_nine_of_ten_readings_whichever_explanation_is_right():
+    rows, gap = np.arange(4_000) < 3_000, np.full(4_000, 3.0)
+    width = Foretold(np.where(rows, 0.6, 50.0), 0.8, True)
+    assert width.within(rows, []) == pytest.approx(1.645, abs=1e-3), "what lies outside has no part in it"
+    assert width.within(rows, [gap]) == pytest.approx(3.0 + 1.2816, abs=1e-3) == width.within(rows, [-gap, 0.1 * gap])
+    rng, mixed = np.random.default_rng(1), np.linspace(-4.0, 4.0, 4_000)
+    drawn = np.abs(mixed + np.hypot(0.6, 0.8) * rng.standard_normal(4_000))[rows]
+    assert np.mean(drawn <= width.within(rows, [mixed])) == pytest.approx(0.9, abs=0.01)
+    assert Foretold(np.zeros(3), 0.0, False).within(np.ones(3, bool), []) < 1e-9
+
+
+def test_the_one_number_says_over_what_it_holds_and_on_which_condition():
+    inside, width = np.arange(100) < 46, Foretold(np.full(100, 0.6), 0.8, True)
+
+    def said(rows, gaps, tied):
+        return " ".join(in_one_number(width, rows, gaps, tied, "displacement_mm", "mm"))
+
+    whole = "to report: nine of ten readings are expected within 1.6 mm of displacement_mm over the whole plan, if the "
+    assert said(np.ones(100, bool), [], 0) == f"{whole}explanation is right"
+    assert said(np.ones(100, bool), [], 1).startswith(f"{whole}best explanation is right, for the file does not")
+    gaps = [np.full(100, 3.0), np.zeros(100)]
+    assert "within 4.3 mm" in said(inside, gaps, 2)
+    assert "over the 46 % of the plan within what was recorded, whichever of the 3 likely" in said(inside, gaps, 2)
+    assert not said(np.zeros(100, bool), gaps, 2)
 
 
 def test_a_doubt_of_one_dimension_moves_the_band_by_what_that_dimension_moves(creep):
@@ -130,6 +160,10 @@ def test_simulate_gives_the_band_and_the_rivals_of_a_planned_motion_and_says_wha
     assert (answer["high_mm"] - answer["low_mm"]).min() >= 2.0 * 1.6 * floor
     assert "expected error: " in done.stdout and "They cover no wrong explanation" in done.stdout
     assert "the reading if thermal and x_fit acted instead, at most " in done.stdout
+    apart = np.abs(answer["if_thermal_and_x_fit_mm"] - answer["displacement_mm"])[answer["outside"] == 0]
+    near, share = re.search(r"to report: .* within (\S+) mm of displacement_mm over (.*)", done.stdout).groups()
+    assert float(near) > np.quantile(apart, 0.8) > floor, "what another likely explanation says is in it"
+    assert "whichever of the 2 likely explanations is right" in share
     path.write_text(json.dumps({key: content[key] for key in content if key != "uncertainty"}))
     done = programs.run("pipeline.simulate", folder, *words)
     without_band = [name for name in ours if name not in ("low_mm", "high_mm")]

@@ -7,7 +7,7 @@ from ...ground.kinematics import Array
 from ...run.course import Mask
 from ..outcome import rms
 from ..prediction_band import Foretold
-from .quantity import listing, size, times
+from .quantity import listing, percent, size, times
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
 STRETCHES = 3  # of time, that are said; the others are counted
@@ -41,6 +41,22 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) ->
             f"of the expected error {parts}",
         ]
     return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}"]
+
+
+def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:
+    """The one error of a whole plan that can be reported; nothing where all of it is outside.
+
+    `gaps` say by how much the curve of each explanation that ties is more, `tied` how many tie: an older file lacks
+    their curves. `inside` and each gap have the shape (samples,); gaps are in the reading's unit, which is `unit`.
+    """
+    if not inside.any():
+        return []
+    share = "the whole plan" if inside.all() else f"the {percent(inside.mean())} of the plan within what was recorded"
+    known = f"whichever of the {1 + tied} likely explanations is right" if tied else "if the explanation is right"
+    if len(gaps) < tied:
+        known = "if the best explanation is right, for the file does not say what the others foretell"
+    near = size(foretold.within(inside, gaps), unit)
+    return [f"to report: nine of ten readings are expected within {near} of {channel} over {share}, {known}"]
 
 
 def stretches(rows: Mask, time_s: Array) -> str:
