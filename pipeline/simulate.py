@@ -12,7 +12,7 @@ import pandas as pd
 from .diagnosis.content import Verdict
 from .diagnosis.home import homed
 from .diagnosis.own_rate import at_own_rate
-from .diagnosis.plan import Plan, expected_error, tied_with
+from .diagnosis.plan import Plan, expected_error, recorded_beside, tied_with
 from .diagnosis.prediction_band import adopted_diagnosis
 from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
@@ -72,7 +72,8 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     samples, drawn = planned(run, arguments.motion, recorded and recorded.samples)
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
     tied = tied_with(run, content, arguments.simulation is None)
-    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied)
+    beside = recorded_beside(arguments.run_dir, run, content, arguments.simulation is None) if recorded else []
+    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied, beside)
 
 
 def source_of(arguments: argparse.Namespace) -> Path:

@@ -11,10 +11,13 @@ import pandas as pd
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
+from ..ground.names import RUN_NAME
 from ..run.continued import continued
 from ..run.course import Mask, Recorded
 from ..run.description import Run
+from ..run.folder import has_recording
 from ..run.outside import Outside, outside
+from ..run.samples import read_strokes
 from .content import Simulated, Verdict
 from .library import mechanisms
 from .outcome import rms
@@ -32,7 +35,8 @@ class Plan:
     """A planned motion of a run: its samples, whether corners drew it, what was recorded, and what to simulate it by.
 
     `content`, from the file `source`, is the simulator. `after`: whether the recorded motion goes before the plan.
-    `tied`: the explanations that are as likely as what acts, by their mechanisms.
+    `tied`: the explanations that are as likely as what acts, by their mechanisms. `beside`: the other recordings that
+    were diagnosed together with the run's own.
     """
 
     run: Run
@@ -43,17 +47,20 @@ class Plan:
     source: Path
     after: bool = False
     tied: Sequence[Sequence[str]] = ()
+    beside: Sequence[RecordedRun] = ()
 
     @cached_property
     def outside(self) -> Outside | None:
         """Where it leaves what was recorded; None where nothing was."""
-        if self.recorded is None or self.recorded.strokes is None:
+        if self.recorded is None:
             return None
         known, acting = mechanisms(), [entry["id"] for entry in self.content["simulation"]]
         remembers = any(known[id_].remembers_turns for id_ in acting if id_ in known)
         likely = dict.fromkeys([*acting, *(id_ for ids in self.tied for id_ in ids)])
         paced = [id_ for id_ in likely if id_ in known and known[id_].paced]
-        recorded = Recorded([self.recorded.samples], [self.recorded.strokes], self.run.system.driver)
+        all_recorded = [each for each in (self.recorded, *self.beside) if each.strokes is not None]
+        tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
+        recorded = Recorded(tables, cast(list[pd.DataFrame], strokes), self.run.system.driver)
         return outside(self.run, self.samples, recorded, remembers, paced)
 
     @cached_property
@@ -129,3 +136,16 @@ def tied_with(run: Run, content: Simulated, adopted: bool) -> list[list[str]]:
         if isinstance(tied, list)
         else []
     )
+
+
+def recorded_beside(folder: Path, run: Run, content: Simulated, adopted: bool) -> list[RecordedRun]:
+    """The other recordings that a diagnosis was made of together with that of `folder`, as far as they lie beside it.
+
+    `adopted`: those of what the run has adopted last. Raises BadInput for a recording that cannot be read.
+    """
+    runs: Any = (run.adopted[-1].runs if run.adopted else None) if adopted else content.get("run")
+    names = (
+        [name for name in runs if isinstance(name, str) and RUN_NAME.fullmatch(name)] if isinstance(runs, list) else []
+    )
+    others = [folder.resolve().parent / name for name in names if name != run.run] if run.run in names else []
+    return [RecordedRun(*read_strokes(other)) for other in others if has_recording(other)]

@@ -241,6 +241,26 @@ def test_another_speed_is_outside_where_it_matters_or_nobody_knows_whether_it_do
     assert not asked("two", 1.5, SLOWED), "between two speeds that were recorded"
 
 
+def test_what_another_recording_of_the_same_diagnosis_holds_is_inside(make_run, tmp_path):
+    """What the warning says to do, recording such a stroke and diagnosing both together, takes the warning away."""
+    fast, path, plan = four_strokes(make_run)[0], acting(tmp_path, SLOWED), tmp_path / "plan.csv"
+    table = recording(4).assign(load_n=20.0)
+    slow = make_run("slow", table.assign(time_s=2.0 * table["time_s"]))
+    top, lasts_s = float(table["motor_turns"].max()), float(table["time_s"].max()) / 4.0
+    corners = {"time_s": [0.0, lasts_s, 2.0 * lasts_s], "motor_turns": [0.0, top, 0.0]}
+    pd.DataFrame(corners).to_csv(plan, index=False)
+
+    def asked(folder: Path, runs: object) -> str:
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"run": runs}))
+        return simulated(folder, path, tmp_path / "a.csv", "--motion", plan).stderr
+
+    together, alone = [fast.name, slow.name], "that change by only"
+    assert alone in asked(fast, fast.name) and alone not in asked(slow, slow.name)
+    assert alone not in asked(fast, together) and alone not in asked(slow, together)
+    assert alone in asked(fast, [fast.name, "gone", "../slow", 5]), "what is not there adds nothing"
+    assert alone in asked(fast, ["other", slow.name]), "a diagnosis of other runs alone"
+
+
 def test_what_follows_speed_or_time_is_known_from_the_mechanisms_own_driver():
     paced = {id_ for id_, mechanism in mechanisms().items() if mechanism.paced}
     assert {"viscous_loss", "sensor_lag", "creep", "thermal", "stick_slip", "load_swing", "x_clock"} <= paced
