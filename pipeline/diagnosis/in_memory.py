@@ -13,6 +13,7 @@ from .adopted_effects import adopted_effects
 from .content import Adoption, Verdict
 from .covered import pauses
 from .judge import Judge
+from .not_kept import not_kept
 from .outcome import Study, rms
 from .recorded_run import RecordedRun
 from .simulation import at_its_best_zero, of_run
@@ -61,6 +62,8 @@ def diagnosed(
     ending = study.problem.system.channel.rpartition("_")[2]
     if adopted := optional("what was adopted", name, lambda: adopted_effects(study, runs[0], ending)):
         content["evidence"]["adopted_effects"] = verdict.tidy(adopted)
+    if others := optional("why others are not kept", name, lambda: not_kept(study, ending)):
+        content["evidence"]["not_kept"] = verdict.tidy(others)
     named = (study, runs[0], content["mechanisms"], ending)
     if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):
         content["evidence"]["expected"] = verdict.tidy(foretold)

@@ -25,6 +25,7 @@ from pipeline import diagnose
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.in_memory import described
+from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.noise import resolution
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.simulation import read_diagnosis, state_of
@@ -160,6 +161,21 @@ def test_simulate_alone_gives_the_error_that_the_diagnosis_claims(diagnosed, tmp
     assert list(simulated.columns) == ["time_s", "displacement_mm"]
     error = simulated["displacement_mm"].to_numpy() - recorded["displacement_mm"].to_numpy()
     assert np.sqrt(np.mean(error**2)) < 1.1 * truth["floor"]
+
+
+def test_every_effect_that_is_not_kept_has_what_speaks_against_it(diagnosed) -> None:
+    _, _, here, content = diagnosed
+    first, *others = content["evidence"]["not_kept"]
+    kept = {one["id"] for one in content["mechanisms"]} | {id_ for ids in content["alternatives"] for id_ in ids}
+    assert {one["id"] for one in others} | kept == {id_ for id_ in mechanisms() if not id_.startswith("x_")}
+    assert not kept & {one["id"] for one in others}
+    (named,) = [one for one in content["evidence"]["explanations"] if one["standing"] == "named"]
+    assert first["left_mm"] == pytest.approx(named["left_mm"], rel=1e-3)
+    assert all(one["left_mm"] > first["left_mm"] for one in others if one["left_mm"] is not None)
+    assert all(abs(known["change"]) < 4 * known["error"] for known in first["stands"].values())
+    loss = next(one for one in others if one["id"] == "viscous_loss")
+    assert loss["possible"] and loss["beside_mm"] <= 1.001 * first["left_mm"]
+    assert "\nWhy it is none of the other effects\n" in (here / "details.txt").read_text()
 
 
 def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:

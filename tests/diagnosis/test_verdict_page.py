@@ -603,3 +603,41 @@ def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
     (folder / "run.yaml").write_text("run: nylon-3\n")
     (folder / "recording.frames").write_bytes(b"")
     assert typed()[0] == capturing
+
+
+def stands(hold, error=0.002, rest=0.0):
+    """What an explanation leaves in holds and in rests."""
+    return {phase: {"change": mm, "error": error, "count": 10} for phase, mm in (("hold", hold), ("rest", rest))}
+
+
+def test_each_effect_that_is_not_kept_has_a_sentence_why_also_by_what_goes_on_while_the_motor_stands():
+    heading = "Why it is none of the other effects"
+    assert heading not in details(content()), "an older file has no reasons"
+    entry = {"id": "wear", "likely": 0.0, "possible": True, "instead": ["wear"], "stands": stands(0.0)}
+    entry |= {"left_mm": 0.45, "beside_mm": 0.03}
+    others = [
+        entry,
+        {**entry, "id": "viscous_loss", "likely": 0.02, "left_mm": 0.09, "stands": stands(-0.05), "beside_mm": 0.02},
+        {**entry, "id": "jam", "instead": ["creep", "jam"], "left_mm": 0.031, "beside_mm": None},
+        {**entry, "id": "axial_elasticity", "possible": False, "left_mm": None, "beside_mm": None, "stands": None},
+    ]
+    first = {"id": None, "left_mm": 0.03, "stands": stands(0.001), "tied": [{"ids": ["slack"], "stands": stands(0.0)}]}
+    made = content(evidence__not_kept=[first, *others], evidence__calibrated_mm=0.45)
+    spoken_ = details_text(spoken(copy.deepcopy(made), SYSTEMS["mm"]), SYSTEMS["mm"], [Path("raw/nylon-3")])
+    text = " ".join(" ".join(under(heading, spoken_)).split())
+    assert "(friction_hysteresis + creep, which leaves 0.030 mm), and beside it." in text
+    assert (
+        "(10 holds and 10 rests), the reading fits friction_hysteresis + creep, and speaks against viscous_loss" in text
+    )
+    assert "wear: in its place as much is left as without any effect; beside it, it adds nothing." in text
+    assert (
+        "viscous_loss (2 %): in its place it leaves 0.090 mm (3.0 times the noise); while the motor stands it is"
+        in text
+    )
+    assert "wrong by 0.050 mm in a hold; beside it, it takes away 0.022 mm more, too little for one" in text
+    assert "jam: creep + jam leaves 0.031 mm (1.0 times the noise), hardly more than the best one, but is less" in text
+    assert text.endswith("axial_elasticity: this recording could not show it (it follows the load).")
+    made["evidence"]["not_kept"][0]["tied"][0]["stands"] = stands(0.05)
+    assert "speaks against slack, though likely and against viscous_loss." in details(copy.deepcopy(made))
+    made["evidence"]["not_kept"][0]["stands"] = {}
+    assert "The motor never stood long enough in this recording" in details(made)

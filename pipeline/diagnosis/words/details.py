@@ -19,6 +19,7 @@ from . import (
     holdout,
     in_run_yaml,
     level,
+    other_effects,
     probability,
     rejected_explanations,
     rivals,
@@ -83,6 +84,7 @@ def details_text(
         (signs.HEADING, signs.lines(content, words)),
         ("To use it", adoption.how(content, words, folders, out)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
+        (other_effects.HEADING, other_effects.lines(content, words)),
         ("What would have been seen", detection_limits.lines(content, words)),
     ]
     all_text = "\n".join(line for head, lines in sections for line in (head, *lines))

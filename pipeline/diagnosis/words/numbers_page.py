@@ -27,7 +27,18 @@ DECIDE_NOTHING = (
         "figures",
         "foretold",
     ),
-    *("legs", "loops", "mechanism_entries", "nextrun", "own_rate", "panels", "plan", "prediction_band", "problem"),
+    *(
+        "legs",
+        "loops",
+        "mechanism_entries",
+        "nextrun",
+        "not_kept",
+        "own_rate",
+        "panels",
+        "plan",
+        "prediction_band",
+        "problem",
+    ),
     *("products", "recursions", "residual", "simulation", "stroke_means", "uncertainty", "verdict", "without_last"),
 )
 HEAD = """# Numbers that decide a verdict
