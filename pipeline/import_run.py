@@ -13,9 +13,9 @@ from typing import Any
 import pandas as pd
 
 from .foreign.axes import each_axis
-from .foreign.clock import check_mended, mend_time
 from .foreign.draft import draft
 from .foreign.folder_files import OPTION, files_in
+from .foreign.mended_clock import check_mended, mend_time
 from .formats import read_foreign
 from .ground import schemas
 from .ground.command import HOUSE, command

@@ -1,8 +1,8 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`models/parts/intervals.py`). A question outside the range of what was recorded, or further ahead of the last
-recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
+(`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, or further ahead of the
+last recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
 """
 
 import argparse
@@ -16,12 +16,12 @@ from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
 from .ground.files import write_text
+from .ground.given_table import opened
 from .ground.outputs import file_to_write
-from .ground.tables import opened
 from .models.interface import about, usual
 from .models.parts.box import COLUMNS
 from .models.parts.conditions import Conditions
-from .models.parts.intervals import GIVEN, Intervals, TooFew
+from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
 from .models.parts.question_table import question_table, refuse_cells
 from .models.parts.settings import shown
 from .stages.train import configured, fitting, seed

@@ -10,7 +10,7 @@ import pytest
 import yaml
 from made_recording import content, recording
 
-from pipeline.foreign.clock import mend_time
+from pipeline.foreign.mended_clock import mend_time
 from pipeline.formats.stored import read_table
 from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pandas as pd
 
+from ..ground.given_table import opened
 from ..ground.outputs import file_to_write
-from ..ground.tables import opened
 from ..stages.train import configured, seed
 from .points import SCHEMA
 

@@ -9,7 +9,7 @@ from ..ground import schemas
 from ..ground.errors import BadInput, program
 from ..ground.progress import steps
 from ..models.interface import make_model
-from ..models.parts.intervals import Intervals, TooFew
+from ..models.parts.prediction_intervals import Intervals, TooFew
 from ..stages.train import fitting
 from .arguments import parser, points_of
 from .tables import COVERAGE

@@ -9,9 +9,9 @@ import pandas as pd
 
 from ..ground import schemas
 from ..ground.errors import program
+from ..ground.given_table import opened
 from ..ground.outputs import file_to_write
 from ..ground.progress import steps
-from ..ground.tables import opened
 from ..stages.floor import FLOORS, residuals
 from .few_shot import asked_and_shown
 from .points import SCHEMA

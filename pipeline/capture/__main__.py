@@ -10,11 +10,11 @@ from ..run.capture_json import CaptureJson
 from ..run.folder import read_run
 from .commit import recover
 from .fields import names
+from .lines_to_csv import recover_lines
 from .log import LINES
 from .motion import read_legs
 from .printed import tell_lines
 from .session import capture, capture_lines
-from .table import recover_lines
 
 GAPS_TOLD = 5
 

@@ -14,12 +14,12 @@ from ..run.capture_json import CaptureJson
 from ..wire.motion import Leg
 from .commit import commit
 from .handshake import check_rate, greet
+from .lines_to_csv import commit_lines
 from .log import LINES, NAME, Log, check_folder
 from .motion import load
 from .port import Port
 from .printed import await_header, follow
 from .stream import record
-from .table import commit_lines
 
 CLOCK = "time_s"
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..ground import schemas
 from ..ground.errors import BadInput
-from ..ground.tables import opened as opened_table
+from ..ground.given_table import opened as opened_table
 from ..models.interface import Model, StringsApart, about, make_model
 from ..models.parts.box import Box
 from ..models.parts.saved import read_bytes

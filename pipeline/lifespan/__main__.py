@@ -13,7 +13,7 @@ from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from ..ground.outputs import folder_to_write
 from ..ground.progress import clear, steps
-from . import figure, record, sentences
+from . import as_json, figure, sentences
 from .from_folders import strings
 from .health import Health
 from .questions import Answer, model_error, stroke_loss
@@ -52,7 +52,7 @@ def main() -> int:
     scratch = next(folder for folder in (arguments.out, *arguments.out.absolute().parents) if folder.is_dir())
     for string_health in steps(strings(arguments.run_dir, scratch), "string"):
         answers = ask(string_health, arguments.loss, arguments.drift_mm)
-        content = record.lifespan(string_health, answers, arguments.level)
+        content = as_json.lifespan(string_health, answers, arguments.level)
         write_text(arguments.out / string_health.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
         figure.page(string_health, answers, arguments.level, arguments.out / string_health.string / "lifespan.png")
         clear()

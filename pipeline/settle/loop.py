@@ -15,9 +15,9 @@ from . import move
 from .answers import Answers
 from .approve import approved, told
 from .choose import Budget, chosen, firm
-from .drawing import draw
 from .ending import settled
 from .first import first_run
+from .foretold_figure import draw
 from .limits import beyond
 from .motor import Motor
 from .proposed import ProposedRun, without_curves

@@ -15,8 +15,8 @@ from pydantic import ValidationError
 from ..ground import schemas
 from ..ground.command import HOUSE, command
 from ..ground.errors import BadInput, program
+from ..ground.given_table import opened
 from ..ground.outputs import file_to_write
-from ..ground.tables import opened
 from ..models.interface import Model, make_model, names, settings_of
 from ..models.parts.saved import write_bytes
 from ..models.parts.settings import Refused, refusal, shown, told

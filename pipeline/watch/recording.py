@@ -13,10 +13,10 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
+from .appended import Frames, Printed, Source
 from .envelope import Envelope
 from .noise import Noise
 from .nominal import Nominal
-from .source import Frames, Printed, Source
 
 PIECE = 1 << 20  # bytes that are read at once
 BUDGET_S = 0.4  # a long recording is caught up with in steps of this

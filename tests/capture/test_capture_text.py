@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 from pipeline.capture.fields import MAX_LINE, fields, names
 from pipeline.capture.holes import Steps, find
 from pipeline.capture.lines import Lines, Splitter
-from pipeline.capture.table import recover_lines
+from pipeline.capture.lines_to_csv import recover_lines
 from pipeline.ground.errors import BadInput
 from pipeline.run.description import parse_run
 from pipeline.run.recording import check_lines, read_recording

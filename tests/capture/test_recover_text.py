@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from pipeline.capture.holes import MOST
-from pipeline.capture.table import recover_lines
+from pipeline.capture.lines_to_csv import recover_lines
 from pipeline.ground.errors import BadInput
 
 HEADER = "time_ms,motor_turns,displacement_mm\n"

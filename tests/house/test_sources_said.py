@@ -28,7 +28,7 @@ METHODS = [
     *named("diagnosis", "gauss_newton", "generic", "intervals", "judge", "nextrun", "noise", "recursions", "search"),
     *named("diagnosis", "uncertainty"),
     *named("lifespan", "fit", "law_choice", "laws", "strokes_left"),
-    *named("models/parts", "growth", "intervals", "marquardt", "rational", "training"),
+    *named("models/parts", "growth", "prediction_intervals", "marquardt", "rational", "training"),
     *named("models", "coupling"),
     *named("campaign", "adapt"),
 ]

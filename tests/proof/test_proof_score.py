@@ -6,7 +6,7 @@ import programs
 import pytest
 from made_recording import BASE
 
-from pipeline.proof.score import intervals
+from pipeline.proof.score import share_intervals
 from pipeline.proof.score.against_truth import outcome
 from pipeline.proof.score.metrics import scores
 from pipeline.proof.score.overlap import overlap
@@ -52,11 +52,11 @@ def test_the_table_of_twins_is_looked_for_before_anything_is_read_or_written(tmp
 
 
 def test_intervals_are_exact():
-    assert intervals.share(0, 300)[1] == pytest.approx(0.01222, abs=1e-4)  # 1 - 0.025 ** (1 / 300)
-    assert intervals.share(8, 10) == pytest.approx((0.4439, 0.9748), abs=1e-4)
-    assert intervals.share(5, 5)[1] == 1.0
-    assert intervals.median([3.0, 1.0, 2.0]) == (1.0, 3.0)
-    assert intervals.median(range(1, 101)) == (40, 61)
+    assert share_intervals.share(0, 300)[1] == pytest.approx(0.01222, abs=1e-4)  # 1 - 0.025 ** (1 / 300)
+    assert share_intervals.share(8, 10) == pytest.approx((0.4439, 0.9748), abs=1e-4)
+    assert share_intervals.share(5, 5)[1] == 1.0
+    assert share_intervals.median([3.0, 1.0, 2.0]) == (1.0, 3.0)
+    assert share_intervals.median(range(1, 101)) == (40, 61)
 
 
 def test_the_overlap_counts_samples_in_both_over_samples_in_either(make_run):

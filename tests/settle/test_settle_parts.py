@@ -13,7 +13,7 @@ from pipeline.settle import loop
 from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
 from pipeline.settle.choose import Budget, chosen, firm, reachable
-from pipeline.settle.drawing import simulated_mm, zero_mm
+from pipeline.settle.foretold_figure import simulated_mm, zero_mm
 from pipeline.settle.limits import Allowed
 from pipeline.settle.motor import Motor
 from pipeline.settle.move import describe

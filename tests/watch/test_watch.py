@@ -18,7 +18,7 @@ import yaml
 from made_recording import content
 from scripted_rig import synthetic_rig
 
-from pipeline.watch.source import Printed
+from pipeline.watch.appended import Printed
 from pipeline.wire import Channel, Event, Hello, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pandas as pd
 
-from . import intervals
+from . import share_intervals
 from .metrics import CHANCE, FIRM_WRONG, LARGE
 
 ALL = "all"
@@ -16,7 +16,7 @@ Score = tuple[str, str, int, int, float, float, float]
 def _share(author: str, quantity: str, hits: pd.Series) -> Iterator[Score]:
     if len(hits):
         count = int(hits.sum())
-        yield author, quantity, count, len(hits), count / len(hits), *intervals.share(count, len(hits))
+        yield author, quantity, count, len(hits), count / len(hits), *share_intervals.share(count, len(hits))
 
 
 def _of_author(author: str, cases: pd.DataFrame) -> Iterator[Score]:
@@ -39,7 +39,7 @@ def _of_author(author: str, cases: pd.DataFrame) -> Iterator[Score]:
     ratios = steady["heldout_ratio"].dropna().astype(float).tolist() if "heldout_ratio" in steady else []
     if ratios:
         middle = float(pd.Series(ratios).median())
-        yield author, "held out over noise, median", len(ratios), len(ratios), middle, *intervals.median(ratios)
+        yield author, "held out over noise, median", len(ratios), len(ratios), middle, *share_intervals.median(ratios)
 
 
 def by_author(cases: pd.DataFrame) -> pd.DataFrame:

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 from ...ground.files import whole
-from . import intervals
+from . import share_intervals
 
 COLOURS = ("#0072b2", "#009e73", "#d55e00", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 RATIOS = (0.1, 0.2, 0.5, 0.8, 1.0, 1.25, 2.0, 5.0, 10.0)  # ticks
@@ -91,7 +91,7 @@ def dose_response(cases: pd.DataFrame) -> Figure:
         for shift, (kind, words) in enumerate(KINDS.items()):
             hits = [of_protocol[of_protocol["kappa"] == kappa]["outcome"].isin(words) for kappa in sizes]
             value = np.array([hit.mean() for hit in hits])
-            bounds = np.array([intervals.share(int(hit.sum()), len(hit)) for hit in hits]).T
+            bounds = np.array([share_intervals.share(int(hit.sum()), len(hit)) for hit in hits]).T
             panel.errorbar(
                 np.array(sizes) * 1.04 ** (shift - 1.5), 100 * value, yerr=100 * np.abs(bounds - value),
                 color=COLOURS[shift], marker="osv^"[shift], markersize=4, linewidth=1.2, elinewidth=0.8, capsize=2,

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pandas as pd
 
 from ...rig import effects
-from . import intervals
+from . import share_intervals
 from .against_truth import RIGHT
 
 LARGE = 0.5  # noise floors from which on an effect must be named
@@ -20,14 +20,21 @@ def share(metric: str, stratum: str, hits: pd.Series) -> Iterator[Score]:
     hits = hits.dropna().astype(bool)
     if len(hits):
         count = int(hits.sum())
-        yield metric, stratum, count, len(hits), count / len(hits), *intervals.share(count, len(hits))
+        yield metric, stratum, count, len(hits), count / len(hits), *share_intervals.share(count, len(hits))
 
 
 def middle(metric: str, stratum: str, values: pd.Series, best: str = "least") -> Iterator[Score]:
     """Median of values, and the worst of them as a score of its own."""
     values = values.dropna().astype(float)
     if len(values):
-        yield metric, stratum, len(values), len(values), float(values.median()), *intervals.median(values.tolist())
+        yield (
+            metric,
+            stratum,
+            len(values),
+            len(values),
+            float(values.median()),
+            *share_intervals.median(values.tolist()),
+        )
         worst = float(values.max() if best == "least" else values.min())
         yield f"{metric}, worst", stratum, len(values), len(values), worst, worst, worst
 
@@ -36,7 +43,7 @@ def mean(metric: str, stratum: str, values: pd.Series) -> Iterator[Score]:
     """Mean of values with its bootstrap interval."""
     values = values.dropna().astype(float)
     if len(values):
-        bounds = intervals.mean(values.tolist())
+        bounds = share_intervals.mean(values.tolist())
         yield metric, stratum, len(values), len(values), float(values.mean()), *bounds
 
 

@@ -17,7 +17,7 @@ from ..plain_markdown import plain
 from ..sidecar import Column, describe
 from ..titles import titles_of
 from . import figures
-from .intervals import intervals
+from .coverage import intervals
 from .results import MAPS
 from .words import by_material, leaders, nearest, shots_table, untold, without_others
 

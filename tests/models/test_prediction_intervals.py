@@ -6,7 +6,7 @@ import pytest
 from made_strings import NOISE_MM, made_string
 
 from pipeline.models.interface import make_model
-from pipeline.models.parts.intervals import AHEAD, Intervals, TooFew, _parts
+from pipeline.models.parts.prediction_intervals import AHEAD, Intervals, TooFew, _parts
 
 STRINGS, KNOWN, LEVEL = 48, 7, 0.9
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
@@ -64,7 +64,7 @@ def test_more_strokes_ahead_and_higher_levels_are_wider():
         beyond = intervals.forward(last.assign(stroke=KNOWN + AHEAD + 1), LEVEL)
         assert np.isinf(beyond["high"]).all() and not beyond["inside"].any() and np.isfinite(beyond["value"]).all()
         widths.append([float((one["high"] - one["low"]).median()) for one in found])
-        assert np.isfinite(widths[-1]).all() and (np.diff(widths[-1]) >= 0).all()
+        assert np.isfinite(widths[-1]).all() and (np.diff(widths[-1]) >= -1e-12).all()  # a sum is rounded
         narrow, wide = (intervals.inverse(points[points["stroke"] == 8], level) for level in (0.5, 0.95))
         inside = wide["inside"]
         assert inside.sum() > 50 and (wide["high"] > narrow["high"])[inside].all()
