@@ -641,3 +641,17 @@ def test_each_effect_that_is_not_kept_has_a_sentence_why_also_by_what_goes_on_wh
     assert "speaks against slack, though likely and against viscous_loss." in details(copy.deepcopy(made))
     made["evidence"]["not_kept"][0]["stands"] = {}
     assert "The motor never stood long enough in this recording" in details(made)
+
+
+def test_of_an_effect_that_dimensions_could_do_in_part_the_part_that_none_could_do_stands_first():
+    remark = "Where a size has two numbers, the first is the part that no dimension could do"
+    made = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
+    text = page(copy.deepcopy(made))
+    assert "0.031 mm (of 0.41 mm: 0.37 to 0.45 mm)" in text and "0.082 mm (0.074 to 0.090 mm)" in text
+    assert remark in text and "No dimension could do 0.031 mm rms of it. 90 % interval" in details(made)
+    assert remark not in page() and "No dimension could do" not in details(content())
+    hidden = content(evidence__beyond_dimensions_mm={"creep": 0.031}, evidence__moved_alone_sigma={})
+    hidden["mechanisms"][1]["rms_mm"] = parameter(0.6, "mm")
+    text = page(hidden)
+    assert remark not in text and "0.031 mm (of 0.60 mm: 0.54 to 0.66 mm), partly hidden" in text
+    assert "all of it except 0.031 mm looks the same as" in " ".join(text.split())

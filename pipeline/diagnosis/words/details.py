@@ -20,6 +20,7 @@ from . import (
     in_run_yaml,
     level,
     other_effects,
+    own_size,
     probability,
     rejected_explanations,
     rivals,
@@ -131,7 +132,9 @@ def named(content: Verdict, words: Vocabulary) -> list[str]:
     hidden, lines = rivals.hidden(content, words), []
     for entry in content["mechanisms"]:
         limit = certainty.held_back(content, words, entry["id"])
-        sentences = [entry["sentence"], effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
+        part = own_size.own_part(entry, content, words)
+        first = f"No dimension could do {size(part, words.unit)} rms of it." if part else ""
+        sentences = [entry["sentence"], first, effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]

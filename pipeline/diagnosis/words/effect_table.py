@@ -5,13 +5,13 @@ from . import certainty, probability, rivals
 from .dimensions import name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
+from .own_size import HIDDEN, PARTLY, POORLY, doubt_of, own_part, own_size
 from .quantity import at, listing, percent, size
 from .vocabulary import Vocabulary
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 NO_SIZE = "–"  # of an effect that the best explanation has not
-POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
 UNSURE_SIZE = (
     "Poorly known: dimensions or other effects can take over much of it. How sure an effect is says that it is there, "
     "not how large it is."
@@ -25,6 +25,10 @@ NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
 BOTH_HOLD = (
     "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
     "recording; the interval says how much of the size dimensions or other effects could take over."
+)
+OWN_FIRST = (
+    "Where a size has two numbers, the first is the part that no dimension could do; in brackets stands all of the "
+    "effect with its 90 % interval."
 )
 MORE = 0.02  # of a probability: what a reader wonders about
 SOME_TAKEN_BACK = (
@@ -54,6 +58,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     best = " + ".join(entry["id"] for entry in content["mechanisms"])
     return [
         *table_lines,
+        *_own_first(content, entries, words),
         *certainty.needed(content),
         *([f"Sizes are those of the best explanation, {best}."] if several else []),
         *_while(content, words),
@@ -63,6 +68,12 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *_hidden(content, words, [id_ for id_, _, row in rows if PARTLY in row], "Partly", SOME_TAKEN_BACK),
         *_hidden(content, words, [id_ for id_, _, row in rows if HIDDEN in row], "Mostly", TAKEN_BACK),
     ]
+
+
+def _own_first(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+    """How a size of two numbers is read, where no line below says it of an effect that is hidden."""
+    two = [entry for entry in entries if own_part(entry, content, words)]
+    return [OWN_FIRST] if any(not doubt_of(entry, content, words).endswith("hidden") for entry in two) else []
 
 
 def _hidden(content: Verdict, words: Vocabulary, ids: list[str], how_far: str, otherwise: str) -> list[str]:
@@ -162,17 +173,3 @@ def how_sure(content: Verdict, id_: str, words: Vocabulary) -> str:
 
 def _missing(content: Verdict, words: Vocabulary) -> str:
     return size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)
-
-
-def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
-    """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
-    known = entry[f"rms_{words.ending}"]
-    if not known["value"]:
-        return "none"
-    if known["high"] <= known["low"]:
-        return size(known["value"], words.unit)
-    within = certainty.span(known["low"], known["high"], words)
-    much = content["mismatch"] and certainty.hidden(known["value"], content, words)
-    partly = entry["id"] in certainty.partly_hidden(content, words)
-    doubt = HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if partly else ""
-    return f"{size(known['value'], words.unit)} ({within}){doubt}"
