@@ -115,7 +115,7 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
         columns |= {column_of(ids, channel): curve for ids, curve in rivals.items()}
         gaps = [curve - predicted for curve in rivals.values()]
         words = in_one_number(width, inside, gaps, len(plan.tied), channel, unit)
-        words += [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, channel, unit)]
+        words += [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, inside, channel, unit)]
     gap = plan.changed_by_recording(expected)
     return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit, after_recording(arguments))])]
 

@@ -16,7 +16,7 @@ from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.rivals import refitted
 from pipeline.diagnosis.simulation import tared
 from pipeline.diagnosis.uncertainty import factor
-from pipeline.diagnosis.words.prediction import in_one_number
+from pipeline.diagnosis.words.prediction import in_one_number, of_rivals
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 
@@ -80,6 +80,15 @@ def test_the_one_number_says_over_what_it_holds_and_on_which_condition():
     assert "within 4.3 mm" in said(inside, gaps, 2)
     assert "over the 46 % of the plan within what was recorded, whichever of the 3 likely" in said(inside, gaps, 2)
     assert not said(np.zeros(100, bool), gaps, 2)
+
+
+def test_by_how_much_another_explanation_differs_is_said_within_what_was_recorded_and_beyond():
+    inside, curves = np.arange(10) < 5, {"creep + wear": np.where(np.arange(10) < 5, 0.1, -2.0)}
+    (line,) = of_rivals(np.zeros(10), curves, inside, "displacement_mm", "mm")
+    assert line.startswith("if_creep_and_wear_mm: the reading if creep and wear acted instead, at most 0.10 mm from")
+    assert line.endswith("from displacement_mm within what was recorded and 2.0 mm outside")
+    (line,) = of_rivals(np.zeros(10), curves, np.ones(10, bool), "displacement_mm", "mm")
+    assert line.endswith("at most 2.0 mm from displacement_mm")
 
 
 def test_a_doubt_of_one_dimension_moves_the_band_by_what_that_dimension_moves(creep):

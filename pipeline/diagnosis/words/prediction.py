@@ -103,14 +103,22 @@ def no_band(source: str, run_dir: str, of_run_yaml: bool) -> str:
     )
 
 
-def of_rivals(predicted: Array, curves: dict[str, Array], channel: str, unit: str) -> list[str]:
+def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel: str, unit: str) -> list[str]:
     """By how much at most the curve of each explanation that ties leaves that of the best one, a line each.
 
-    Curves by their explanation, each of shape (samples,), in the channel's unit.
+    Curves by their explanation, each of shape (samples,), in the channel's unit; `inside` the rows within what was
+    recorded.
     """
+
+    def most(curve: Array) -> str:
+        gap = abs(curve - predicted)
+        if not inside.any() or inside.all():
+            return f"{size(float(gap.max()), unit)} from {channel}"
+        near, far = (size(float(gap[rows].max()), unit) for rows in (inside, ~inside))
+        return f"{near} from {channel} within what was recorded and {far} outside"
+
     return [
-        f"{column_of(ids, channel)}: the reading if {listing(ids.split(' + '))} acted instead, at most "
-        f"{size(float(abs(curve - predicted).max()), unit)} from {channel}"
+        f"{column_of(ids, channel)}: the reading if {listing(ids.split(' + '))} acted instead, at most {most(curve)}"
         for ids, curve in curves.items()
     ]
 
