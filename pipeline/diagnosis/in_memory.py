@@ -1,5 +1,6 @@
 """A diagnosis from beginning to end, in memory: runs and their samples → what `diagnosis.json` says, and the study."""
 
+import math
 import sys
 import traceback
 from collections.abc import Callable
@@ -64,10 +65,18 @@ def diagnosed(
         content["evidence"]["adopted_effects"] = verdict.tidy(adopted)
     if others := optional("why others are not kept", name, lambda: not_kept(study, ending)):
         content["evidence"]["not_kept"] = verdict.tidy(others)
-    named = (study, runs[0], content["mechanisms"], ending)
+    named = (study, runs[0], content["mechanisms"], ending, missed(study, content, ending))
     if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):
         content["evidence"]["expected"] = verdict.tidy(foretold)
     return content, study
+
+
+def missed(study: Study, content: Verdict, ending: str) -> float:
+    """What the simulator misses a stroke by that no fit has seen, its single samples' noise averaged: rms, its unit."""
+    noise = float(content["fit"][f"noise_floor_{ending}"])
+    known = (content["fit"]["heldout"] or {}).get(f"explained_{ending}")
+    unseen = noise if known is None else float(known)
+    return math.hypot(study.floor, math.sqrt(max(unseen**2 - noise**2, 0.0)))
 
 
 def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from pipeline.diagnosis.words.expectation import lines
 from pipeline.diagnosis.words.make_sure import of_adopted
 from pipeline.diagnosis.words.missing_signs import missing
 from pipeline.diagnosis.words.prediction import stretches
+from pipeline.diagnosis.words.quantity import plus_minus
 from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.run.samples import read_samples
 
@@ -33,8 +34,13 @@ def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
     known = made["evidence"]["expected"]["explanations"]
     assert known[0]["ids"] == [kind] and len(known) > 1 and kind not in known[1]["ids"]
     for other in known[1:]:
-        seen = [abs(other[key] - known[0][key]) for key in other if key != "ids"]
+        seen = [abs(other[key] - known[0][key]) for key in other.keys() & known[0].keys() if key.endswith("_mm")]
         assert max(seen) >= 2.0 * made["evidence"]["floor_mm"], "a number parts them"
+    floor = made["evidence"]["floor_mm"]
+    for each in known:
+        assert each["plus_minus"].keys() == {key for key in each if key.endswith("_mm")}, "each number has its own"
+        assert all(half >= 1.6 * floor for half in each["plus_minus"].values()), "the noise at least"
+    assert known[0]["plus_minus"]["loop_as_before_mm"] < 20.0 * floor
     return known
 
 
@@ -75,16 +81,67 @@ def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_woul
     made = content(evidence__expected=EXPECTED)
     rows = [re.split(r" {3,}", line) for line in lines(made, WORDS)]
     assert rows[0] == ["What to expect of", "creep", "thermal"], "without what both have"
-    assert rows[1:5] == [
-        ["the loop of a stroke as before under 20 N", "0.20 mm", "0.20 mm"],
-        ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
+    assert rows[1:4] == [
         ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 mm", "hardly"],
+        ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
         ["change in a rest of 2 min at 0 turns after it", "+0.10 mm", "–"],
-    ]
-    assert "Differences of less than 0.033 mm tell nothing" in rows[-1][0] and len(rows) == 8
-    assert rows[-2] == ["–: this explanation foretells no such number."]
+    ], "what tells most comes first, what only one foretells last"
+    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 8
+    assert rows[-1][0].endswith("by less than that: the loop of a stroke as before under 20 N.")
+    assert rows[-3] == ["–: this explanation foretells no such number."]
     small = EXPECTED | {"explanations": [{"ids": BOTH, "loop_as_before_mm": 0.05}]}
     assert lines(content(evidence__expected=small), WORDS) == [] == lines(content(), WORDS)
+
+
+def with_spread(explanation: dict, half_mm: float) -> dict:
+    """An explanation with one half-width of all of its numbers."""
+    return explanation | {"plus_minus": {key: half_mm for key in explanation if key.endswith("_mm")}}
+
+
+def test_each_number_has_its_plus_minus_and_rows_within_it_are_left_out():
+    both = [with_spread(CREEP, 0.02), with_spread(HEAT, 0.061)]
+    table = lines(content(evidence__expected=EXPECTED | {"explanations": both}), WORDS)
+    rows = [re.split(r" {3,}", line) for line in table]
+    assert rows[1] == ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 ± 0.02 mm", "0.00 ± 0.06 mm"]
+    assert rows[2] == ["the loop at half the speed, 1 turns/s", "0.10 ± 0.02 mm", "0.20 ± 0.06 mm"]
+    assert not any(row[0].startswith("the loop of a stroke as before") for row in rows)
+    assert "less than that: the loop of a stroke as before under 20 N." in table[-1]
+    text = " ".join(table)
+    assert "±: in tests nine of ten loops and eight of ten changes in holds, rests and more strokes lay inside" in text
+    assert "Differences of less than" not in text
+
+
+def test_a_row_that_only_a_column_beyond_the_page_tells_is_no_row_that_tells():
+    wide = {"ids": ["plastic_elongation", "radius_compaction"], "loop_as_before_mm": 0.9, "hold_mm": 0.1}
+    three = [with_spread(each, 0.02) for each in (CREEP, HEAT, wide)]
+    table = lines(content(evidence__expected=EXPECTED | {"explanations": three}), WORDS)
+    assert "radius_compaction" not in table[0] and "thermal" in table[0]
+    assert not any(line.startswith("the loop of a stroke as before") for line in table)
+
+
+def test_of_columns_that_do_not_all_fit_those_stand_that_a_row_tells_apart():
+    longest = [with_spread(CREEP | {"ids": [*BOTH, id_]}, 0.02) for id_ in ("radius_compaction", "plastic_elongation")]
+    three = [longest[0], longest[1], with_spread(HEAT, 0.02)]
+    table = lines(content(evidence__expected=EXPECTED | {"explanations": three}), WORDS)
+    assert "thermal" in table[0] and "plastic_elongation" not in table[0], "it foretells the same as the best"
+
+
+def test_where_no_number_tells_the_explanations_apart_the_best_stands_alone_and_the_table_says_so():
+    both = [with_spread(CREEP, 0.3), with_spread(HEAT, 0.3)]
+    table = lines(content(evidence__expected=EXPECTED | {"explanations": both}), WORDS)
+    assert re.split(r" {3,}", table[0]) == ["What to expect of", "friction_hysteresis + creep"]
+    assert table[-1].startswith("No number here tells the explanations apart")
+
+
+@pytest.mark.parametrize(
+    ("value", "half", "said"),
+    [
+        (0.42, 0.061, "0.42 ± 0.06 mm"), (0.4211, 0.0123, "0.421 ± 0.012 mm"), (0.4, 0.096, "0.40 ± 0.10 mm"),
+        (2.5, 32.5, "2 ± 32 mm"), (0.0002, 0.0004, "0.2 ± 0.4 µm"),
+    ],
+)  # fmt: skip
+def test_a_number_is_said_to_the_digits_that_its_interval_leaves(value, half, said):
+    assert plus_minus(value, half, "mm") == said
 
 
 def test_what_lacks_a_part_of_the_best_explanation_comes_before_what_adds_to_it():

@@ -126,7 +126,7 @@ def parted(*gaps, **changes):
             (9.1, 400.0, 400.0),
             "Of the 3 likeliest explanations it can tell wear from the others; creep and thermal stay",
         ),
-        ((400.0, 400.0, 400.0), "It can tell all 3 of the likeliest explanations from each other."),
+        ((400.0, 400.0, 400.0), "It can tell all 3 likeliest explanations apart."),
         ((9.1, 400.0, 9.1), "It is sure to part none of the 3 likeliest explanations from all others."),
     ],
 )

@@ -1,9 +1,14 @@
 """What each explanation foretells of strokes that nobody made, as a table: at the rig a person sees which is right."""
 
+import math
+import re
+from dataclasses import dataclass
+from itertools import combinations
+
 from ..content import Part, Verdict
 from . import rivals, unseen
 from .error_table import UNKNOWN, aligned
-from .quantity import at, duration, number, percent, quantity, size
+from .quantity import at, duration, listing, number, percent, plus_minus, quantity, size
 from .sections import WIDE
 from .vocabulary import Vocabulary
 
@@ -16,41 +21,111 @@ INDENT = 5  # of the table on the page
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, then how to read it; nothing where nobody would see a number of it.
 
-    An explanation that lacks a part of the best one comes before those that add to it: columns may not fit.
+    An explanation that lacks a part of the best one comes before those that add to it: columns may not fit. The row
+    that tells most comes first. A row in which the explanations differ by less than their intervals is left out, unless
+    all do: then the best explanation stands alone.
     """
     known = content["evidence"].get("expected")
     if not known:
         return []
     first, *others = known["explanations"]
     compared = [first, *sorted(others, key=lambda explanation: set(first["ids"]) <= set(explanation["ids"]))]
+    tables = []
+    for columns in (compared, *([first, other] for other in compared[1:]), [first]):
+        table, remarks, parted = _table(content, known, columns, words)
+        if max(map(len, table), default=0) <= WIDE - INDENT:  # what does not fit on the page cannot tell either
+            tables.append([*table, *remarks])
+            if parted:
+                return tables[-1]
+    return tables[0] if tables else []
+
+
+def _table(content: Verdict, known: Part, compared: list[Part], words: Vocabulary) -> tuple[list[str], list[str], bool]:
+    """The table of some explanations, how to read it, and whether a row tells them apart.
+
+    Nothing where nobody would see a number of it.
+    """
     limit = SEEN * content["evidence"][f"floor_{words.ending}"]
-    rows = []
-    for key, name in _rows(content, known, words).items():
-        values = [explanation.get(f"{key}_{words.ending}") for explanation in compared]
-        if values[0] is not None and any(value is not None and abs(value) >= limit for value in values):
-            rows.append([name, *(_cell(key, value, limit, words) for value in values)])
-    if not rows:
-        return []
+    names = _rows(content, known, words)
+    cells = {key: [_number(each, f"{key}_{words.ending}", content, words) for each in compared] for key in names}
+    keys = [
+        key
+        for key, row in cells.items()
+        if row[0] is not None and any(cell is not None and abs(cell.value) >= limit for cell in row)
+    ]
+    if not keys:
+        return [], [], False
+    telling = {key: ratio for key in keys if (ratio := tells(cells[key])) is not None}
+    nothing = [key for key, ratio in telling.items() if ratio < 1.0]
+    alone = bool(nothing) and len(nothing) == len(telling)
+    if alone:
+        compared, cells = compared[:1], {key: cells[key][:1] for key in keys}
+    else:
+        keys = sorted((key for key in keys if key not in nothing), key=lambda key: -telling.get(key, 0.0))
+    known_spread = any(cell is not None and cell.known for key in keys for cell in cells[key])
     shared = set.intersection(*(set(explanation["ids"]) for explanation in compared))
     heads = [_head(content, explanation["ids"], shared) for explanation in compared]
-    up, down = words.ways
-    loop = f"The loop is by how much {up} and {down} part at most at one {words.motion}."
-    error = size(_error(content, words), words.unit)
-    return [
-        *_fitting([["What to expect of", *heads], *rows]),
-        *([loop] if any(row[0].startswith("the loop") for row in rows) else []),
+    rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
+    remarks = [
+        *([_loop(words)] if any(key.startswith("loop") for key in keys) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
-        f"Differences of less than {error} tell nothing: the simulator errs by as much.",
+        *([_spread(keys)] if known_spread else []),
+        *_untelling(alone, [names[key] for key in nothing], known_spread, size(_error(content, words), words.unit)),
     ]
+    return aligned([["What to expect of", *heads], *rows]), remarks, bool(telling) and not alone
 
 
-def _fitting(rows: list[list[str]]) -> list[str]:
-    """The rows under each other, without the last columns where those do not fit on the page."""
-    table = aligned(rows)
-    while max(map(len, table)) > WIDE - INDENT and len(rows[0]) > 2:
-        rows = [row[:-1] for row in rows]
-        table = aligned(rows)
-    return table
+def _loop(words: Vocabulary) -> str:
+    up, down = words.ways
+    return f"The loop is by how much {up} and {down} part at most at one {words.motion}."
+
+
+def _spread(keys: list[str]) -> str:
+    """What the plus-minus holds, and how often it did in tests."""
+    loops, slow = any(map(_is_loop, keys)), not all(map(_is_loop, keys))
+    shares = ["nine of ten loops"] * loops + ["eight of ten changes in holds, rests and more strokes"] * slow
+    return f"±: in tests {listing(shares)} lay inside if the explanation was right."
+
+
+def _untelling(alone: bool, left_out: list[str], known_spread: bool, error: str) -> list[str]:
+    """What tells nothing: the rows that were left out, all other explanations, or differences in an older file."""
+    older = [] if known_spread else [f"Differences of less than {error} tell nothing: the simulator errs by as much."]
+    if alone:
+        return [*older, "No number here tells the explanations apart: the others foretell the same within that."]
+    rows = "; ".join(left_out)
+    return [*older, *([f"Left out, since the explanations differ by less than that: {rows}."] if rows else [])]
+
+
+def _is_loop(key: str) -> bool:
+    return key.startswith("loop")
+
+
+@dataclass(frozen=True)
+class Number:
+    """A foretold number and half of its interval, in the unit of the reading; `known`: a fit gave the interval."""
+
+    value: float
+    half_width: float
+    known: bool
+
+
+def tells(row: list[Number | None]) -> float | None:
+    """By how many times both intervals together two explanations differ at most; None where fewer than two have it."""
+    values = [cell for cell in row if cell is not None]
+    ratios = [
+        abs(cell.value - other.value) / max(math.hypot(cell.half_width, other.half_width), 1e-300)
+        for cell, other in combinations(values, 2)
+    ]
+    return max(ratios, default=None)
+
+
+def _number(explanation: Part, key: str, content: Verdict, words: Vocabulary) -> Number | None:
+    """A number of an explanation; of an older file the error on unseen strokes stands for its interval."""
+    if key not in explanation:
+        return None
+    spread = explanation.get("plus_minus", {}).get(key)
+    error = _error(content, words) / math.sqrt(2.0)  # of two, as much as the simulator errs by
+    return Number(explanation[key], error if spread is None else spread, spread is not None)
 
 
 def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
@@ -74,12 +149,14 @@ def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
     return rows
 
 
-def _cell(key: str, value: float | None, limit: float, words: Vocabulary) -> str:
-    if value is None:
+def _cell(key: str, cell: Number | None, limit: float, words: Vocabulary) -> str:
+    if cell is None:
         return UNKNOWN
-    if abs(value) < limit:
-        return NOT
-    return f"{'' if key.startswith('loop') else '+' if value > 0.0 else '-'}{size(abs(value), words.unit)}"
+    sign = "" if _is_loop(key) else "+" if cell.value > 0.0 else "-"
+    if cell.known:
+        text = plus_minus(abs(cell.value), cell.half_width, words.unit)
+        return f"{sign if re.match('[0.,]*[1-9]', text) else ''}{text}"
+    return NOT if abs(cell.value) < limit else f"{sign}{size(abs(cell.value), words.unit)}"
 
 
 def _head(content: Verdict, ids: list[str], shared: set[str]) -> str:

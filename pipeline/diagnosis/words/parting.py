@@ -16,7 +16,7 @@ def sentence(content: Verdict) -> str:
         return ""
     groups = together(run, names)
     if len(groups) == len(names):
-        return f"It can tell all {len(names)} of the likeliest explanations from each other."
+        return f"It can tell all {len(names)} likeliest explanations apart."
     if len(groups) == 1:
         return f"It is sure to part none of the {len(names)} likeliest explanations from all others."
     own = {ids: _called(ids, names) for ids in names}

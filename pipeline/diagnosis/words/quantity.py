@@ -43,6 +43,17 @@ def quantity(value: float, unit: str, digits: int = 2, whole: bool = False) -> s
     return f"{number(value, digits, whole)} {said_unit(unit)}".strip()
 
 
+def plus_minus(value: float, half_width: float, unit: str) -> str:
+    """A number with half of its interval, to the first digit of that, or two where it begins with 1: 0.42 ± 0.06 mm."""
+    if unit in SMALLER and 0.0 < max(abs(value), half_width) < LEAST:
+        factor = FACTOR.get(unit, 1e3)
+        value, half_width, unit = value * factor, half_width * factor, SMALLER[unit]
+    exponent = math.floor(math.log10(half_width)) if half_width > 0.0 else -3
+    first = math.floor(half_width / 10.0**exponent + 1e-9)
+    decimals = max((1 if first == 1 else 0) - exponent, 0)
+    return f"{value:,.{decimals}f} ± {half_width:,.{decimals}f} {said_unit(unit)}".strip()
+
+
 def span(low: float, high: float, unit: str, whole: float) -> str:
     """A range on an axis `whole` wide."""
     return f"{at(low, '', whole)} to {at(high, unit, whole)}"
