@@ -404,15 +404,15 @@ def test_another_runs_diagnosis_is_adopted_with_a_warning_unless_it_makes_things
 
 
 def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_old_one(folder: Path) -> None:
-    made, record, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
-    new = folder.with_name(f"{folder.name}-next")
-    done = programs.run(*shlex.split(made)[2:])
+    made, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
+    new, log = folder.with_name(f"{folder.name}-next"), folder / "recording.parquet"
+    assert made.endswith(" --recording FILE.parquet"), "as the old one came"
+    done = programs.run(*shlex.split(made)[2:-1], log)
     assert done.returncode == 0, done.stderr
     old, fresh = read_run(folder), read_run(new)
     assert fresh.rig == old.rig | {"load_n": 35.0} and fresh.string_id == old.string_id and not fresh.simulation
     shared = ("rig", "string", "tolerance", "simulation")
     assert all(described(old, field) == described(fresh, field) for field in shared)
-    assert shlex.split(record)[2:] == ["pipeline.capture", "PORT", str(new)]
     both = [str(folder), str(new), "--together", "--out", str(folder.parent / "out-next")]
     assert shlex.split(diagnose)[2:] == ["pipeline.diagnose", *both]
 
