@@ -20,8 +20,8 @@ from pipeline.diagnosis.flexible import foretold
 from pipeline.diagnosis.heldout import first_held_out
 from pipeline.diagnosis.outcome import rms
 from pipeline.diagnosis.problem import State
-from pipeline.diagnosis.record import wild
 from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.working_samples import wild
 from pipeline.ground.kinematics import Array
 from pipeline.run.samples import read_strokes
 

@@ -12,7 +12,7 @@ import pandas as pd
 from .diagnosis.content import Verdict
 from .diagnosis.home import homed
 from .diagnosis.own_rate import at_own_rate
-from .diagnosis.plan import Plan, expected_error, recorded_beside, tied_with
+from .diagnosis.planned_motion import Plan, expected_error, recorded_beside, tied_with
 from .diagnosis.prediction_band import adopted_diagnosis
 from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box

@@ -13,7 +13,7 @@ from .library import mechanisms
 from .linear import Key, Linear
 from .noise import Noise, white
 from .problem import Act, Problem, State
-from .record import wild
+from .working_samples import wild
 
 ITERATIONS = 4  # linearised steps of full reach in a calibration, at most
 MOST_STEPS = 25  # steps in all, where whole ones lead astray

@@ -7,8 +7,8 @@ import numpy as np
 
 from ..run.course import longest_s
 from ..run.strokes import label, of_samples
-from .record import PHASES, Record
 from .recorded_run import RecordedRun
+from .working_samples import PHASES, Record
 
 ENDS = (1.0, 99.0)  # per cent of the samples: what is beyond is noise or a moment
 

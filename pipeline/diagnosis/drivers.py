@@ -10,9 +10,9 @@ from scipy.ndimage import gaussian_filter1d
 from ..ground.kinematics import Array
 from ..run.description import Run
 from ..systems import System
-from .record import Record
 from .recursions import play
 from .system_units import Units
+from .working_samples import Record
 
 SMOOTH_S = 0.12  # standard deviation of the Gaussian over which a driver is smoothed
 LOAD_MOVES, LEAST_LOAD = 0.05, 0.01  # of the usual load that tells what follows it; least usual load, in load units

@@ -20,9 +20,9 @@ from .linear import Linear
 from .noise import Noise, estimate, robust, white
 from .outcome import Study, bare, decide, rms
 from .problem import Problem, State, placed
-from .record import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 from .recorded_run import RecordedRun
 from .search import Search
+from .working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from .library import mechanisms
-from .record import Record
+from .working_samples import Record
 
 TOP = 0.02  # of the motion's range: what is nearer to its highest value is the top
 

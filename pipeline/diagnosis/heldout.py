@@ -10,8 +10,8 @@ from .engine import fine_floor, polished, study
 from .flexible import foretold
 from .outcome import Study, rms
 from .problem import Problem, State
-from .record import wild
 from .words.unseen import WORSE
+from .working_samples import wild
 
 LAST = 0.3  # of the strokes, held out at the end
 TARE_S = 1.0  # at its beginning, over which the zero of a run is taken that no fit has seen

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..run.description import Run
-from .record import Record
+from .working_samples import Record
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
 LAST = 50  # samples that tell the load at the end

@@ -7,7 +7,7 @@ from numba import njit
 
 from ..ground.kinematics import Array
 from .problem import Problem
-from .record import PHASES
+from .working_samples import PHASES
 
 SHARE = 0.8  # of the mismatch's energy, that its box holds
 TURN_BINS, STROKE_BINS = 48, 60  # of the motion and of the strokes, in which the box is looked for

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from .problem import Problem
-from .record import PHASES
+from .working_samples import PHASES
 
 OTHER_LOAD = 0.2  # of the highest load of the strokes: loads that differ by less count as one
 WHOLE = 0.9  # of the motion's range: a stroke that covers less is no whole one

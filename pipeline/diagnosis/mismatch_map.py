@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..ground.kinematics import Array
 from .drivers import Drivers
 from .panels import BINS, MOTION, ways
-from .record import PHASES
+from .working_samples import PHASES
 
 
 def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:

@@ -19,9 +19,9 @@ from .legs import AFTER_UNKNOWN, CANDIDATES, Leg, Rig, as_legs
 from .linear import Fit, Key, Linear
 from .noise import Noise
 from .problem import Problem
-from .record import PHASES, Record
 from .search import Explanation, Search
 from .tie_gaps import Gap, closest, pairs
+from .working_samples import PHASES, Record
 
 MOST_STEPS = 4000
 

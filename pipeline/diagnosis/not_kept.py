@@ -11,8 +11,8 @@ from ..ground.kinematics import Array
 from .evidence import fitted
 from .interface import physics
 from .outcome import Study
-from .record import PHASES
 from .search import Explanation, apart
+from .working_samples import PHASES
 
 LEAST_S, LEAST_SAMPLES, LEAST_STANDS = 1.0, 9, 3  # shorter, coarser and fewer stands say nothing
 PART = 3  # of a stand: its last third is held against its first

@@ -10,7 +10,7 @@ from .drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .judge import Judge, judge
 from .library import mechanisms
-from .record import Record
+from .working_samples import Record
 
 REMEMBERED, REMEMBERED_NUMBERS = 64, 6_400_000  # terms that are kept, of what acts again and again; numbers in them
 

@@ -23,9 +23,9 @@ from .flexible import SEED, inputs
 from .outcome import rms
 from .own_rate import to_score
 from .problem import Problem
-from .record import wild
 from .recorded_run import RecordedRun
 from .simulation import has_zero, tared
+from .working_samples import wild
 
 Mask = NDArray[np.bool_]
 ROOM, NEAR = 0.05, 0.2  # of a driver's recorded range: so far beyond it is inside; so near, in all, a row was recorded

@@ -8,7 +8,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..run.description import Run
 from .made_of import recordings_of
-from .plan import Plan
+from .planned_motion import Plan
 from .prediction_band import adopted_diagnosis
 from .problem import Problem
 from .residual import residual

@@ -18,7 +18,7 @@ from .adopt import acts_from, is_number
 from .content import Part, Simulated, Verdict
 from .outcome import rms
 from .problem import Problem, State
-from .record import averaged, despiked, means, wild
+from .working_samples import averaged, despiked, means, wild
 
 TARE_S = 1.0
 LARGEST_DIAGNOSIS = 100_000_000  # bytes

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from .drivers import Drivers
-from .record import PHASES
+from .working_samples import PHASES
 
 LEAST, MOST = 4, 24  # strokes that make a line, and points of it: of more strokes several make one
 ENOUGH = 5  # samples of a stroke in each direction

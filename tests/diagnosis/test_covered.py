@@ -7,8 +7,8 @@ import pandas as pd
 import pytest
 
 from pipeline.diagnosis.covered import covered, pauses
-from pipeline.diagnosis.record import PHASES, Record
 from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.working_samples import PHASES, Record
 from pipeline.run.course import Recorded
 from pipeline.run.description import parse_run
 from pipeline.run.outside import outside

@@ -13,8 +13,8 @@ import pytest
 from pipeline.diagnosis.interface import Term
 from pipeline.diagnosis.loops import widest
 from pipeline.diagnosis.mechanism_entries import totals
-from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.system_units import Units
+from pipeline.diagnosis.working_samples import PHASES
 from pipeline.systems import systems
 
 ROOT = Path(__file__).parents[2]

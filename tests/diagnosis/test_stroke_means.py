@@ -7,8 +7,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from pipeline.diagnosis import driver_panels
-from pipeline.diagnosis.record import PHASES
 from pipeline.diagnosis.stroke_means import MOST, stroke_means
+from pipeline.diagnosis.working_samples import PHASES
 
 
 def strokes(count: int, seed: int = 1) -> SimpleNamespace:

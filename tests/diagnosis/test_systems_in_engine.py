@@ -17,10 +17,10 @@ from pipeline.diagnosis.interface import Term
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.linear import Linear
 from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.record import derivatives
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.slopes import column, linearised
 from pipeline.diagnosis.system_units import Units
+from pipeline.diagnosis.working_samples import derivatives
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
 from pipeline.run.samples import read_samples

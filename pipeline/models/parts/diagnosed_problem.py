@@ -11,8 +11,8 @@ from ...diagnosis import engine
 from ...diagnosis.drivers import Drivers, drivers_of
 from ...diagnosis.interface import Mechanism, Nonlinear, Term
 from ...diagnosis.problem import Problem
-from ...diagnosis.record import joined
 from ...diagnosis.recorded_run import RecordedRun
+from ...diagnosis.working_samples import joined
 from ...ground.kinematics import Array
 from ...run.description import Run
 from .motion import Motion

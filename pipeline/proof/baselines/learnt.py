@@ -11,7 +11,7 @@ from ...diagnosis import calibrate
 from ...diagnosis.engine import rms
 from ...diagnosis.heldout import first_held_out
 from ...diagnosis.problem import Problem, State
-from ...diagnosis.record import wild
+from ...diagnosis.working_samples import wild
 from ...ground.kinematics import Array
 
 
