@@ -35,7 +35,7 @@ DECIDE_NOTHING = (
         "not_kept",
         "own_rate",
         "panels",
-        "plan",
+        "planned_motion",
         "prediction_band",
         "problem",
     ),
