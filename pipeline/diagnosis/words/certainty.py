@@ -17,18 +17,6 @@ COMPARES = (
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 
 
-def alike(content: Verdict, words: Vocabulary) -> list[str]:
-    """That slow effects are hard to tell apart in a recording under one load, where one of them is named."""
-    slow = slow_alike(content, words)
-    if not slow:
-        return []
-    others = listing(slow_others(slow), "or")
-    return [
-        f"Under one load slow effects look much alike. A percentage compares the library's formulas: where a law of "
-        f"this rig differs from them, {listing(slow)} may hide {others}, or stand in for it."
-    ]
-
-
 def slow_others(slow: list[str]) -> list[str]:
     """The other slow effects of the library."""
     return [id_ for id_, mechanism in mechanisms().items() if mechanism.slow and id_ not in slow]

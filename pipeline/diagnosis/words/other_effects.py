@@ -58,13 +58,21 @@ def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
     if left <= ALIKE * first[f"left_{words.ending}"]:
         leaves += ", hardly more than the best one, but is less likely by its other signs"
     parts = [leaves]
-    wrong = [
+    wrong = wrong_standing(entry, first, floor, words)
+    parts += [f"while the motor stands it is wrong by {listing(wrong)}"] if wrong else []
+    return "; ".join([*parts, *_beside(entry, first, floor, words)])
+
+
+def wrong_standing(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:
+    """By how much an effect is wrong while the motor stands, in holds and in rests; nothing where it is not.
+
+    `first` is the entry of the best explanation.
+    """
+    return [
         f"{size(abs(known['change']), words.unit)} {STANDS[phase]}"
         for phase, known in (entry["stands"] or {}).items()
         if _contradicts(phase, entry, first, floor)
     ]
-    parts += [f"while the motor stands it is wrong by {listing(wrong)}"] if wrong else []
-    return "; ".join([*parts, *_beside(entry, first, floor, words)])
 
 
 def _beside(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:

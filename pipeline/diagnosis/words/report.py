@@ -1,7 +1,7 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
 from ..content import Verdict
-from . import certainty, chances, effects, holdout, left_out, probability, rivals, unseen
+from . import certainty, chances, effects, holdout, left_out, probability, rivals, slow_look_alikes, unseen
 from .dimensions import far_moved
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
@@ -46,11 +46,9 @@ def _unseen(content: Verdict, words: Vocabulary) -> list[str]:
 def _sure(content: Verdict, words: Vocabulary) -> list[str]:
     """Which effects are at work, where that is sure."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
-    alike = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
-    but = f" ({listing(alike)} as the library's name for a slow effect: one load cannot tell it from others)"
     shares = certainty.known(content)
     named = listing([f"{id_} (probability {percent(shares[id_])})" for id_ in sure])
-    return [f"at work, by the library's names: {named}{but if alike else ''}"] if sure else []
+    return [f"at work, by the library's names: {named}{slow_look_alikes.remark(content, words, sure)}"] if sure else []
 
 
 def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:

@@ -9,7 +9,6 @@ from ..interface import physics
 from . import (
     adopted_table,
     adoption,
-    certainty,
     chances,
     effect_table,
     error_table,
@@ -17,6 +16,7 @@ from . import (
     level,
     logged,
     rejected_explanations,
+    slow_look_alikes,
     spikes,
     to_do,
     tolerances,
@@ -100,15 +100,7 @@ def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
             "Fitted anew, dimensions moved far. That is no reason to measure them again: the dimensions that were "
             "adopted lie within their tolerances, and fit this rig as well."
         )
-    slow = certainty.slow_alike(content, words)
-    if slow:
-        surely = not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
-        others = listing(certainty.slow_others(slow), "or")
-        lines.append(
-            f"Under one load slow effects look alike: what is called {listing(slow)} here can be {others}. That "
-            f"something slow acts is {'sure' if surely else 'likely'}; its name is not sure."
-        )
-    return lines
+    return [*lines, *slow_look_alikes.doubts(content, words)]
 
 
 def _what(content: Verdict) -> str:
