@@ -97,11 +97,6 @@ class Verdict(Simulated, total=False):
     zero_jumps: list[Part]  # of the runs of one string
 
 
-def time_constants_s(entry: Part) -> list[float]:
-    """The time constants of a named mechanism, an entry of `mechanisms`, in s."""
-    return [float(known["value"]) for known in entry["parameters"].values() if known.get("unit") == "s"]
-
-
 def proposal(content: Verdict) -> NextRun:
     """The run that a verdict proposes; raises ValueError where it proposes none."""
     if not content["next_run"]:

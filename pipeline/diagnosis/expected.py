@@ -7,7 +7,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from ..run.description import Run
-from .content import Part, time_constants_s
+from .content import Part
 from .foretold_spread import plus_minus
 from .interface import physics
 from .legs import Leg, Rig
@@ -17,6 +17,7 @@ from .outcome import Study
 from .problem import Problem, State
 from .rivals import refitted
 from .search import Explanation
+from .time_constants import time_constants_s
 
 STROKES = {"as_before": (1.0, 1.0), "half_speed": (2.0, 1.0), "half_load": (1.0, 0.5)}  # times as slow, of the load
 MOST, REPEATED = 3, 10  # explanations that are compared; strokes that are made once more, at most

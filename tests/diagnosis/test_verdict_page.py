@@ -376,18 +376,18 @@ def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_ado
 
 def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_recording_holds():
     covered = {"load": [24.8, 36.9], "speed_per_s": [1.9, 5.8], "longest_hold_s": 3.7, "longest_rest_s": 6.5}
-    said = steps(content(**ALONE, evidence__covered=covered))
+    timeless = [entry | {"parameters": {}} for entry in content()["mechanisms"]]
+    said = steps(content(**ALONE, mechanisms=timeless, evidence__covered=covered))
     holds = "holds of up to 3.7 s and rests of up to 6.5 s under 24.8 N or more."
     assert f"This one has loads of 24.8 to 36.9 N, speeds of 1.9 to 5.8 turns/s, and {holds}" in said
     assert "record what tells the effect from others: - friction_hysteresis: " in said
     assert "- creep: a hold under load, then a rest without it" in said
     covered["speed_per_s"] = [5.0, 5.8]
-    under_one = steps(content(**ALONE, evidence__loaded=False, evidence__covered=covered))
+    under_one = steps(content(**ALONE, mechanisms=timeless, evidence__loaded=False, evidence__covered=covered))
     assert "This one has one load, one speed, 5.8 turns/s, and holds of up to" in under_one
     longest = "(13 s or longer each, twice the longest one here, under 36.9 N as recorded here)."
     assert longest in under_one and longest.replace("36.9", "24.8 to 36.9") in said
     made = content(**ALONE, evidence__covered=covered)
-    made["mechanisms"][1]["parameters"]["slowest_s"] = parameter(60.0, "s")
     assert "(2 min or longer each, twice its longest time constant, under 24.8 to 36.9 N as" in steps(made)
     assert "Its speeds count as two: the fastest is 3.1 times the slowest. Its loads count as more than one." in said
     assert "no second speed: 2.9 or 11.6 turns/s, half or twice, would do. It has no second load: 18.4 or" in under_one

@@ -1138,8 +1138,8 @@ def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, na
         assert [line.partition(":")[0] for line in lines[1:]] == [
             "- plastic_elongation", "- sensor_drift", "- stiffening", "- wear",
         ]  # fmt: skip
-        slow = {"unit": "s", "value": 240.0}
-        made["mechanisms"][1]["parameters"] = {"slowest_s": slow, "rate": {"unit": "1", "value": 9.0}}
+        slow = {"unit": "mm/10N", "value": 0.3}
+        made["mechanisms"][1]["parameters"] = {"load_240_s_mm_per_10_n": slow, "rate": {"unit": "1", "value": 9.0}}
         asked = certainty.asks(made, Vocabulary.of(SYSTEMS["mm"]))[0]
         assert asked.startswith("What tells creep from what looks like it: a hold under load, then a rest without it")
         assert "Hold and rest for 8 min or longer each" in asked and "The run below" not in asked

@@ -6,11 +6,11 @@ from string import Formatter
 from ..content import Part
 from ..interface import Mechanism
 from ..system_units import Units
+from ..time_constants import BRANCH_S, time_constants_s
 from .certainty import SURE
 from .quantity import duration, listing, quantity, size
 from .vocabulary import Vocabulary
 
-MOST_OF = 0.2  # of all strengths: time constants with less are not worth a word
 CALCULATED = (
     "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
 )
@@ -19,7 +19,6 @@ NOTHING = (
     "it a strength of 0."
 )
 CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
-ENTRY_S = re.compile(r"(?:^|_)([0-9.]+)_s_")
 
 
 def sentence(
@@ -127,14 +126,9 @@ def has_constants(entry: Part) -> bool:
 
 def time_constants(parameters: Part) -> str:
     """The time constants that carry most of an effect, from the names of its strengths."""
-    strengths: dict[float, float] = {}
-    for name, value in parameters.items():
-        match = ENTRY_S.search(name)
-        if match and value["value"]:
-            seconds = float(match[1])
-            strengths[seconds] = strengths.get(seconds, 0.0) + abs(value["value"])
-    whole = sum(strengths.values())
-    kept = sorted(seconds for seconds, strength in strengths.items() if strength >= MOST_OF * whole)
+    kept = time_constants_s(
+        {"parameters": {name: value for name, value in parameters.items() if BRANCH_S.search(name)}}
+    )
     if not kept:
         return ""
     longest = parameters.get("slowest_s", {"value": None})["value"]

@@ -2,8 +2,9 @@
 
 from pathlib import Path
 
-from ..content import Verdict, time_constants_s
+from ..content import Verdict
 from ..library import mechanisms
+from ..time_constants import time_constants_s
 from . import commands, expectation, holdout, unseen, worth
 from .missing_signs import ALIKE, missing
 from .quantity import duration, listing, number, quantity, times
