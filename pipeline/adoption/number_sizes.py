@@ -39,9 +39,9 @@ def _without(coefficients: tuple[float, ...], place: int) -> tuple[float, ...]:
 
 
 def _size(problem: Problem, effect: Array) -> Size:
-    """The size of an effect of shape (samples,), in the reading's unit; a constant is no size where zeros are free."""
+    """The size of an effect of shape (samples,), in the reading's unit; its rms is that of the verdict, by `rms`."""
     motion = problem.record.motion
     low, high = float(motion.min()), float(motion.max())
     near = NEAR * (high - low)
     at_top = float(np.mean(effect[motion >= high - near]) - np.mean(effect[motion <= low + near]))
-    return Size(rms(effect - np.mean(effect) if problem.system.free_zero else effect), at_top, (low, high))
+    return Size(rms(effect), at_top, (low, high))

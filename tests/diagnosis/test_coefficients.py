@@ -8,6 +8,7 @@ import pytest
 
 from pipeline.adoption.number_sizes import sizes
 from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.mechanism_entries import effect_of
 from pipeline.diagnosis.outcome import rms
 from pipeline.diagnosis.problem import Act
 from pipeline.diagnosis.words import coefficients
@@ -34,7 +35,8 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
     ((whole, share),) = own = sizes(problem, state)
     assert whole == share, "the other coefficient is 0, and has no line"
     effect = problem.simulate(state) - problem.simulate(problem.nominal())
-    assert whole.rms == pytest.approx(rms(effect - effect.mean())) and whole.at_top < 0.0
+    assert whole.rms == pytest.approx(rms(effect_of(problem, state, state.acts[0]))), "the size that a verdict gives"
+    assert whole.rms == pytest.approx(rms(effect)) and whole.at_top < 0.0
     top = problem.record.motion >= 0.999 * problem.record.motion.max()
     assert whole.at_top == pytest.approx(np.mean(effect[top]), rel=0.1), "beyond the critical twist it contracts less"
     _, first, number, critical, softness, formula = coefficients.lines(state.acts, problem.drivers, words, own)

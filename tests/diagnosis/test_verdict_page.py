@@ -396,12 +396,15 @@ def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_record
 
 def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_intervals():
     firm = content(**ALONE, evidence__moved_sigma=NEAR)
-    said = "- the size of friction_hysteresis and creep and their constants as the table above says, with 90 % interv"
+    said = (
+        "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.41 mm (0.37 to 0.45 mm) (rms, 90 % "
+        "interval), with the constants of friction_hysteresis in the table above"
+    )
     assert said in steps(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in page(firm)
     firm["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     only = steps(firm)
-    assert "- the size of creep as the table above says" in only and "constants" not in only
-    assert "as the table above says" not in steps(content(**ALONE)), "a dimension moved far"
+    assert "- TO REPORT: creep 0.41 mm (0.37 to 0.45 mm) (rms" in only and "constants" not in only
+    assert "TO REPORT" not in steps(content(**ALONE)), "a dimension moved far"
 
 
 def test_an_effect_that_is_surer_than_its_explanation_says_why():
@@ -550,7 +553,7 @@ def test_standard_deviations_beside_odds_are_said_to_count_the_noise_alone():
     assert "Standard deviations count" not in told(made)
 
 
-def test_a_hidden_effect_says_how_much_of_it_looks_the_same_as_which_dimensions():
+def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_do_much_of_it():
     made = confident(0.93, 0.96)
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
     made["evidence"] |= {
@@ -558,12 +561,13 @@ def test_a_hidden_effect_says_how_much_of_it_looks_the_same_as_which_dimensions(
         "moved_sigma": {"radius_mm": 2.9, "scale": -1.0, "length_mm": 0.1},
         "moved_alone_sigma": {"radius_mm": 1.0, "scale": 1.6, "length_mm": 0.3},
     }
-    looks = "looks the same as a slightly different gain of the displacement sensor and radius."
     text = " ".join(page(copy.deepcopy(made)).split())
-    assert f"Mostly hidden: 1.5 mm rms is creep, but all of it except 0.031 mm {looks}" in text
-    assert "far larger than the" not in text and "length" not in text.partition("Mostly hidden")[2].partition(". ")[0]
-    made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
-    assert f"Partly hidden: 0.60 mm rms is creep, but all of it except 0.031 mm {looks}" in " ".join(page(made).split())
+    assert "The table has the part of creep that no dimension could do. In all it does 1.5 mm (1.4 to 1.6 mm), " in text
+    assert "but a slightly different gain of the displacement sensor and radius could do much of that as well." in text
+    assert "far larger than the" not in text and "all of it except" not in text, "rms sizes do not subtract"
+    made["evidence"]["beyond_dimensions_mm"]["friction_hysteresis"] = 0.02
+    both = "In all creep does 1.5 mm (1.4 to 1.6 mm) and friction_hysteresis does 0.082 mm (0.074 to 0.090 mm), but a"
+    assert both in " ".join(page(made).split())
 
 
 def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page_where_they_are_many():
@@ -674,15 +678,22 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
     assert "can be plastic_elongation, sensor_drift, stiffening or wear." in text and "xcluded in" not in text + more
 
 
-def test_of_an_effect_that_dimensions_could_do_in_part_the_part_that_none_could_do_stands_first():
-    remark = "Where a size has two numbers, the first is the part that no dimension could do"
+def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no_dimension_could_do():
     made = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
     text = page(copy.deepcopy(made))
-    assert "0.031 mm (of 0.41 mm: 0.37 to 0.45 mm)" in text and "0.082 mm (0.074 to 0.090 mm)" in text
-    assert remark in text and "No dimension could do 0.031 mm rms of it. 90 % interval" in details(made)
-    assert remark not in page() and "No dimension could do" not in details(content())
-    hidden = content(evidence__beyond_dimensions_mm={"creep": 0.031}, evidence__moved_alone_sigma={})
-    hidden["mechanisms"][1]["rms_mm"] = parameter(0.6, "mm")
-    text = page(hidden)
-    assert remark not in text and "0.031 mm (of 0.60 mm: 0.54 to 0.66 mm), partly hidden" in text
-    assert "all of it except 0.031 mm looks the same as" in " ".join(text.split())
+    assert "0.031 mm (0.028 to 0.034 mm), in all 0.41 mm" in text and "0.082 mm (0.074 to 0.090 mm)" in text
+    assert "No dimension could do 0.031 mm (0.028 to 0.034 mm) rms of it. 90 % interval" in details(copy.deepcopy(made))
+    assert "TO REPORT" not in text, "a dimension moved far"
+    made["evidence"]["moved_sigma"] = NEAR
+    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
+    said = (
+        "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.031 mm (0.028 to 0.034 mm), the part "
+        "that no dimension could do (rms, 90 % interval), with the constants of friction_hysteresis in the table above"
+    )
+    text = " ".join(page(copy.deepcopy(made)).split())
+    assert said in text and text.count("TO REPORT") == 1 and "Do not report what creep does in all." in text
+    assert "do not report its sizes" not in text and "of its sizes" not in text
+    made["evidence"].pop("beyond_dimensions_mm")
+    text = " ".join(page(copy.deepcopy(made)).split())
+    assert "TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm) (rms" in text, "an older file"
+    assert "Do not report how much creep does alone." in text and "No dimension could do" not in details(made)

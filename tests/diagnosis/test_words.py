@@ -380,12 +380,10 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     made = content()
     made["mechanisms"][1]["rms_mm"]["value"] = 3.52
     text = told(made)
-    said = (
-        "Its size is poorly known: it moves the reading by 3.5 mm rms, but only 0.44 mm rms is missing. The rest hides"
-    )
+    said = "Its size is poorly known: it moves the reading by 3.5 mm rms, but only 0.44 mm rms is missing. Much of it"
     line = next(line for line in text.splitlines() if line.startswith("  creep: Under load"))
     after = text.partition(line)[2].partition("\n  friction_hysteresis: ")[0]
-    assert f"{said} in dimensions that calibration moved (see Dimensions), and in the other effects." in " ".join(
+    assert f"{said} hides in dimensions that calibration moved (see Dimensions), and in the other effects." in " ".join(
         f"{line}{after}".split()
     )
     assert text.count("moves the reading by") == 1 and "(see Dimensions)." not in told()

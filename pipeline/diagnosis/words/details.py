@@ -134,7 +134,7 @@ def named(content: Verdict, words: Vocabulary) -> list[str]:
     for entry in content["mechanisms"]:
         limit = certainty.held_back(content, words, entry["id"])
         part = own_size.own_part(entry, content, words)
-        first = f"No dimension could do {size(part, words.unit)} rms of it." if part else ""
+        first = f"No dimension could do {own_size.own_with_interval(entry, content, words)} rms of it." if part else ""
         sentences = [entry["sentence"], first, effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])

@@ -5,7 +5,7 @@ from . import certainty, probability, rivals
 from .dimensions import name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
-from .own_size import HIDDEN, PARTLY, POORLY, doubt_of, own_part, own_size
+from .own_size import HIDDEN, PARTLY, POORLY, own_part, own_size, with_interval
 from .quantity import at, listing, percent, size
 from .vocabulary import Vocabulary
 
@@ -19,16 +19,15 @@ UNSURE_SIZE = (
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
-LOOKS_LIKE = "{} hidden: {} rms is {}, but all of it except {} looks the same as {}."
 ELSEWHERE, CHIEF = 0.5, 3  # tolerances that a dimension moved in an effect's place, to be named; how many are
 NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
 BOTH_HOLD = (
     "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
     "recording; the interval says how much of the size dimensions or other effects could take over."
 )
-OWN_FIRST = (
-    "Where a size has two numbers, the first is the part that no dimension could do; in brackets stands all of the "
-    "effect with its 90 % interval."
+IN_ALL = (
+    "The table has the part of {} that no dimension could do. In all {}, but {} could do much of that as well. Sizes "
+    "in rms do not subtract."
 )
 MORE = 0.02  # of a probability: what a reader wonders about
 SOME_TAKEN_BACK = (
@@ -58,39 +57,32 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     best = " + ".join(entry["id"] for entry in content["mechanisms"])
     return [
         *table_lines,
-        *_own_first(content, entries, words),
+        *_in_all(content, entries, words),
         *certainty.needed(content),
         *([f"Sizes are those of the best explanation, {best}."] if several else []),
         *_while(content, words),
         *_than_the_explanation(content),
         *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
-        *_hidden(content, words, [id_ for id_, _, row in rows if PARTLY in row], "Partly", SOME_TAKEN_BACK),
-        *_hidden(content, words, [id_ for id_, _, row in rows if HIDDEN in row], "Mostly", TAKEN_BACK),
+        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),
+        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in row for *_, row in rows) else []),
     ]
 
 
-def _own_first(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
-    """How a size of two numbers is read, where no line below says it of an effect that is hidden."""
-    two = [entry for entry in entries if own_part(entry, content, words)]
-    return [OWN_FIRST] if any(not doubt_of(entry, content, words).endswith("hidden") for entry in two) else []
-
-
-def _hidden(content: Verdict, words: Vocabulary, ids: list[str], how_far: str, otherwise: str) -> list[str]:
-    """Of each hidden effect, how much of it no dimension could do; `otherwise` where a file does not say that."""
-    left = content["evidence"].get(f"beyond_dimensions_{words.ending}", {})
-    own = {entry["id"]: entry[f"rms_{words.ending}"]["value"] for entry in content["mechanisms"]}
-    lines = [
-        LOOKS_LIKE.format(how_far, size(own[id_], words.unit), id_, size(left[id_], words.unit), _in_its_place(content))
-        for id_ in ids
-        if id_ in left
+def _in_all(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+    """All of each effect of which the table has a part, and what could do the rest as well; nothing where none is."""
+    parts = [entry for entry in entries if own_part(entry, content, words)]
+    ids = [entry["id"] for entry in parts]
+    whole = [
+        f"{id_ if len(ids) > 1 else 'it'} does {with_interval(entry, words)}"
+        for id_, entry in zip(ids, parts, strict=True)
     ]
-    return [*lines, *([otherwise.format(_missing(content, words))] if len(lines) < len(ids) else [])]
+    return [IN_ALL.format(listing(ids), listing(whole), _in_its_place(content))] if parts else []
 
 
 def _in_its_place(content: Verdict) -> str:
     """The dimensions that calibration alone moves elsewhere than the explanation does, the farthest first."""
-    alone, beside = content["evidence"]["moved_alone_sigma"], content["evidence"]["moved_sigma"]
+    alone, beside = content["evidence"].get("moved_alone_sigma", {}), content["evidence"]["moved_sigma"]
     apart = {name: abs(alone[name] - beside[name]) for name in alone if name in beside}
     names = [name for name in sorted(apart, key=lambda name: -apart[name]) if apart[name] >= ELSEWHERE][:CHIEF]
     return f"a slightly different {listing([name_of(name) for name in names])}" if names else "moved dimensions"

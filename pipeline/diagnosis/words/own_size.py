@@ -6,6 +6,7 @@ from .quantity import size
 from .vocabulary import Vocabulary
 
 POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
+PART = "the part that no dimension could do"
 OWN = 0.8  # of an effect's size: a part that no dimension could do stands first if it is less
 
 
@@ -16,9 +17,29 @@ def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
         return "none"
     if known["high"] <= known["low"]:
         return size(known["value"], words.unit)
-    within, doubt = certainty.span(known["low"], known["high"], words), doubt_of(entry, content, words)
-    whole, own = size(known["value"], words.unit), own_part(entry, content, words)
-    return f"{size(own, words.unit)} (of {whole}: {within}){doubt}" if own else f"{whole} ({within}){doubt}"
+    if own_part(entry, content, words):
+        poorly = POORLY if certainty.wide(known) else ""
+        return f"{own_with_interval(entry, content, words)}, in all {size(known['value'], words.unit)}{poorly}"
+    return f"{with_interval(entry, words)}{doubt_of(entry, content, words)}"
+
+
+def with_interval(entry: Part, words: Vocabulary, factor: float = 1.0) -> str:
+    """All of an effect with its 90 % interval, or a part of it, `factor` of all: 0.25 mm (0.21 to 0.32 mm)."""
+    value, low, high = (factor * entry[f"rms_{words.ending}"][end] for end in ("value", "low", "high"))
+    return f"{size(value, words.unit)} ({certainty.span(low, high, words)})"
+
+
+def own_with_interval(entry: Part, content: Verdict, words: Vocabulary) -> str:
+    """The part of an effect that no dimension could do: as a share of its strength, it is as uncertain as that."""
+    own = own_part(entry, content, words)
+    return with_interval(entry, words, own / entry[f"rms_{words.ending}"]["value"])
+
+
+def reportable(entry: Part, content: Verdict, words: Vocabulary) -> bool:
+    """Whether an effect has a size that can be reported: all of it, or the part that no dimension could do."""
+    doubt = doubt_of(entry, content, words)
+    narrow = not certainty.wide(entry[f"rms_{words.ending}"])
+    return narrow and (not doubt or own_part(entry, content, words) > 0.0)
 
 
 def doubt_of(entry: Part, content: Verdict, words: Vocabulary) -> str:

@@ -1,11 +1,12 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
 from ..content import Verdict
-from . import certainty, chances, effects, holdout, left_out, probability, rivals, slow_look_alikes, unseen
+from . import certainty, chances, effects, holdout, left_out, own_size, probability, rivals, slow_look_alikes, unseen
 from .dimensions import far_moved
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary
 
+TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote stands once
 LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
@@ -53,21 +54,26 @@ def _sure(content: Verdict, words: Vocabulary) -> list[str]:
 
 def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
     """The effects whose own size can be reported; none where dimensions moved far."""
-    not_alone = {*certainty.poorly_known(content, words), *certainty.partly_hidden(content, words)}
-    named = [entry["id"] for entry in content["mechanisms"]]
-    return [] if far_moved(content) else [id_ for id_ in named if id_ not in not_alone]
+    known = [entry["id"] for entry in content["mechanisms"] if own_size.reportable(entry, content, words)]
+    return [] if far_moved(content) else known
 
 
 def _own(content: Verdict, words: Vocabulary) -> list[str]:
-    """That sizes and constants can be reported, where one explanation stands on dimensions that did not move far."""
-    known = own_sizes(content, words)
-    if not known:
+    """The sizes to quote and whose constants, where dimensions did not move far."""
+    entries = [entry for entry in content["mechanisms"] if entry["id"] in own_sizes(content, words)]
+    if not entries:
         return []
-    constants = any(effects.has_constants(entry) for entry in content["mechanisms"] if entry["id"] in known)
-    also = " and its constants" if constants and len(known) == 1 else " and their constants" if constants else ""
+    sizes, constants = [], []
+    for entry in entries:
+        if own_size.own_part(entry, content, words):
+            sizes.append(f"{entry['id']} {own_size.own_with_interval(entry, content, words)}, {own_size.PART}")
+            continue
+        sizes.append(f"{entry['id']} {own_size.with_interval(entry, words)}")
+        constants += [entry["id"]] if effects.has_constants(entry) else []
+    also = f", with the constants of {listing(constants)} in the table above" if constants else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
-    return [f"the size of {listing(known)}{also} as the table above says, with 90 % intervals{provided}"]
+    return [f"{TO_REPORT}: {'; '.join(sizes)} (rms, 90 % interval){also}{provided}"]
 
 
 def _best(content: Verdict) -> list[str]:
@@ -95,7 +101,13 @@ def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
             "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions: "
             "dimensions that moved so far can have taken a part of it."
         ]
-    poorly = list(dict.fromkeys([*certainty.poorly_known(content, words), *certainty.partly_hidden(content, words)]))
-    if not poorly:
-        return [FITTED] if content["mechanisms"] else []
-    return [f"Do not report how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone. {FITTED}"]
+    doubtful = [entry for entry in content["mechanisms"] if own_size.doubt_of(entry, content, words)]
+    no_size = [entry["id"] for entry in doubtful if not own_size.reportable(entry, content, words)]
+    in_all = [entry["id"] for entry in doubtful if own_size.reportable(entry, content, words)]
+    sentences = [f"Do not report how much {listing(no_size)} {_does(no_size)} alone."] if no_size else []
+    sentences += [f"Do not report what {listing(in_all)} {_does(in_all)} in all."] if in_all else []
+    return [" ".join([*sentences, FITTED])] if content["mechanisms"] else []
+
+
+def _does(ids: list[str]) -> str:
+    return "do" if len(ids) > 1 else "does"

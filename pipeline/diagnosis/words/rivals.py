@@ -137,6 +137,6 @@ def hidden(content: Verdict, words: Vocabulary) -> dict[str, str]:
         unsure = "Its size is poorly known: it" if own > LARGER * whole else "It"
         lines[entry["id"]] = (
             f"{unsure} moves the reading by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is "
-            f"missing. The rest hides in dimensions that calibration moved (see {DIMENSIONS}){others}."
+            f"missing. Much of it hides in dimensions that calibration moved (see {DIMENSIONS}){others}."
         )
     return lines
