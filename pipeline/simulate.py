@@ -28,6 +28,7 @@ from .diagnosis.words.prediction import (
     in_one_number,
     no_band,
     of_band,
+    of_half_speed,
     of_rivals,
     of_state,
     stretches,
@@ -98,7 +99,8 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
     if plan.outside and plan.outside.asks:
         when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
         asks = f"it asks for {'; '.join(plan.outside.asks)}. Nothing says how well the simulator does there, {when}. "
-        asks += "Mend: record a stroke that does so, diagnose both recordings together, and predict with that"
+        asks += f"Mend: {listing(plan.outside.mends)}, or record a stroke that does as the plan, diagnose both "
+        asks += "recordings together, and predict with that"
         print(f"warning: {arguments.motion}: {asks}", file=sys.stderr)
     columns = {OUTSIDE: (~inside).astype(float)} if plan.outside else {}
     columns[f"without_effects_{ending}"] = plan.without_effects
@@ -116,6 +118,8 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
         gaps = [curve - predicted for curve in rivals.values()]
         words = in_one_number(width, inside, gaps, len(plan.tied), channel, unit)
         words += [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, inside, channel, unit)]
+        slow = plan.outside.too_slow_below if plan.outside else 0.0
+        words += of_half_speed(diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
     gap = plan.changed_by_recording(expected)
     return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit, after_recording(arguments))])]
 

@@ -6,23 +6,29 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
+from ..ground.units import unit_of
 from .course import Course, Mask, Recorded, stretches
 from .description import Run
+from .limits import LONGER, ROOM, SHORT_S, from_on, least_speed, longest_stand_s, most_speed, up_to
 
-SHORT_S = 1.0  # not worth a word
-LONGER = 2.0  # times the longest hold that was recorded: what is slow goes on in a longer one
-ROOM = 0.05  # of what was recorded: a motion that leaves it by less stays inside
-SLOWER = 0.5  # of the slowest stroke's speed: what lasts goes on in a slower one
-OTHER = 1.25  # times as slow or as fast as any stroke: another speed, where it matters or nobody knows whether it does
+SOME = f"{100.0 * ROOM:.0f} %"  # the room, as a person reads it
 NEAR = 0.1  # of the recorded range: so near it was recorded
+
+
+Part = tuple[Mask, str, str]  # rows of a plan that are outside, of shape (samples,); what it asks for there; the mend
 
 
 @dataclass(frozen=True)
 class Outside:
-    """Which rows of a plan are outside, of shape (samples,), and what the plan asks for there, in words."""
+    """Which rows of a plan are outside, of shape (samples,); what it asks for there, and what would be inside.
+
+    `too_slow_below`: the speed below which its slow rows are outside, in the driver's unit per second; 0 without such.
+    """
 
     rows: Mask
     asks: list[str]
+    mends: list[str]
+    too_slow_below: float = 0.0
 
 
 def outside(
@@ -38,15 +44,19 @@ def outside(
     kept = [name for name in kept if all(name in table for table in recorded.samples)]
     parts = [_beyond_range(name, samples, recorded) for name in kept]
     planned = Course.of(samples, driver)
-    parts += [_faster(planned, recorded)]
+    parts += [_faster(planned, recorded, paced)]
     parts += [_longer(planned, recorded, name, wound) for name, wound in (("hold", True), ("rest", False))]
-    parts += [_slower(planned, recorded, paced), _quicker(planned, recorded, paced)]
+    slower = _slower(planned, recorded, paced)
+    parts += [slower, _quicker(planned, recorded, paced)]
     parts += [_turned(planned, recorded)] if turns_count else []
-    rows = np.logical_or.reduce([rows for rows, _ in parts])
-    return Outside(rows, [asks for _, asks in parts if asks])
+    rows = np.logical_or.reduce([rows for rows, _, _ in parts])
+    mends = dict.fromkeys(mend for _, asks, mend in parts if asks)
+    return Outside(
+        rows, [asks for _, asks, _ in parts if asks], list(mends), _least(recorded, paced) if slower[1] else 0.0
+    )
 
 
-def _beyond_range(name: str, samples: pd.DataFrame, recorded: Recorded) -> tuple[Mask, str]:
+def _beyond_range(name: str, samples: pd.DataFrame, recorded: Recorded) -> Part:
     """Rows in which a channel is lower or higher than recorded."""
     planned = samples[name].to_numpy()
     least = min(float(table[name].min()) for table in recorded.samples)
@@ -55,61 +65,87 @@ def _beyond_range(name: str, samples: pd.DataFrame, recorded: Recorded) -> tuple
     rows = (planned < least - room) | (planned > most + room)
     low, high = float(planned.min()), float(planned.max())
     asks = f"{name} of {low:.4g} to {high:.4g} ({least:.4g} to {most:.4g} were recorded)"
-    return rows, asks if rows.any() else ""
+    return rows, asks if rows.any() else "", f"keep {name} within {least:.4g} to {most:.4g}"
 
 
-def _faster(planned: Course, recorded: Recorded) -> tuple[Mask, str]:
+def _faster(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
     """Rows that move faster than anything that was recorded."""
-    rows = planned.speed > (1.0 + ROOM) * recorded.fastest
-    asks = f"{recorded.driver} that change by {planned.fastest:.3g} a second"
-    return rows, f"{asks} (at most {recorded.fastest:.3g} were recorded)" if rows.any() else ""
+    limit = (1.0 + ROOM) * recorded.fastest
+    rows = planned.speed > limit
+    why = f"the fastest that was recorded, {recorded.fastest:.3g}, and {SOME}"
+    asks = f"{recorded.driver} that change by {planned.fastest:.3g} a second (inside up to {up_to(limit)}: {why})"
+    return rows, asks if rows.any() else "", _move_slower(recorded, paced)
 
 
-def _longer(planned: Course, recorded: Recorded, name: str, wound: bool) -> tuple[Mask, str]:
+def _longer(planned: Course, recorded: Recorded, name: str, wound: bool) -> Part:
     """Rows of a stand, wound or unwound, that come after `LONGER` times the longest that was recorded."""
     stood_s = recorded.longest_s(name)
+    limit_s = longest_stand_s(stood_s)
     lasted_s = planned.lasted_s(~planned.moves(recorded.fastest) & (planned.high == wound))
-    rows = lasted_s > max(LONGER * stood_s, SHORT_S)
-    asks = f"a {name} of {lasted_s.max():.3g} s (at most {stood_s:.3g} s were recorded)"
-    return rows, asks if rows.any() else ""
+    rows = lasted_s > limit_s
+    why = f"twice the longest that was recorded, {stood_s:.3g} s, and {SOME}"
+    asks = f"a {name} of {lasted_s.max():.3g} s (inside for its first {up_to(limit_s)} s: {why})"
+    return rows, asks if rows.any() else "", f"end each {name} after {up_to(limit_s)} s"
 
 
-def _slower(planned: Course, recorded: Recorded, paced: Sequence[str]) -> tuple[Mask, str]:
+def _slower(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
     """Rows that go on for longer than recorded at clearly less than the slowest recorded stroke's speed."""
-    slowest = min(recorded.speeds)
-    most = slowest * (1.0 / OTHER if paced or recorded.one_speed else SLOWER)
+    slowest, least = min(recorded.speeds), _least(recorded, paced)
     rows = _going_on(
-        planned, recorded, [course.moves(recorded.fastest) & (course.speed < most) for course in recorded.courses],
-        planned.moves(recorded.fastest) & (planned.speed < most),
+        planned, recorded, [course.moves(recorded.fastest) & (course.speed < least) for course in recorded.courses],
+        planned.moves(recorded.fastest) & (planned.speed < least),
     )  # fmt: skip
-    speed = float(np.median(planned.speed[rows])) if rows.any() else 0.0
-    asks = f"{recorded.driver} that change by only {speed:.3g} a second"
-    return rows, f"{asks} ({_known(f'at least {slowest:.3g} were', recorded, paced)})" if rows.any() else ""
+    speed, unit = float(np.median(planned.speed[rows])) if rows.any() else 0.0, unit_of(recorded.driver)
+    share = "four fifths" if _other(recorded, paced) else "half"
+    why = f"{share} of {_recorded_speed('slowest', slowest, recorded)} less {SOME}{_since(recorded, paced)}"
+    asks = f"{recorded.driver} that change by only {speed:.3g} a second (inside from {from_on(least)} on: {why})"
+    return rows, asks if rows.any() else "", f"move at {from_on(least)} {unit}/s or faster"
 
 
-def _quicker(planned: Course, recorded: Recorded, paced: Sequence[str]) -> tuple[Mask, str]:
+def _quicker(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
     """Rows that go on for longer than recorded at clearly more than the fastest stroke's speed, where that matters.
 
     Moments of the recording may have been as fast.
     """
-    least = OTHER * max(recorded.speeds)
-    if not (paced or recorded.one_speed):
-        return np.zeros(len(planned.way), bool), ""
-    fast = planned.speed > least
-    rows = _going_on(planned, recorded, [course.speed > least for course in recorded.courses], fast)
+    limit = most_speed(max(recorded.speeds), np.inf, True)
+    if not _other(recorded, paced):
+        return np.zeros(len(planned.way), bool), "", ""
+    fast = planned.speed > limit
+    rows = _going_on(planned, recorded, [course.speed > limit for course in recorded.courses], fast)
     rows &= planned.speed <= (1.0 + ROOM) * recorded.fastest  # what is faster is named already
     speed = float(np.median(planned.speed[rows])) if rows.any() else 0.0
-    asks = f"strokes whose {recorded.driver} change by {speed:.3g} a second"
-    known = _known(f"at most {max(recorded.speeds):.3g} over a stroke were", recorded, paced)
-    return rows, f"{asks} ({known})" if rows.any() else ""
+    fastest = _recorded_speed("fastest", max(recorded.speeds), recorded)
+    why = f"five quarters of {fastest} and {SOME}{_since(recorded, paced)}"
+    asks = f"strokes whose {recorded.driver} change by {speed:.3g} a second (inside up to {up_to(limit)}: {why})"
+    return rows, asks if rows.any() else "", _move_slower(recorded, paced)
 
 
-def _known(ends: str, recorded: Recorded, paced: Sequence[str]) -> str:
-    """What is known of other speeds, in words."""
-    known = f"one speed was recorded, {np.median(recorded.speeds):.3g}" if recorded.one_speed else f"{ends} recorded"
+def _other(recorded: Recorded, paced: Sequence[str]) -> bool:
+    """Whether a speed counts as another one sooner: it matters, or nobody knows whether it does."""
+    return bool(paced) or recorded.one_speed
+
+
+def _least(recorded: Recorded, paced: Sequence[str]) -> float:
+    """The speed from which on a plan is inside, in the driver's unit per second."""
+    return least_speed(min(recorded.speeds), _other(recorded, paced))
+
+
+def _move_slower(recorded: Recorded, paced: Sequence[str]) -> str:
+    """The mend of what is too fast, by each rule."""
+    limit = most_speed(max(recorded.speeds), recorded.fastest, _other(recorded, paced))
+    return f"move at {up_to(limit)} {unit_of(recorded.driver)}/s or slower"
+
+
+def _recorded_speed(which: str, speed: float, recorded: Recorded) -> str:
+    """What a limit of speed is a share of, in words."""
+    return f"the {'one speed' if recorded.one_speed else f'{which} stroke'} that was recorded, {speed:.3g},"
+
+
+def _since(recorded: Recorded, paced: Sequence[str]) -> str:
+    """Why a speed counts as another one so soon, in words; nothing where it does not."""
     if paced:
-        return f"{known}, and {' and '.join(paced)} {'follow' if len(paced) > 1 else 'follows'} speed or time"
-    return f"{known}, and nothing in it says what another does" if recorded.one_speed else known
+        return f", since {' and '.join(paced)} {'follow' if len(paced) > 1 else 'follows'} speed or time"
+    return ", since nothing in it says what another does" if recorded.one_speed else ""
 
 
 def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows: Mask) -> Mask:
@@ -122,7 +158,7 @@ def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows:
     return going_on
 
 
-def _turned(planned: Course, recorded: Recorded) -> tuple[Mask, str]:
+def _turned(planned: Course, recorded: Recorded) -> Part:
     """Rows from a reversal inside the recorded range, near which none was recorded, to the next one."""
     rows, places = np.zeros(len(planned.way), bool), []
     low, high = recorded.ends
@@ -135,4 +171,4 @@ def _turned(planned: Course, recorded: Recorded) -> tuple[Mask, str]:
             places.append(float(value))
     many = f"{len(places)} reversals inside the range, the first" if len(places) > 1 else "a reversal inside the range,"
     asks = f"{many} at {recorded.driver} of {places[0]:.4g} (none was recorded near there)" if places else ""
-    return rows, asks
+    return rows, asks, "turn where the recorded motion turned"

@@ -68,4 +68,4 @@ def test_a_planned_motion_is_told_the_same_pauses_as_the_verdict_says():
     plan = pd.DataFrame({"time_s": np.arange(0.0, 40.0, 0.02), "motor_turns": 20.0, "displacement_mm": 0.0})
     plan.loc[:100, "motor_turns"] = np.linspace(12.0, 20.0, 101)
     (asks,) = outside(RUN, plan, recorded).asks
-    assert f"(at most {pauses([one])['longest_hold_s']:.3g} s were recorded)" in asks
+    assert f"twice the longest that was recorded, {pauses([one])['longest_hold_s']:.3g} s, and 5 %)" in asks

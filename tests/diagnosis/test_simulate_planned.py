@@ -1,6 +1,7 @@
 """A motion that nobody has recorded is simulated: the run's own gives what its recording gives, one stroke will do."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +11,13 @@ import pytest
 import yaml
 from made_recording import recording
 
+from pipeline.diagnosis.legs import Rig
 from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.own_rate import at_own_rate
+from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.words.prediction import of_half_speed
 from pipeline.run.course import Recorded
+from pipeline.run.description import Run
 from pipeline.run.outside import outside
 from pipeline.run.samples import read_samples, read_strokes
 
@@ -55,14 +61,14 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
     most = samples["motor_turns"].max()
     far = simulated(folder, diagnosis, tmp_path / "far.csv", "--motion", plan).stderr
     assert f"to {1.5 * most:.4g} (" in far and "Nothing says how well the simulator does there" in far
-    assert "load_n of 40 to 40" in far and "a second (at most" in far and "a hold" not in far
+    assert "load_n of 40 to 40" in far and "a second (inside up to " in far and "a hold" not in far
     assert (pd.read_csv(tmp_path / "far.csv")["outside"] == 1).all(), "the load is too high everywhere"
     top = samples["motor_turns"].max()
     pd.DataFrame({"time_s": [0, 20, 140, 160], "motor_turns": [0, 0.9 * top, 0.9 * top, 0], "load_n": 15.0}).to_csv(
         plan, index=False
     )
     held = simulated(folder, diagnosis, tmp_path / "held.csv", "--motion", plan).stderr
-    assert "it asks for a hold of 120 s (at most" in held
+    assert "it asks for a hold of 120 s (inside for its first " in held and "Mend: end each hold after " in held
     answer = pd.read_csv(tmp_path / "held.csv")
     assert set(answer["time_s"][answer["outside"] == 1].between(22.0, 140.2)) == {True}, "the hold's end alone"
     assert (answer["outside"] == 1).sum() > 2000
@@ -195,9 +201,11 @@ def test_slower_than_recorded_and_reversals_inside_are_outside(make_run, tmp_pat
 
     said, answer = asked({"time_s": [0.0, slow_s, 1.2 * slow_s], "motor_turns": [0.0, top, 0.0]}, LOOP)
     assert (
-        "motor_turns that change by only" in said and "(one speed was recorded, " in said and "a reversal" not in said
+        "motor_turns that change by only" in said
+        and "the one speed that was recorded, " in said
+        and "a reversal" not in said
     )
-    assert "nothing in it says what another does)" in said
+    assert "since nothing in it says what another does)" in said
     rows = answer["outside"] == 1
     assert rows[answer["time_s"] < 0.95 * slow_s].all() and not rows[answer["time_s"] > 1.05 * slow_s].any()
 
@@ -231,14 +239,72 @@ def test_another_speed_is_outside_where_it_matters_or_nobody_knows_whether_it_do
 
     assert not asked("one", 1.0, SLOWED) and not asked("one", 0.85, SLOWED), "the recorded speed, nearly"
     for share in (0.5, 0.7):
-        assert "and viscous_loss follows speed or time)" in asked("one", share, SLOWED)
+        assert "since viscous_loss follows speed or time)" in asked("one", share, SLOWED)
         assert "nothing in it says what another does)" in asked("one", share, BACKLASH)
         said = asked("two", share, SLOWED)
-        assert "(at least " in said and "were recorded, and viscous_loss follows speed or time)" in said
+        assert "four fifths of the slowest stroke that was recorded, " in said
+        assert ", less 5 %, since viscous_loss follows speed or time)" in said
     assert not asked("two", 0.7, BACKLASH), "two speeds were seen, and the effect follows none"
     open_one = asked("two", 0.7, BACKLASH, alternatives=[["creep", "sensor_lag"]])
-    assert "and creep and sensor_lag follow speed or time)" in open_one
+    assert "since creep and sensor_lag follow speed or time)" in open_one
     assert not asked("two", 1.5, SLOWED), "between two speeds that were recorded"
+
+
+def two_speeds(make_run) -> tuple[Run, Recorded, float]:
+    """A run of two triangles at one speed and two at twice that, what it holds, and the slower speed."""
+    table = recording(4).assign(load_n=20.0)
+    late = table["time_s"] > table["time_s"].median()
+    table["time_s"] = table["time_s"].where(~late, 0.5 * (table["time_s"] + table["time_s"].median()))
+    run, samples, strokes = read_strokes(make_run("two-speeds", table))
+    recorded = Recorded([samples], [strokes], "motor_turns")
+    return run, recorded, min(recorded.speeds)
+
+
+def triangle(top: float, speed: float, hold_s: float = 0.0) -> pd.DataFrame:
+    """A stroke of 0 to `top` and back, at one speed, with a hold."""
+    corners_s = np.cumsum([0.0, top / speed, max(hold_s, 0.02), top / speed])
+    time_s = np.arange(0.0, corners_s[-1], 0.02)
+    turns = np.interp(time_s, corners_s, [0.0, top, top, 0.0])
+    return pd.DataFrame({"time_s": time_s, "motor_turns": turns, "load_n": 20.0})
+
+
+@pytest.mark.parametrize(("paced", "share"), [((), 0.5), (("creep",), 0.8)])
+def test_a_speed_at_a_limit_is_inside_however_it_was_rounded_and_so_is_the_limit_that_is_said(make_run, paced, share):
+    run, recorded, slowest = two_speeds(make_run)
+    top = 0.95 * recorded.ends[1]
+    for speed in (share * slowest, 0.97 * share * slowest):
+        assert not outside(run, triangle(top, speed), recorded, paced=paced).asks
+    answer = outside(run, triangle(top, 0.93 * share * slowest), recorded, paced=paced)
+    assert answer.rows.mean() > 0.9 and "less 5 %" in answer.asks[0]
+    (mend,) = answer.mends
+    said = float(re.fullmatch("move at (.*) turns/s or faster", mend)[1])
+    assert f"(inside from {said:g} on: " in answer.asks[0] and said == pytest.approx(0.95 * share * slowest, rel=0.01)
+    assert not outside(run, triangle(top, said), recorded, paced=paced).asks, "what is said to be inside is"
+
+
+@pytest.mark.parametrize("paced", [(), ("creep",)])
+def test_a_plan_that_does_what_each_mend_says_is_inside(make_run, paced):
+    run, recorded, _ = two_speeds(make_run)
+    top, fast = 0.95 * recorded.ends[1], 3.0 * max(recorded.speeds)
+    quick = outside(run, triangle(top, fast, hold_s=30.0), recorded, paced=paced)
+    slower, shorter = (re.search(r"(?:at|after) ([0-9.]+) ", mend)[1] for mend in quick.mends)
+    assert not outside(run, triangle(top, float(slower), float(shorter)), recorded, paced=paced).asks
+
+
+def test_half_the_speed_that_a_verdict_foretells_a_loop_at_is_inside(make_run):
+    run, recorded, _ = two_speeds(make_run)
+    (samples,) = recorded.samples
+    half = 0.5 * Rig(at_own_rate([RecordedRun(run, samples)], thin=True, to_fit=False).record).speed
+    assert not outside(run, triangle(0.95 * recorded.ends[1], half), recorded).asks
+
+
+def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_said():
+    first = {"ids": ["creep"], "loop_half_speed_mm": 0.09, "plus_minus": {"loop_half_speed_mm": 0.02}}
+    content = {"evidence": {"expected": {"speed_per_s": 1.382, "explanations": [first]}}}
+    (said,) = of_half_speed(content, 1.05, "mm", "turns", "mm")
+    assert "foretells a loop of 0.09 ± 0.02 mm at half the speed, 0.691 turns/s, if the explanation is right" in said
+    assert not of_half_speed(content, 0.656, "mm", "turns", "mm"), "half the speed is inside"
+    assert not of_half_speed({"evidence": {}}, 1.05, "mm", "turns", "mm"), "an older file"
 
 
 def test_what_another_recording_of_the_same_diagnosis_holds_is_inside(make_run, tmp_path):
@@ -274,10 +340,11 @@ def test_a_motion_as_fast_as_a_moment_of_the_recording_alone_is_outside(make_run
     table["displacement_mm"] = 0.02 * table["motor_turns"] ** 2
     run, samples, strokes = read_strokes(make_run("sines", table))
     recorded = Recorded([samples], [strokes], "motor_turns")
-    turns = 0.5 + 19.0 * np.abs((0.16 * time_s + 1.0) % 2.0 - 1.0)
+    turns = 0.5 + 19.0 * np.abs((0.1645 * time_s + 1.0) % 2.0 - 1.0)
     plan = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "load_n": 20.0})
     answer = outside(run, plan, recorded)
-    assert "strokes whose motor_turns change by 3.04 a second (one speed was recorded, " in answer.asks[0]
+    assert "strokes whose motor_turns change by 3.13 a second (inside up to " in answer.asks[0]
+    assert ": five quarters of the one speed that was recorded, " in answer.asks[0]
     assert answer.rows.mean() > 0.9 and not outside(run, table, recorded).asks
 
 

@@ -5,9 +5,10 @@ import numpy as np
 from ...ground.command import command
 from ...ground.kinematics import Array
 from ...run.course import Mask
+from ..content import Part, Verdict
 from ..outcome import rms
 from ..prediction_band import Foretold
-from .quantity import listing, percent, size, times
+from .quantity import listing, number, percent, plus_minus, size, times
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
 STRETCHES = 3  # of time, that are said; the others are counted
@@ -87,6 +88,26 @@ def of_state(gap: Array, expected: float | None, unit: str, again: str) -> str:
 def one_sided(gap: Array) -> bool:
     """Whether a difference is mostly of one sign. Of shape (samples,), in any unit."""
     return bool(abs(float(np.mean(gap))) > MOSTLY * rms(gap))
+
+
+def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_unit: str, unit: str) -> list[str]:
+    """What the verdict foretells at half the speed, where a plan so slow is outside: its table and this must agree.
+
+    `too_slow_below`: the speed below which a plan's rows are outside, in `motion_unit` per second, 0 without such. The
+    reading's channel has the `ending`; `unit` is the reading's.
+    """
+    expected = content.get("evidence", {}).get("expected") or {}
+    first: Part = next(iter(expected.get("explanations", [])), {})
+    half = 0.5 * expected.get("speed_per_s", 0.0)
+    key = f"loop_half_speed_{ending}"
+    if key not in first or not 0.0 < half < too_slow_below:
+        return []
+    spread = first.get("plus_minus", {}).get(key)
+    loop = size(first[key], unit) if spread is None else plus_minus(first[key], spread, unit)
+    return [
+        f"the verdict foretells a loop of {loop} at half the speed, {number(half, 3)} {motion_unit}/s, if the "
+        "explanation is right. Nothing that was recorded says whether it is right at that speed: hence no band there"
+    ]
 
 
 def no_band(source: str, run_dir: str, of_run_yaml: bool) -> str:
