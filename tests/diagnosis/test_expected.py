@@ -219,10 +219,10 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
     assert len(inside) == 5 and "way to it: " not in inside[-1]
 
 
-def test_the_page_says_what_was_recorded_and_which_string_a_plan_is_of():
+def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
     text = " ".join(page(content(evidence__covered=COVERED)).split())
-    recorded = "0 to 30.7 turns, 1.9 to 2.1 turns/s, 19.9 to 20.1 N, holds of up to 3 s, rests of up to 60 s"
-    assert f"like those recorded ({recorded}):" in text
+    known = "0 to 30.7 turns, 1.52 to 2.1 turns/s, 19.9 to 20.1 N, holds of up to 6 s, rests of up to 2 min"
+    assert f"like those recorded. A plan has an error band within {known} and reversals near recorded ones:" in text
     assert "creep stays in the string; without --after-recording a plan is of the string as it was before." in text
     assert "--motion PLAN.csv --after-recording --out FILE.csv" in text, "the command can be pasted as it stands"
     passing = page(content(mechanisms=content()["mechanisms"][:1]))

@@ -9,13 +9,17 @@ import pandas as pd
 import programs
 import pytest
 import yaml
+from made_content import SYSTEMS, content
 from made_recording import recording
 
+from pipeline.diagnosis.covered import covered, pauses
 from pipeline.diagnosis.legs import Rig
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.own_rate import at_own_rate
 from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.words.answered import within
 from pipeline.diagnosis.words.prediction import of_half_speed
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 from pipeline.run.course import Recorded
 from pipeline.run.description import Run
 from pipeline.run.outside import outside
@@ -296,6 +300,23 @@ def test_half_the_speed_that_a_verdict_foretells_a_loop_at_is_inside(make_run):
     (samples,) = recorded.samples
     half = 0.5 * Rig(at_own_rate([RecordedRun(run, samples)], thin=True, to_fit=False).record).speed
     assert not outside(run, triangle(0.95 * recorded.ends[1], half), recorded).asks
+
+
+@pytest.mark.parametrize("id_", ["friction_hysteresis", "creep"])
+def test_a_plan_at_the_ends_of_the_range_that_the_page_says_has_a_band_everywhere(make_run, id_):
+    run, recorded, _ = two_speeds(make_run)
+    one = RecordedRun(run, recorded.samples[0], recorded.strokes[0])
+    known = covered(at_own_rate([one], thin=True, to_fit=False).record) | pauses([one])
+    evidence = {"covered": known, "motor_turns": [float(end) for end in recorded.ends]}
+    made = content(mechanisms=[entry for entry in content()["mechanisms"] if entry["id"] == id_], alternatives=[])
+    said = within(made | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
+    slow, fast, holds_s = map(
+        float, re.search(r", ([0-9.]+) to ([0-9.]+) turns/s, .*holds of up to (.*?) s", said).groups()
+    )
+    paced = [id_] if id_ == "creep" else []
+    assert slow == pytest.approx((0.8 if paced else 0.5) * min(recorded.speeds), rel=0.03)
+    for speed in (slow, fast):
+        assert not outside(run, triangle(recorded.ends[1], speed, holds_s), recorded, True, paced).asks
 
 
 def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_said():

@@ -4,7 +4,7 @@ import copy
 from pathlib import Path
 
 import pytest
-from made_content import SYSTEMS, confident, content, page, parameter, spoken, told, weighed
+from made_content import SYSTEMS, confident, content, page, spoken, told, weighed
 
 from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.sections import WIDE, wrapped

@@ -5,12 +5,24 @@ from pathlib import Path
 
 from ...ground.command import command
 from ..content import NextRun, Verdict
-from . import advice, deciding_run, experiment, holdout, make_sure, parting, report, signs, to_measure, unseen, worth
+from . import (
+    advice,
+    answered,
+    deciding_run,
+    experiment,
+    holdout,
+    make_sure,
+    parting,
+    report,
+    signs,
+    to_measure,
+    unseen,
+    worth,
+)
 from .adoption import dimensions_came, of_staying, predictions
 from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
 from .make_sure import DETAILS, RUN
-from .places import recorded
 from .quantity import listing, quantity
 from .technician import lasting
 from .vocabulary import Vocabulary
@@ -108,7 +120,9 @@ def _use(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | N
     """The command that predicts with what was found."""
     if out is None or not content.get("simulation", [True]):
         return []
-    head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded{recorded(content, words)}:"
+    where = answered.within(content, words)
+    head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded"
+    head += f". A plan has an error band within {where}:" if where else ":"
     ids = [entry["id"] for entry in content["mechanisms"]]
     return [[head, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders, ids)), *of_staying(ids)]]
 

@@ -1,0 +1,34 @@
+"""The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
+
+from ...run.course import ALIKE
+from ...run.limits import LONGER, SHORT_S, share_of_slowest
+from ..content import Verdict
+from ..library import mechanisms
+from .quantity import duration, ends, listing, span
+from .vocabulary import Vocabulary
+
+
+def within(content: Verdict, words: Vocabulary) -> str:
+    """Motion, speeds, loads and stands within which a plan has a band; nothing where an older file lacks them.
+
+    These are the limits of the warning that a plan gets which leaves them, without its room: what is rounded here is
+    inside there.
+    """
+    known = content["evidence"].get("covered")
+    if known is None:
+        return ""
+    (low, high), (slow, fast) = content["evidence"][words.driver], known["speed_per_s"]
+    acting = [entry["id"] for entry in content["mechanisms"]]
+    likely = {*acting, *(id_ for ids in content["alternatives"] for id_ in ids)}
+    library = mechanisms()
+    other = fast < ALIKE * slow or any(library[id_].paced for id_ in likely if id_ in library)
+    speeds = ends(share_of_slowest(other) * slow, fast, f"{words.motion_unit}/s")
+    parts = [span(low, high, words.motion_unit, high - low), speeds]
+    if words.load is not None and known["load"][1] > 0.0:
+        least, most = known["load"]
+        parts.append(ends(least, most, words.load_unit))
+    stands_s = {name: max(LONGER * known[f"longest_{name}_s"], SHORT_S) for name in ("hold", "rest")}
+    parts += [f"{name}s of up to {duration(longest_s)}" for name, longest_s in stands_s.items()]
+    if any(library[id_].remembers_turns for id_ in acting if id_ in library):
+        parts.append("reversals near recorded ones")
+    return listing(parts)
