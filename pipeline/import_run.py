@@ -24,6 +24,7 @@ from .ground.files import sha256, write_text
 from .ground.folders import whole_folder
 from .ground.names import checked, own_material, run_name
 from .ground.strict_yaml import read_yaml, write_yaml
+from .run.columns_read import read_as
 from .run.description import parse_run
 from .run.named_units import in_its_unit
 from .run.next_command import following
@@ -99,7 +100,7 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
     sentence = f"{folder}: {len(samples)} samples" + (f"; mended {rules}" if rules else "")
-    sentence = "\n".join(filter(None, (sentence, read_back(run))))
+    sentence = "\n".join(filter(None, (sentence, read_as(run, samples, file), read_back(run))))
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
 
@@ -190,9 +191,8 @@ def main() -> int:
         parser.error(f"{OPTION} goes with a folder")
     if arguments.file.is_dir():
         return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files)
-    folder_text = import_run(arguments.file, arguments.map, arguments.run, raw)
-    print(folder_text)
-    print(following(Path(folder_text.partition(": ")[0]), recorded=True))
+    print(sentences := import_run(arguments.file, arguments.map, arguments.run, raw))
+    print(following(Path(sentences.partition(": ")[0]), recorded=True))
     return 0
 
 

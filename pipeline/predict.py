@@ -75,11 +75,15 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
 
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
-    """What was asked beside its answer: value, low and high in the answer's unit, and whether it lies inside."""
+    """What was asked beside its answer: value, low and high in the answer's unit, and whether it lies inside.
+
+    Of the other columns, such as the load, those in which the questions differ stand there too.
+    """
     interval = getattr(intervals, MAPS[known])(points, level)
     wanted = GIVEN[known]
     renamed = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
-    return pd.concat([points[[known, *ASKED]], renamed], axis=1)
+    others = [name for name in points if name not in (known, wanted, *ASKED) and points[name].nunique() > 1]
+    return pd.concat([points[[known, *ASKED, *others]], renamed], axis=1)
 
 
 @program
@@ -88,7 +92,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog=command("predict"), description=__doc__)
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
     parser.add_argument(
-        "questions", type=Path, help="csv: motor_turns or displacement_mm; stroke; direction, 1 winding or -1 unwinding"
+        "questions",
+        type=Path,
+        help="csv: motor_turns or displacement_mm; stroke; direction, 1 winding or -1 unwinding; and what differs "
+        "among the recordings, such as load_n",
     )
     parser.add_argument(
         "--model",

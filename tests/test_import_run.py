@@ -46,6 +46,34 @@ def test_import_makes_a_run_folder_that_reads_like_any_other(foreign):
     assert run.mended == {}
 
 
+def test_it_says_which_column_it_read_as_what_over_which_range(foreign):
+    lines = import_run(foreign[0], foreign[1], "a-01", foreign[2]).splitlines()
+    assert lines[0] == f"{foreign[2] / 'a-01'}: {len(GOOD)} samples"
+    assert "motor_turns 0 to 27 (from 1 in deg)" in lines[1] and "time_s 0 to " in lines[1]
+
+
+def test_a_displacement_the_wrong_way_is_mended_by_the_other_sign_of_its_own_scale(foreign):
+    file, mapping, raw = foreign
+    content_before = yaml.safe_load(mapping.read_text())
+    for by, mend in ((-1, "set its scale to 1, not -1"), (-2.5, "set its scale to 2.5, not -2.5")):
+        content_before["channels"]["displacement_mm"]["scale"] = by
+        mapping.write_text(yaml.safe_dump(content_before))
+        with pytest.raises(BadInput, match=mend):
+            import_run(file, mapping, "a-01", raw)
+
+
+@pytest.mark.parametrize(("unit", "asks"), [("K", True), ("degC", False)])
+def test_a_temperature_that_no_room_has_is_questioned(foreign, capsys, unit, asks):
+    file, mapping, raw = foreign
+    table = pd.read_csv(file, sep=";", header=None, comment="%").assign(warm=21.5)
+    file.write_text(table.to_csv(index=False, header=False, sep=";"))
+    changed = yaml.safe_load(mapping.read_text())
+    changed["channels"]["temperature_c"] = {"column": 3, "unit": unit}
+    mapping.write_text(yaml.safe_dump(changed))
+    import_run(file, mapping, "a-01", raw)
+    assert ("temperature_c: is -251.6 to -251.6 °C, which no room has" in capsys.readouterr().err) == asks
+
+
 def test_the_rows_of_a_file_without_a_clock_are_as_far_apart_as_the_mapping_says(foreign):
     file, mapping, raw = foreign
     told = yaml.safe_load(mapping.read_text())

@@ -115,6 +115,19 @@ def test_what_varies_must_be_told(dataset: Path) -> None:
         read_questions(questions, varied)
 
 
+def test_answers_say_of_which_load_they_are(dataset: Path) -> None:
+    varied = pd.read_parquet(dataset)
+    varied.loc[varied["stroke"] % 2 == 0, "load_n"] = 30.0
+    path = dataset.with_name("varied.parquet")
+    schemas.write(varied, schemas.DATASET, path)
+    text = "stroke,direction,motor_turns,load_n\n1,1,9,20\n1,1,9,30\n"
+    done = ask(path, text, "--model", "polynomial")
+    assert done.returncode == 0, done.stderr
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table.columns[:4].tolist() == ["motor_turns", "stroke", "direction", "load_n"]
+    assert table["load_n"].tolist() == [20, 30]
+
+
 def test_help_says_what_directions_are_and_that_the_model_is_fitted_anew(dataset: Path) -> None:
     said = " ".join(ask(dataset, "", "--help").stdout.split())
     assert "direction, 1 winding or -1 unwinding" in said and "fitted anew, no saved one is read" in said

@@ -20,8 +20,8 @@ UNFORESEEN = (
     "string is given the same three chances, so this string's own may be larger."
 )
 SYNTHETIC = (
-    "The synthetic rig takes a new string for each recording: let it do more strokes in one, by `--strokes 24` of "
-    f"{command('rig')}."
+    "If these are of the synthetic rig: it takes a new string for each recording unless `--standing` is given. Let it "
+    f"do more strokes in one, by `--strokes 24` of {command('rig')}."
 )
 LAST = 3  # strokes that tell how far a limit is
 

@@ -23,6 +23,7 @@ UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of 
 POINTS = 2000
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m")
 INCH_MM = 25.4
+ROOM_C = (-60.0, 150.0)  # a temperature beyond is a mistake: of its unit, or of its sensor
 MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
 
 
@@ -162,14 +163,18 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
     if curve.span_mm == 0:
         raise BadInput(path, "displacement_mm", "never changes while the motor turns", "check the sensor and its cable")
     if samples.correlation("motor_turns", "displacement_mm") < -0.5:
-        mend = "contraction is positive: set its scale to -1"
+        scale = run.channels.get("displacement_mm", Channel.model_validate({})).scale
+        mend = f"contraction is positive: set its scale to {-scale:g}" + (f", not {scale:g}" if scale < 0 else "")
         raise BadInput(path, "displacement_mm", "falls while the motor winds", mend)
     if not 1.0 / SPAN_RATIO <= curve.ratio() <= SPAN_RATIO:
         raise _span(run, curve, path)
 
 
 def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
-    """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span."""
+    """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span.
+
+    A load that a string would hardly bear, and a temperature that no room has, are two more.
+    """
     curve = Curve(samples, base)
     questions = []
     if curve.far:
@@ -180,6 +185,12 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
         questions.append(_span(run, curve, path))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
         questions.append(mistake)
+    if "temperature_c" in samples.columns:
+        coldest_c, warmest_c = samples.extremes("temperature_c")
+        if coldest_c < ROOM_C[0] or warmest_c > ROOM_C[1]:
+            problem = f"is {coldest_c:.4g} to {warmest_c:.4g} °C, which no room has"
+            mend = "set channels.temperature_c.unit to the unit of its column (degC or K), and check its scale"
+            questions.append(BadInput(path, "temperature_c", problem, mend))
     return questions
 
 
