@@ -12,6 +12,7 @@ from ..ground.rows import Rows
 from ..ground.units import conversion
 from .description import Channel, Run
 from .plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
+from .plausible_temperature import temperature_mistake
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
 SPAN_RATIO = 4.0
@@ -23,7 +24,6 @@ UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of 
 POINTS = 2000
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m")
 INCH_MM = 25.4
-ROOM_C = (-60.0, 150.0)  # a temperature beyond is a mistake: of its unit, or of its sensor
 MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
 
 
@@ -185,12 +185,8 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
         questions.append(_span(run, curve, path))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
         questions.append(mistake)
-    if "temperature_c" in samples.columns:
-        coldest_c, warmest_c = samples.extremes("temperature_c")
-        if coldest_c < ROOM_C[0] or warmest_c > ROOM_C[1]:
-            problem = f"is {coldest_c:.4g} to {warmest_c:.4g} °C, which no room has"
-            mend = "set channels.temperature_c.unit to the unit of its column (degC or K), and check its scale"
-            questions.append(BadInput(path, "temperature_c", problem, mend))
+    if odd := temperature_mistake(samples, path):
+        questions.append(odd)
     return questions
 
 
