@@ -1,16 +1,18 @@
 """What each explanation foretells of strokes that nobody made: its numbers follow the physics, the page says them."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
-from made_content import SYSTEMS, confident, content, page, told
+from made_content import SYSTEMS, confident, content, page, spoken, told
 
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.words.adoption import adopted_predictions
 from pipeline.diagnosis.words.corner_table import corners
+from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.expectation import lines
 from pipeline.diagnosis.words.make_sure import of_adopted
 from pipeline.diagnosis.words.missing_signs import missing
@@ -25,6 +27,12 @@ CREEP = {"ids": BOTH, "loop_as_before_mm": 0.2, "loop_half_speed_mm": 0.1, "hold
 HEAT = {"ids": [BOTH[0], "thermal"], "loop_as_before_mm": 0.2, "loop_half_speed_mm": 0.2, "hold_mm": 0.001}
 EXPECTED = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": [CREEP, HEAT]}
 COVERED = {"load": [19.9, 20.1], "speed_per_s": [1.9, 2.1], "longest_hold_s": 3.0, "longest_rest_s": 60.0}
+
+
+def details(made: dict) -> str:
+    """The details with their commands, on one line."""
+    made = spoken(made, SYSTEMS["mm"])
+    return " ".join(details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3")).split())
 
 
 def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
@@ -276,12 +284,12 @@ def test_wear_says_which_way_it_moves_the_radius_and_the_reading(trend, grows, l
 
 def test_the_page_says_which_dimension_took_most_of_the_nominal_error_away():
     changes = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.2, "evidence__moved_sigma": {"radius_mm": 1.2}}
-    text = " ".join(page(content(**changes)).split())
+    text = details(content(**changes))
     assert (
         "The radius moved the most, from 0.55 mm to 0.5612 mm: 1.2 times its tolerance, which is no reason to measure"
         in text
     )
-    assert "moved the most" not in page(content(**changes | {"evidence__calibrated_mm": 0.9}))
+    assert "moved the most" not in details(content(**changes | {"evidence__calibrated_mm": 0.9}))
 
 
 def test_when_a_plan_leaves_what_was_recorded_is_said_in_seconds():

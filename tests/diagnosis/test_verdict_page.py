@@ -37,6 +37,46 @@ def test_the_verdict_is_one_page_wide_and_long_and_says_where_the_rest_is():
     assert lines[0].startswith("nylon-3: ambiguous: ") and "More: details.txt" in page()
 
 
+def crowded(**changes):
+    """A verdict of two effects of which the page has much to say: hidden, on dimensions that moved far."""
+    made = confident(0.84, 0.38, evidence__nominal_mm=1.1, **changes)
+    for entry, mm in zip(made["mechanisms"], (2.3, 1.9), strict=True):
+        entry["rms_mm"] = {"value": mm, "low": 0.3 * mm, "high": 1.1 * mm}
+    made["parameters"] |= {"scale": {"nominal": 1.0, "value": 1.01}, "length_mm": {"nominal": 300.0, "value": 295.0}}
+    made["evidence"] |= {
+        "beyond_dimensions_mm": {"creep": 0.15, "friction_hysteresis": 0.16}, "calibrated_mm": 0.079,
+        "moved_sigma": {"radius_mm": 2.9, "scale": 1.2, "length_mm": 1.1}, "probability_of_none": 0.11,
+        "moved_alone_sigma": {"radius_mm": 1.9, "scale": 0.1, "length_mm": 0.2},
+        "tolerance": {"radius_mm": 0.011, "scale": 0.005, "length_mm": 2.0}, "step_s": 0.05,
+        "covered": {"temperature_c": [17.8, 29.9], "load": [8.41, 24.5], "speed_per_s": [0.945, 3.63],
+                    "longest_hold_s": 8.4, "longest_rest_s": 13.0},
+    }  # fmt: skip
+    made["alternatives"] = [["friction_hysteresis", "jam"]] if made["alternatives"] else []
+    return made
+
+
+def test_the_page_of_two_effects_with_much_to_say_of_them_is_one_page_long():
+    for alone in ({}, ALONE):
+        text = page(crowded(**alone))
+        assert len(text.splitlines()) <= 66, text
+    more = page(crowded(fit__heldout__explained_mm=0.05))
+    assert "Something systematic is still missing" in more and len(more.splitlines()) <= 72, more
+
+
+def test_no_command_is_printed_twice():
+    made = crowded(**ALONE, fit__heldout__explained_mm=0.05)
+    hold = {"loop_as_before_mm": 0.2, "loop_half_speed_mm": 0.2}
+    columns = [
+        {"ids": ["friction_hysteresis", "creep"], **hold, "hold_mm": -0.3, "rest_mm": 0.2},
+        {"ids": ["friction_hysteresis", "thermal"], **hold, "hold_mm": 0.001, "rest_mm": 0.001},
+    ]
+    made["evidence"]["expected"] = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": columns}
+    text = page(made)
+    commands = [line.strip() for line in text.splitlines() if "python -m" in line]
+    assert len(commands) == len(set(commands)) and sum("pipeline.new_run" in line for line in commands) == 1
+    assert "diagnose the runs together (commands: the step before)." in " ".join(text.split())
+
+
 def test_each_effect_has_a_row_with_how_sure_it_is_its_size_and_what_it_does():
     rows = under("What acts, by the library's names", page(confident(0.93, 0.46)))
     assert rows[0].split("   ")[0].strip() == "effect"
@@ -82,9 +122,9 @@ def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then(
     assert table[2].split() == ["radius", "0.55", "mm", "–", "0.5612", "mm", "0.0037", "mm", "or", "better"]
     assert "a caliper at ten places" in table[3]
     said = steps()
-    assert "another value: write it into run.yaml, and diagnose again" in said
-    assert "know it better than its tolerance says: write how well (`tolerance: {radius: …}`, see details.txt" in said
-    assert "the same values, no better known: leave run.yaml as it is, and go on with step 2." in said
+    assert "- If you find another value: write it into run.yaml, and diagnose again;" in said
+    assert "known better than its tolerance: say how well (`tolerance: {radius: …}`) and diagnose again;" in said
+    assert "- if the same, no better known: go on with step 2. No percentage covers" in said
     assert "three is the most that it may" in text and "provisional" in text
     near = page(content(evidence__moved_sigma=NEAR))
     assert "Measure again" not in near and "provisional" not in near
@@ -114,7 +154,9 @@ def test_a_run_is_a_step_as_far_as_it_decides(then, said):
 def test_prediction_and_adopting_come_with_their_commands_after_what_is_to_be_measured():
     near, source = steps(content(evidence__moved_sigma=NEAR)), "reports/nylon-3/diagnosis.json"
     for text in (near, steps()):
-        assert f"python -m pipeline.simulate raw/nylon-3 --simulation {source} --out FILE" in text
+        planned = "--motion PLAN.csv --after-recording --out FILE.csv"
+        assert f"python -m pipeline.simulate raw/nylon-3 --simulation {source} {planned}" in text
+        assert text.count("pipeline.simulate") == 1, "that of the recorded motion stands in the details"
         assert f"python -m pipeline.adopt {source} raw/nylon-3" in text
     assert steps().startswith("1. Measure again") and "Measure again" not in near
     assert "pipeline.simulate" not in page(out=None), "no diagnosis.json, no command that reads it"
@@ -129,24 +171,16 @@ def test_a_command_stays_on_one_line_and_a_numbered_step_hangs():
 
 def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     said = steps(content(evidence__nominal_mm=1.4))
-    assert (
-        "You can report, if measuring again changed nothing: - with the dimensions of run.yaml the simulator errs"
-        in said
-    )
-    assert (
-        "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions: dim"
-        in said
-    )
+    missing = "0.44 mm rms is missing after calibration, noise taken off; the errors on the unseen strokes above"
+    assert f"You can report, if measuring again changed nothing: - {missing}" in said
+    assert "Do not report how much an effect does alone, its constants (times, corners), or calibrated dim" in said
     near = content(evidence__moved_sigma=NEAR)
-    assert (
-        "You can report: - 0.44 mm rms is missing after calibration, noise taken off; - on the unseen strokes"
-        in steps(near)
-    )
+    assert f"You can report: - {missing};" in steps(near)
     fitted = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
     assert steps(near).endswith(fitted)
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "Do not report how much creep does alone." in steps(near)
-    sure = "- at work, by the library's names: friction_hysteresis (probability 93 %);"
+    sure = "- at work: friction_hysteresis (probability 93 %);"
     assert sure in steps(confident(0.93, 0.46)), "creep is not sure"
 
 
@@ -258,10 +292,9 @@ def test_a_single_explanation_is_reported_with_its_probability():
     made = weighed(0.004, 0.06, 0.01, 0.02, 0.73, none=0.22, verdict="explained", alternatives=[], next_run=None)
     made["evidence"]["explanations"][3]["standing"] = "beaten"
     best = "- the recording agrees best with friction_hysteresis + creep"
-    said = f"{best} (73 %); not excluded are friction_hysteresis + sensor_drift (6 %) and physics that the library la"
-    assert said in steps(made) and "named; the explanation has a probability of 73 %" in page(made)
-    tied = f"{best} (52 %); not excluded are friction_hysteresis + thermal (31 %), others of the library (13 % tog"
-    assert tied in steps(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
+    assert f"{best} (73 %); no other is excluded" in steps(made), "how probable the others are stands in the table"
+    assert "named; the explanation has a probability of 73 %" in page(made)
+    assert f"{best} (52 %); no other is excluded" in steps(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
     assert "agrees best" not in steps(), "no probability is known"
 
 
@@ -276,7 +309,9 @@ def test_the_page_tells_how_probable_each_explanation_is_and_on_which_tolerances
         ["other", "explanations", "of", "the", "library", "7", "%"],
         ["physics", "that", "the", "library", "lacks", "4", "%"],
     ], "together they are everything"
-    assert rows[5].strip().startswith("All this stands on these tolerances: radius 0.004 mm (0.727 %). If you know one")
+    assert rows[5].strip() == "All this stands on the tolerances of step 1.", "its table has them"
+    made["evidence"]["moved_sigma"] = {"radius_mm": 1.9}
+    assert "All this stands on these tolerances: radius 0.004 mm (0.727 %). Know one better" in page(made)
     made["evidence"]["moved_sigma"] = {"radius_mm": 0.9}
     assert "stands on these tolerances" not in page(made)
     assert "How probable each explanation is" not in page(), "no probability is known"
@@ -343,7 +378,7 @@ ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
 def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
     assert "too much for your use" not in steps(content(**ALONE))
     changes = steps(content(**ALONE, fit__heldout__explained_mm=0.06))
-    assert "If what changes from stroke to stroke is too much for your use: record as many strokes again" in changes
+    assert "If what is still missing is too much for your use: record as many strokes again" in changes
     assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3" in changes
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out reports/nylon-3-next" in changes
     made = content(**ALONE, fit__heldout__explained_mm=0.06)
@@ -356,7 +391,7 @@ def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_ado
     assert "too much for your use" not in steps()
     changes = steps(content(fit__heldout__explained_mm=0.06))
     many = "record as many strokes again in the same way, and diagnose the runs together"
-    assert f"{many} (the commands stand in details.txt under The run to make next). If the error" in changes
+    assert f"{many} (commands: details.txt, The run to make next). If the error" in changes
     assert "-next" not in changes, "no command is printed twice"
     without = steps(content(fit__heldout__explained_mm=0.06, next_run=None))
     assert f"{many}. If the error" in without and "new_run nylon-3-next --like raw/nylon-3" in without
@@ -398,7 +433,7 @@ def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_
     firm = content(**ALONE, evidence__moved_sigma=NEAR)
     said = (
         "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.41 mm (0.37 to 0.45 mm) (rms, 90 % "
-        "interval), with the constants of friction_hysteresis in the table above"
+        "interval), and the constants of friction_hysteresis above"
     )
     assert said in steps(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in page(firm)
     firm["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
@@ -409,9 +444,9 @@ def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_
 
 def test_an_effect_that_is_surer_than_its_explanation_says_why():
     made = confident(0.93, 0.96, none=0.22, **ALONE)
-    assert "it can be more than the 52 % of this one explanation." in " ".join(page(made).split())
+    assert "it can be more than the 52 % of this one explanation." in " ".join(told(copy.deepcopy(made)).split())
     made["evidence"]["explanations"][-1]["probability"] = 0.95
-    assert "of this one explanation" not in page(made)
+    assert "of this one explanation" not in told(copy.deepcopy(made))
     assert "The share of physics that the library lacks follows from" in told(made)
     assert "The share of physics that the library lacks" not in told(confident(0.93, 0.96, none=0.01, **ALONE))
 
@@ -471,13 +506,13 @@ def test_a_temperature_that_was_logged_and_is_not_needed_is_said_in_one_sentence
     covered = {"temperature_c": [21.04, 25.5], "load": [19.0, 21.0], "speed_per_s": [1.0, 2.0]}
     covered |= {"longest_hold_s": 2.0, "longest_rest_s": 3.0}
     logged = content(**alone, evidence__covered=covered)
-    sentence = "A temperature was logged (21 to 25.5 °C), and was not needed: nothing that is named follows it."
-    assert sentence in " ".join(page(logged).split())
+    sentence = "The logged temperature (21 to 25.5 °C) was not needed"
+    assert f"{sentence}." in " ".join(page(logged).split())
     logged["fit"]["detectable_mm"]["thermal"] = 0.03
-    assert f"{sentence} An effect of it would have been seen from 0.030 mm rms on." in " ".join(page(logged).split())
-    assert "temperature was logged" not in page(content(**alone))
+    assert f"{sentence}; an effect of it would be seen from 0.030 mm rms on." in " ".join(page(logged).split())
+    assert "logged temperature" not in page(content(**alone))
     logged["alternatives"] = [["thermal"]]
-    assert "temperature was logged" not in page(logged), "something that ties may follow it"
+    assert "logged temperature" not in page(logged), "something that ties may follow it"
     for verdict in ("consistent", "parameters"):
         made = content(
             **NOTHING | {"verdict": verdict}, mismatch=None, evidence__covered={"temperature_c": [21.0, 25.5]}
@@ -688,7 +723,7 @@ def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
     said = (
         "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.031 mm (0.028 to 0.034 mm), the part "
-        "that no dimension could do (rms, 90 % interval), with the constants of friction_hysteresis in the table above"
+        "that no dimension could do (rms, 90 % interval), and the constants of friction_hysteresis above"
     )
     text = " ".join(page(copy.deepcopy(made)).split())
     assert said in text and text.count("TO REPORT") == 1 and "Do not report what creep does in all." in text

@@ -11,6 +11,11 @@ from .quantity import duration, listing, percent, size
 from .vocabulary import Vocabulary
 
 SURE, PROBABLE = 0.8, 0.5
+MORE = 0.02  # of a probability: what a reader wonders about
+ALSO_ELSEWHERE = (
+    "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
+    "more than the {} of this one explanation."
+)
 COMPARES = (
     "The percentages compare explanations made of the library's effects, in which each dimension may move by up to "
     "three times its tolerance"
@@ -96,7 +101,15 @@ def summary(content: Verdict, words: Vocabulary) -> list[str]:
         "Open": [*doubtful, *beside],
     }
     sentences = [f"{word}: {listing(ids)}." for word, ids in groups.items() if ids]
-    return [" ".join(sentences), limits(content)] if shares else []
+    return [" ".join(sentences), *_than_the_explanation(content), limits(content)] if shares else []
+
+
+def _than_the_explanation(content: Verdict) -> list[str]:
+    """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
+    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    if content["alternatives"] or share is None or max(known(content).values(), default=0.0) < share + MORE:
+        return []
+    return [ALSO_ELSEWHERE.format(percent(share))]
 
 
 def sizes(content: Verdict, words: Vocabulary) -> list[str]:

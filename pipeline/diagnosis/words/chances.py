@@ -1,16 +1,14 @@
 """How probable each explanation is, on the page: the kept ones, the next best, the others, and none of the library."""
 
 from ..content import Verdict
-from . import left_out, probability, rivals, tolerances
+from . import left_out, probability, rivals, to_measure, tolerances
 from .dimensions import name_of
 from .error_table import aligned
 from .quantity import listing, percent, quantity
 from .vocabulary import Vocabulary
 
 HEADING = "How probable each explanation is"
-KNOWS_BETTER = (
-    "If you know one better or less well, write that into run.yaml (`tolerance`) and diagnose again: names can change."
-)
+KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
 KEPT = 5  # of them by name; the others are counted
 LEFT_OUT = 3  # of those that are no names, in the table
 WORTH = 0.05  # a probability from which on the next best is named
@@ -43,8 +41,14 @@ def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
     moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > 1.0}
     known = {name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
-    named = [f"{name_of(name)} {tolerance}" for name, tolerance in known.items() if tolerance]
-    lines = [f"All this stands on these tolerances: {listing(named)}. {KNOWS_BETTER}"] if named else []
+    again = to_measure.to_measure(content)  # the table of step 1 has the tolerances of these
+    more = {name: tolerance for name, tolerance in known.items() if tolerance and name not in again}
+    if again:
+        also = f" and of the {listing([name_of(name) for name in more])}" if more else ""
+        lines = [f"All this stands on the tolerances of step 1{also}."]
+    else:
+        named = listing([f"{name_of(name)} {tolerance}" for name, tolerance in more.items()])
+        lines = [f"All this stands on these tolerances: {named}. {KNOWS_BETTER}"] if named else []
     stiffness = content["parameters"].get("stiffness_n_per_mm")
     if stiffness:
         guess = quantity(stiffness["nominal"], "N/mm", 3)

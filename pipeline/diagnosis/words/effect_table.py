@@ -1,7 +1,7 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
 from ..content import Part, Verdict, mismatch_of
-from . import certainty, probability, rivals
+from . import certainty, probability
 from .dimensions import name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
@@ -12,10 +12,7 @@ from .vocabulary import Vocabulary
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 NO_SIZE = "–"  # of an effect that the best explanation has not
-UNSURE_SIZE = (
-    "Poorly known: dimensions or other effects can take over much of it. How sure an effect is says that it is there, "
-    "not how large it is."
-)
+UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
@@ -29,14 +26,9 @@ IN_ALL = (
     "The table has the part of {} that no dimension could do. In all {}, but {} could do much of that as well. Sizes "
     "in rms do not subtract."
 )
-MORE = 0.02  # of a probability: what a reader wonders about
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
     "its own size stands and falls with them."
-)
-ALSO_ELSEWHERE = (
-    "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
-    "more than the {} of this one explanation."
 )
 
 
@@ -54,14 +46,11 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     for (id_, *_), row in zip(rows, table, strict=True):
         table_lines += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}{_of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
-    best = " + ".join(entry["id"] for entry in content["mechanisms"])
     return [
         *table_lines,
         *_in_all(content, entries, words),
-        *certainty.needed(content),
-        *([f"Sizes are those of the best explanation, {best}."] if several else []),
+        *_in_one([*certainty.needed(content), *(["Sizes are those of the best explanation."] if several else [])]),
         *_while(content, words),
-        *_than_the_explanation(content),
         *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
         *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),
@@ -114,13 +103,9 @@ def _while(content: Verdict, words: Vocabulary) -> list[str]:
     ]
 
 
-def _than_the_explanation(content: Verdict) -> list[str]:
-    """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
-    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    shares = certainty.known(content).values()
-    if content["alternatives"] or share is None or max(shares, default=0.0) < share + MORE:
-        return []
-    return [ALSO_ELSEWHERE.format(percent(share))]
+def _in_one(sentences: list[str]) -> list[str]:
+    """Short sentences as one line, which takes less of a page."""
+    return [" ".join(sentences)] if sentences else []
 
 
 def _of_strokes(content: Verdict, id_: str, words: Vocabulary) -> str:

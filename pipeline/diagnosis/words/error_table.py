@@ -28,7 +28,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     zero = any(name.startswith("zero") for name in content["parameters"])
     remarks = [WHOSE[holdout.status(content)]] if held else [TOO_FEW]
     remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
-    return [*aligned(_rows(content, words)), *(line for line in remarks if line)]
+    return [*aligned(_rows(content, words)), *_moved_most(content, words), *(line for line in remarks if line)]
 
 
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
@@ -74,7 +74,7 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
         "noise": "noise: about the least possible",
     }
     cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
-    return [*cells, *_moved_most(content, words), *([] if held else [TOO_FEW])]
+    return [*cells, *([] if held else [TOO_FEW])]
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:

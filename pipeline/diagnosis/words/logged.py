@@ -7,8 +7,8 @@ from .quantity import number, size
 from .vocabulary import Vocabulary
 
 FOLLOWED = "temperature"  # the driver of what follows it
-SAYS = "A temperature was logged ({low} to {high} °C), and was not needed: nothing that is named follows it.{seen}"
-SEEN = " An effect of it would have been seen from {} rms on."
+SAYS = "The logged temperature ({low} to {high} °C) was not needed{seen}."
+SEEN = "; an effect of it would be seen from {} rms on"
 
 
 def temperature(content: Verdict, words: Vocabulary) -> list[str]:

@@ -17,10 +17,11 @@ LEAVE = "Leave what is still missing, unless it is too much for your use."
 NO_NAME = "No effect of the library is named for it."
 TIED = "The best explanation leaves it too, and no further effect of the library is named for it."
 MORE = "Other speeds and loads, diagnosed together, show more of it."
+ABOVE = " (commands: the step before)"
 AS_MANY = (
-    "If what changes from stroke to stroke is too much for your use: record as many strokes again in the same way, and "
-    "diagnose the runs together{where}. If the error on the {strokes} falls to the noise, there were too few strokes. "
-    "If not, this rig has physics that the library lacks."
+    "If what is still missing is too much for your use: record as many strokes again in the same way, and "
+    "diagnose the runs together{where}. If the error on the {strokes} falls to the noise, there were too few strokes; "
+    "else this rig has physics that the library lacks."
 )
 
 
@@ -34,8 +35,10 @@ def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path],
     again = commands.lines(folders, out, [""])
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
-    where = f" (the commands stand in {DETAILS} under {RUN})" if shown else ""
-    typed = [] if shown else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
+    printed = {line.strip() for step in of_names(content, words, folders, out) for line in step}
+    above = set(again) <= printed  # the step before has them
+    where = f" (commands: {DETAILS}, {RUN})" if shown else ABOVE if above else ""
+    typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
     return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
 
 

@@ -3,7 +3,7 @@
 from ..content import Verdict
 from . import certainty, chances, effects, holdout, left_out, own_size, probability, rivals, slow_look_alikes, unseen
 from .dimensions import far_moved
-from .quantity import listing, percent, size, times
+from .quantity import listing, percent, size
 from .vocabulary import Vocabulary
 
 TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote stands once
@@ -18,10 +18,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     left = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
     missing = f"{left} rms is missing after calibration, noise taken off"
-    nominal = content["evidence"].get(f"nominal_{words.ending}")
-    if far_moved(content) and nominal is not None:
-        missing = f"with the dimensions of run.yaml the simulator errs by {size(nominal, words.unit)} rms; {missing}"
-    statements = [missing, *_unseen(content, words), *_sure(content, words), *_own(content, words), *_best(content)]
+    missing += _unseen(content, words)
+    statements = [missing, *_sure(content, words), *_own(content, words), *_best(content, words)]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
     return [
         f"You can report{when}:",
@@ -31,17 +29,12 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     ]
 
 
-def _unseen(content: Verdict, words: Vocabulary) -> list[str]:
-    """The error on strokes that no fit has seen, without the explanation and with it."""
+def _unseen(content: Verdict, words: Vocabulary) -> str:
+    """That the errors on strokes that no fit has seen can be reported, where they can; ends a statement."""
     errors = unseen.errors(content, words)
     if errors is None or holdout.status(content) != holdout.UNSEEN or unseen.harmful(content, words):
-        return []
-    _, calibrated, explained = (size(error, words.unit) for error in errors)
-    ratio = times(errors[2] / content["fit"][f"noise_floor_{words.ending}"])
-    return [
-        f"on the {holdout.strokes(content)} the best explanation errs by {explained} ({ratio} times the noise of "
-        f"single samples), calibration alone by {calibrated}"
-    ]
+        return ""
+    return f"; the errors on the {holdout.strokes(content)} above"
 
 
 def _sure(content: Verdict, words: Vocabulary) -> list[str]:
@@ -49,7 +42,7 @@ def _sure(content: Verdict, words: Vocabulary) -> list[str]:
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     shares = certainty.known(content)
     named = listing([f"{id_} (probability {percent(shares[id_])})" for id_ in sure])
-    return [f"at work, by the library's names: {named}{slow_look_alikes.remark(content, words, sure)}"] if sure else []
+    return [f"at work: {named}{slow_look_alikes.remark(content, words, sure)}"] if sure else []
 
 
 def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
@@ -70,36 +63,29 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
             continue
         sizes.append(f"{entry['id']} {own_size.with_interval(entry, words)}")
         constants += [entry["id"]] if effects.has_constants(entry) else []
-    also = f", with the constants of {listing(constants)} in the table above" if constants else ""
+    also = f", and the constants of {listing(constants)} above" if constants else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
     return [f"{TO_REPORT}: {'; '.join(sizes)} (rms, 90 % interval){also}{provided}"]
 
 
-def _best(content: Verdict) -> list[str]:
+def _best(content: Verdict, words: Vocabulary) -> list[str]:
     """How likely the best explanation is, what is not excluded, and physics that the library lacks."""
     none = content["evidence"].get("probability_of_none")
     kept = chances.kept_shares(content)
     if not kept or none is None or not probability.known(content):
         return []
-    (name, share), *others = kept
-    following = chances.next_best(content)
-    out = [(rivals.called(entry["ids"]), entry["probability"]) for entry in left_out.entries(content)[:NAMED]]
-    rest = [*others[:NAMED], *out, *([following] if following and not others else [])]
-    left = max(1.0 - none - share - sum(its for _, its in rest), 0.0)
-    also = [f"{other} ({percent(its)})" for other, its in rest]
-    also += [f"others of the library ({percent(left)} together)"] if left >= LEAST else []
-    also += [f"physics that the library lacks ({percent(none)})"]
+    name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
-    return [f"{best} recording agrees best with {name} ({percent(share)}); not excluded are {listing(also)}"]
+    rest = "beyond these no other is excluded" if slow_look_alikes.excluded(content, words) else "no other is excluded"
+    return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 
 def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
     if far_moved(content):
         return [
-            "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions: "
-            "dimensions that moved so far can have taken a part of it."
+            "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions."
         ]
     doubtful = [entry for entry in content["mechanisms"] if own_size.doubt_of(entry, content, words)]
     no_size = [entry["id"] for entry in doubtful if not own_size.reportable(entry, content, words)]

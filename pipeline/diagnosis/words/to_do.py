@@ -14,7 +14,6 @@ from . import (
     make_sure,
     parting,
     report,
-    signs,
     to_measure,
     unseen,
     worth,
@@ -69,7 +68,6 @@ def _measure(content: Verdict, words: Vocabulary, then: str = "go on with step 2
         [
             "Measure again what calibration moved far:",
             *to_measure.table(content, words),
-            "If you find",
             *to_measure.consequences(content, then),
         ]
     ]
@@ -83,17 +81,18 @@ def _run(content: Verdict, words: Vocabulary) -> list[list[str]]:
     if not run or "parts" not in run:
         return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
     where = (
-        f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(content, run, words)}."
+        f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}{_asks(content, run, words)}. "
+        "Each open effect's own test stands there too."
     )
     differ, parts = worth.readings(run, words), parting.sentence(content)
     if worth.decides(run):
         need = f"Make the run that can decide {worth.question(content)}, if you need to know. {where}"
-        return [[" ".join(part for part in (need, parts, differ, worth.care(content, words)) if part), *_else(content)]]
+        return [[" ".join(part for part in (need, parts, differ, worth.care(content, words)) if part)]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {worth.question(content)}{hard}: try the run that parts them most."
         tried = "About half of such runs decided in tests."
-        return [[" ".join(part for part in (need, tried, parts, where) if part), *_else(content)]]
+        return [[" ".join(part for part in (need, tried, parts, where) if part)]]
     if parting.some(content):
         best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
         return [[f"No run that was tried decides {worth.question(content)}. {parts} {best}"]]
@@ -111,11 +110,6 @@ def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     return f", and ask for {listing(demands)}" if demands else ""
 
 
-def _else(content: Verdict) -> list[str]:
-    """Where to find what tells the open effects apart without that run."""
-    return [f"Each open effect's own test stands there too, under {signs.HEADING}."]
-
-
 def _use(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
     """The command that predicts with what was found."""
     if out is None or not content.get("simulation", [True]):
@@ -124,7 +118,8 @@ def _use(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | N
     head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded"
     head += f". A plan has an error band within {where}:" if where else ":"
     ids = [entry["id"] for entry in content["mechanisms"]]
-    return [[head, *(f"  {line}" for line in predictions(out / "diagnosis.json", folders, ids)), *of_staying(ids)]]
+    planned = predictions(out / "diagnosis.json", folders, ids)[1::2]  # those of the recorded motion: in the details
+    return [[head, *(f"  {line}" for line in planned), *of_staying(ids)]]
 
 
 def _adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:

@@ -52,15 +52,11 @@ def consequences(content: Verdict, then: str) -> list[str]:
     """What to do with what was measured; `then` is what to do where nothing changed."""
     moved = to_measure(content)
     where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))
-    exact = (
-        f"- the same value, and you know it better than its tolerance says: write how well (`tolerance: {{{where}}}`, "
-        "see details.txt under Dimensions), and diagnose again;"
-    )
+    exact = f"- if the same, known better than its tolerance: say how well (`tolerance: {{{where}}}`)"
     scaled = any(stem(name) == "scale" for name in moved)
     gain = " (a gain as `scale`, its inverse: details.txt, Dimensions)" if scaled else ""
     return [
-        f"- another value: write it into run.yaml{gain}, and diagnose again: this verdict can change;",
-        *([exact] if where else []),
-        f"- the same values, no better known: leave run.yaml as it is, and {then}. Physics that the library lacks may "
-        "have moved them; no percentage covers that.",
+        f"- If you find another value: write it into run.yaml{gain}, and diagnose again;",
+        *([f"{exact} and diagnose again;"] if where else []),
+        f"- if the same, no better known: {then}. No percentage covers other physics that moved it.",
     ]

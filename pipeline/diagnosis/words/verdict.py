@@ -31,11 +31,8 @@ from .sections import text
 from .vocabulary import Vocabulary
 
 DOUBTS = "What to know first"
-MORE = (
-    "More: details.txt (every number with its reason,{run} all tolerances, the words), diagnosis.pdf (figures), "
-    "diagnosis.json (for programs)."
-)
-RUN = " the run to make step by step,"
+MORE = "More: details.txt (reasons,{run} words), diagnosis.pdf (figures), diagnosis.json (for programs)."
+RUN, TOLERANCES = " the run in steps,", " tolerances,"
 
 
 def verdict_text(
@@ -69,7 +66,7 @@ def verdict_text(
         (to_do.HEADING, to_do.lines(content, words, folders, out)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
-    return text(sections, last=(MORE.format(run=RUN if content["next_run"] else ""), []))
+    return text(sections, last=(MORE.format(run=RUN if content["next_run"] else TOLERANCES), []))
 
 
 def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
