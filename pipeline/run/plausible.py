@@ -5,13 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground import quantiles
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, Geometry
 from ..ground.rows import Rows
 from ..ground.units import conversion
 from .description import Channel, Run
-from .plausible_load import DOUBT_STRETCH, MOST_STRETCH, load_mistake
+from .plausible_load import DOUBT_STRETCH, MOST_STRETCH, check_load, load_mistake
 from .plausible_temperature import temperature_mistake
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
@@ -24,7 +23,6 @@ UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of 
 POINTS = 2000
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m")
 INCH_MM = 25.4
-MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
 
 
 @dataclass(frozen=True)
@@ -148,11 +146,7 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
 
 def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
     """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
-    (load_n,) = quantiles.ordered(lambda: samples.pieces("load_n"), len(samples), [(len(samples) - 1) // 2])
-    if abs(load_n) > MOST_LOAD_N:
-        raise BadInput(
-            path, "load_n", f"is {load_n:.3g} N", "check channels.load_n, its unit and scale, and rig.load_n"
-        )
+    check_load(samples, path)
     curve = Curve(samples, base)
     if mistake := load_mistake(run, samples, base, path, MOST_STRETCH):
         raise mistake

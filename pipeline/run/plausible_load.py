@@ -13,6 +13,15 @@ from .description import Run
 STRONGEST_MPA = 3000.0  # no fibre bears more
 MOST_STRETCH = 1 / 3  # of the length: no string stretches by more,
 DOUBT_STRETCH = 0.1  # and hardly one by so much
+MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
+
+
+def check_load(samples: Rows, path: Path) -> None:
+    """Raise BadInput for a load that no bench carries."""
+    (load_n,) = quantiles.ordered(lambda: samples.pieces("load_n"), len(samples), [(len(samples) - 1) // 2])
+    if abs(load_n) > MOST_LOAD_N:
+        mend = "check channels.load_n, its unit and scale, and rig.load_n"
+        raise BadInput(path, "load_n", f"is {load_n:.3g} N", mend)
 
 
 def load_mistake(run: Run, samples: Rows, base: Geometry, path: Path, most: float) -> BadInput | None:
