@@ -471,6 +471,7 @@ def test_columns_that_were_guessed_wrongly_are_named_anew_by_recover(tmp_path):
     assert (folder / "recording.lines").read_bytes() == data
 
 
+@pytest.mark.long
 def test_the_commit_of_a_long_text_run_takes_no_more_memory_than_of_a_short_one(tmp_path):
     def peak(count: int) -> int:
         folder = tmp_path / f"run-{count}"

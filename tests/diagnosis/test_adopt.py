@@ -328,6 +328,7 @@ def judged(path: Path, verdict: str, tied: list, **more: object) -> dict:
     return content
 
 
+@pytest.mark.long
 def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folder: Path, diagnosis: Path) -> None:
     judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
     done = programs.run("pipeline.adopt", diagnosis, folder)

@@ -85,6 +85,7 @@ def test_where_nothing_is_to_be_homed_it_is_refused_with_the_mend(runs, tmp_path
         assert done.returncode == 2 and says in done.stderr and not (tmp_path / "out.csv").exists()
 
 
+@pytest.mark.long
 def test_runs_that_are_learnt_together_have_each_a_zero_of_their_own(runs, tmp_path):
     first, later, _ = runs
     done = programs.run("pipeline.diagnose", first, later, "--together", "--out", tmp_path / "out")

@@ -99,6 +99,7 @@ def test_a_sum_that_is_a_part_of_the_loop_gives_way_to_half_of_the_loop_or_to_no
     assert totals(TERMS, {"a_load_twist_mm_per_10_n": 0.04}, NAMES, 0.031) == {"half_loop_mm": (0.031, "mm")}
 
 
+@pytest.mark.long
 def test_half_the_play_is_that_of_the_recording_whatever_the_class_is_made_of(conceal, tmp_path):
     """The half-width of the class alone said 0.25 turns, with a share of 1 in a play of half that width."""
     folder, truth = conceal("backlash", kappa=3.0)

@@ -62,6 +62,7 @@ def test_what_it_adds_is_in_no_diagnosis(unexplained):
     assert set(content["without_last_strokes"]) == {"seen_s", "parameters", "simulation"}
 
 
+@pytest.mark.long
 def test_where_physics_explains_all_it_says_that_it_does_not_help(conceal, tmp_path):
     folder = conceal("creep")[0]
     diagnosis = diagnosed([folder], tmp_path / "out")
@@ -126,6 +127,7 @@ def test_it_adds_nothing_where_the_recording_was_not(problem, seen, asked):
     )
 
 
+@pytest.mark.long
 def test_of_runs_together_it_learns_from_all_and_names_the_one_that_is_not_there(conceal, tmp_path):
     folders = []
     for seed in (7, 8):

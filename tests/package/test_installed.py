@@ -111,6 +111,7 @@ def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, fold
     assert wrong.returncode == 2 and "use one of new-run" in wrong.stderr
 
 
+@pytest.mark.long
 def test_a_run_is_made_diagnosed_and_simulated(twistbench: Command, folder: Path) -> None:
     said = good(twistbench("import-run", "log.csv", "--map", "map.yaml", "--run", "imported"))
     assert "twistbench diagnose raw/imported" in said

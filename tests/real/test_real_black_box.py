@@ -109,6 +109,7 @@ def test_what_was_learnt_on_one_recording_predicts_another_but_for_its_zero(jaw,
     assert (rows["centred_rms"] <= rows["rms"] + 1e-9).all() and set(rows["unit"]) == {"deg"}
 
 
+@pytest.mark.long
 def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path, monkeypatch):
     shown = {"a-01": (60.0, 70.0), "a-02": (50.0, 20.0), "a-03": (40.0, -30.0)}
     folders = {name: jaw(name, amplitude_deg=top, constant_deg=zero) for name, (top, zero) in shown.items()}
@@ -134,6 +135,7 @@ def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path
     assert (tmp_path / "none").is_dir()  # which the workflow waits for
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["jaw", "string"])
 def test_transfer_reads_and_cuts_each_recording_once(jaw, make_run, tmp_path, monkeypatch, kind):
     """For every pair, for the diagnoses of all but one, and for the zeros of a string's runs that lie beside."""

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from pipeline.report.failures import ALL_ELSE, ELSE, FAILS, told, without
 
 ROOT = Path(__file__).parents[2]
@@ -28,6 +30,7 @@ def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
     assert told([], [], keep_going=False).splitlines() == ["Not all was made: see the errors above.", ELSE]
 
 
+@pytest.mark.long
 def test_the_main_job_ends_with_what_failed(tmp_path):
     """On the real rules, with a recording that ingest refuses beside a folder that can be no run.
 

@@ -3,8 +3,10 @@
 import benches
 import pandas as pd
 import programs
+import pytest
 
 
+@pytest.mark.long
 def test_a_black_box_learns_the_friction_of_an_axis_that_the_library_may_not_name(tmp_path):
     file, mapping = tmp_path / "axis.csv", "pipeline/mappings/robot_axis.yaml"
     benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0).to_csv(file, index=False)

@@ -190,6 +190,7 @@ def test_a_captured_run_in_pieces_is_the_one_that_is_read_whole(tmp_path, monkey
     assert np.array_equal(samples["motor_turns"], truth[np.round(samples["time_s"] * 1000.0).astype(int)])
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="nothing tells what a process took")
 def test_a_captured_run_four_times_as_long_needs_no_more_memory(tmp_path, long_recordings):
     peaks = []
@@ -201,6 +202,7 @@ def test_a_captured_run_four_times_as_long_needs_no_more_memory(tmp_path, long_r
     assert peaks[1] < 1.3 * peaks[0], peaks
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="nothing tells what a process took")
 def test_four_times_as_long_needs_no_more_memory(tmp_path):
     """Row groups are short, so that minutes are what hours are otherwise; read whole, the ratio was 1.6 and more."""

@@ -70,6 +70,7 @@ def test_where_the_limits_allow_no_run_it_says_so_and_ends(place):
     assert not (place / "raw" / "poor-1-s1").exists()
 
 
+@pytest.mark.long
 def test_a_rig_that_cannot_change_its_load_is_asked_for_what_tells_apart_without_it(place):
     with rig(place, "--fixed-load"):
         done = auto(place)
