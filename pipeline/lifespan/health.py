@@ -1,11 +1,14 @@
 """Samples and strokes → the indicators of a string's health, stroke by stroke, each with its standard error."""
 
 from dataclasses import dataclass, field
+from itertools import combinations
 
 import numpy as np
 import pandas as pd
 
+from ..ground.command import command
 from ..ground.errors import BadInput
+from ..ground.rows import Rows
 from ..run.description import STRING_ACTUATORS
 from ..run.samples import geometry
 from ..string.history import Recorded, in_order
@@ -48,6 +51,23 @@ def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
     return every
 
 
+def refuse_copies(runs: list[Recorded]) -> None:
+    """Raise BadInput where two runs hold the same recording, whose strokes would count twice."""
+    for earlier, later in combinations(runs, 2):
+        if len(earlier.rows) == len(later.rows) and _alike(earlier.rows, later.rows):
+            mend = (
+                f"name one of the two; if one is wrong, bring the right file in under its name ({command('new_run')})"
+            )
+            raise BadInput(later.run.run, "recording", f"has the same samples as {earlier.run.run}", mend)
+
+
+def _alike(rows: Rows, others: Rows) -> bool:
+    names = ("time_s", "motor_turns", "displacement_mm")
+    return all(
+        np.array_equal(rows.read(name, *span), others.read(name, *span)) for span in rows.spans for name in names
+    )
+
+
 def health(runs: list[Recorded]) -> Health:
     """Indicators of one string from all its runs; raises BadInput where these are not of a string."""
     for recorded in runs:
@@ -56,6 +76,7 @@ def health(runs: list[Recorded]) -> Health:
             problem = f"is {recorded.run.actuator}, which has no string to wear out"
             raise BadInput(recorded.run.run, "actuator", problem, mend)
     runs = in_order(runs)
+    refuse_copies(runs)
     seen = jumps(runs)
     strokes = numbered(runs, seen)
     if not strokes:

@@ -319,10 +319,19 @@ def bedded(strokes, first):
     return table.assign(displacement_mm=table["displacement_mm"] - wider_mm + 0.05 * number)
 
 
+def test_one_recording_under_two_names_is_refused(tmp_path):
+    one = {"string": {**content("x")["string"], "id": "s"}}
+    runs = [folder(tmp_path, name, bedded(8, 1), **one) for name in ("a-1", "a-2")]
+    ran = program(*runs, "--out", tmp_path / "out")
+    assert ran.returncode == 2 and not (tmp_path / "out" / "s").exists()
+    assert "a-2: recording: has the same samples as a-1. Mend: name one of the two" in ran.stderr
+
+
 def test_a_run_that_begins_as_the_string_began_is_told_as_perhaps_another_string(tmp_path):
     one = {"string": {**content("x")["string"], "id": "s"}}
     runs = [folder(tmp_path, "a-1", bedded(8, 1), **one), folder(tmp_path, "a-2", bedded(8, 9), **one)]
-    runs.append(folder(tmp_path, "a-3", bedded(8, 1), **one))
+    other = bedded(8, 1)  # of another string, and no copy
+    runs.append(folder(tmp_path, "a-3", other.assign(displacement_mm=other["displacement_mm"] + 1e-4), **one))
     assert strings(runs[:2])[0].anew == [] and strings(runs)[0].anew == ["a-3"]
     ran = program(*runs, "--out", tmp_path / "out")
     assert "a-3 begins as this string began" in ran.stdout and "a-2 begins" not in ran.stdout, ran.stderr
