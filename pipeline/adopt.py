@@ -19,7 +19,7 @@ from .diagnosis.problem import Problem
 from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.simulation import of_run, read_diagnosis, state_of
 from .diagnosis.words import coefficients
-from .diagnosis.words.adoption import adopted_predictions
+from .diagnosis.words.adoption import WEIGHED_ANEW, adopted_predictions
 from .diagnosis.words.quantity import listing
 from .diagnosis.words.sections import wrapped
 from .diagnosis.words.vocabulary import Vocabulary
@@ -187,7 +187,7 @@ def adopt(source: Path, folder: Path) -> None:
     predict = adopted_predictions(folder, run.system.driver, run.system.load, ids)
     meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
     out = ["To take all of it out of run.yaml again:", taken_out(folder)]
-    show([*report, *errors, before_after.NEXT, *predict, *meant, *out])
+    show([*report, *errors, before_after.NEXT, *predict, *meant, *out, WEIGHED_ANEW])
 
 
 def show(lines: list[str]) -> None:

@@ -17,6 +17,10 @@ from .vocabulary import Vocabulary
 NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = command("adopt")
 SIMULATE = command("simulate")
+WEIGHED_ANEW = (
+    "While it is in run.yaml its name is not weighed again, and new_run --like copies it. To try the name on another "
+    "run of the string, take it out of each run, and diagnose them together."
+)
 
 
 def cautions(content: Verdict) -> list[str]:

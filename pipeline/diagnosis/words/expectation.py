@@ -1,53 +1,54 @@
 """What each explanation foretells of strokes that nobody made, as a table: at the rig a person sees which is right."""
 
-import math
 import re
-from dataclasses import dataclass
-from itertools import combinations
 
 from ..content import Part, Verdict
-from . import rivals, unseen
+from . import recorded_evidence, rivals, slow_sign
 from .error_table import UNKNOWN, aligned
+from .foretold_numbers import LEAST, Number, compared, error, of_explanation, probability, tells
 from .quantity import at, duration, listing, number, percent, plus_minus, quantity, size
 from .sections import WIDE
 from .vocabulary import Vocabulary
 
 SEEN = 2.0  # noise floors, from which a person sees a change in one stroke
 NOT = "hardly"  # what nobody would see
-LEAST = 0.01  # of a probability: of less the name alone is said
+STAND = ("change in a hold", "change in a rest")  # rows
 INDENT = 5  # of the table on the page
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, then how to read it; nothing where nobody would see a number of it.
 
-    An explanation that lacks a part of the best one comes before those that add to it: columns may not fit. The row
-    that tells most comes first. A row in which the explanations differ by less than their intervals is left out, unless
-    all do: then the best explanation stands alone.
+    The rivals come in the order of their probability, without those that the recorded loop excludes. The row that tells
+    most comes first. A row in which the explanations differ by less than their intervals is left out, unless all do:
+    then the best explanation stands alone. What a hold and a rest show is said in words where no row has it.
     """
     known = content["evidence"].get("expected")
     if not known:
         return []
-    first, *others = known["explanations"]
-    compared = [first, *sorted(others, key=lambda explanation: set(first["ids"]) <= set(explanation["ids"]))]
+    weighed, out = compared(content), recorded_evidence.excluded(content, words)
+    first, *others = [each for each in weighed if each not in out]
     tables = []
-    for columns in (compared, *([first, other] for other in compared[1:]), [first]):
+    for columns in ([first, *others], *([first, other] for other in others), [first]):
         table, remarks, parted = _table(content, known, columns, words)
         if max(map(len, table), default=0) <= WIDE - INDENT:  # what does not fit on the page cannot tell either
-            tables.append([*table, *remarks])
+            tables.append(([*table, *remarks], parted))
             if parted:
-                return tables[-1]
-    return tables[0] if tables else []
+                break
+    best = next((table for table, parted in tables if parted), tables[0][0] if tables else [])
+    stands = any(parted for _, parted in tables) and any(line.startswith(STAND) for line in best)
+    sign = [] if stands or not best else slow_sign.lines(content, words, weighed)
+    return [*best, *recorded_evidence.lines(content, words), *sign]
 
 
-def _table(content: Verdict, known: Part, compared: list[Part], words: Vocabulary) -> tuple[list[str], list[str], bool]:
+def _table(content: Verdict, known: Part, columns: list[Part], words: Vocabulary) -> tuple[list[str], list[str], bool]:
     """The table of some explanations, how to read it, and whether a row tells them apart.
 
     Nothing where nobody would see a number of it.
     """
     limit = SEEN * content["evidence"][f"floor_{words.ending}"]
     names = _rows(content, known, words)
-    cells = {key: [_number(each, f"{key}_{words.ending}", content, words) for each in compared] for key in names}
+    cells = {key: [of_explanation(each, key, content, words) for each in columns] for key in names}
     keys = [
         key
         for key, row in cells.items()
@@ -59,18 +60,18 @@ def _table(content: Verdict, known: Part, compared: list[Part], words: Vocabular
     nothing = [key for key, ratio in telling.items() if ratio < 1.0]
     alone = bool(nothing) and len(nothing) == len(telling)
     if alone:
-        compared, cells = compared[:1], {key: cells[key][:1] for key in keys}
+        columns, cells = columns[:1], {key: cells[key][:1] for key in keys}
     else:
         keys = sorted((key for key in keys if key not in nothing), key=lambda key: -telling.get(key, 0.0))
     known_spread = any(cell is not None and cell.known for key in keys for cell in cells[key])
-    shared = set.intersection(*(set(explanation["ids"]) for explanation in compared))
-    heads = [_head(content, explanation["ids"], shared) for explanation in compared]
+    shared = set.intersection(*(set(explanation["ids"]) for explanation in columns))
+    heads = [_head(content, explanation["ids"], shared) for explanation in columns]
     rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
     remarks = [
         *([_loop(words)] if any(key.startswith("loop") for key in keys) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
         *([_spread(keys)] if known_spread else []),
-        *_untelling(alone, [names[key] for key in nothing], known_spread, size(_error(content, words), words.unit)),
+        *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
     ]
     return aligned([["What to expect of", *heads], *rows]), remarks, bool(telling) and not alone
 
@@ -100,45 +101,20 @@ def _is_loop(key: str) -> bool:
     return key.startswith("loop")
 
 
-@dataclass(frozen=True)
-class Number:
-    """A foretold number and half of its interval, in the unit of the reading; `known`: a fit gave the interval."""
-
-    value: float
-    half_width: float
-    known: bool
-
-
-def tells(row: list[Number | None]) -> float | None:
-    """By how many times both intervals together two explanations differ at most; None where fewer than two have it."""
-    values = [cell for cell in row if cell is not None]
-    ratios = [
-        abs(cell.value - other.value) / max(math.hypot(cell.half_width, other.half_width), 1e-300)
-        for cell, other in combinations(values, 2)
-    ]
-    return max(ratios, default=None)
-
-
-def _number(explanation: Part, key: str, content: Verdict, words: Vocabulary) -> Number | None:
-    """A number of an explanation; of an older file the error on unseen strokes stands for its interval."""
-    if key not in explanation:
-        return None
-    spread = explanation.get("plus_minus", {}).get(key)
-    error = _error(content, words) / math.sqrt(2.0)  # of two, as much as the simulator errs by
-    return Number(explanation[key], error if spread is None else spread, spread is not None)
-
-
 def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
     """What each number is of, by its key."""
     low, high = content["evidence"][words.driver]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     hung = words.load is not None and known["load"]
-    full, half = (f" under {quantity(share * known['load'], words.load_unit, 3)}" * bool(hung) for share in (1.0, 0.5))
+    full, half, twice = (
+        f" under {quantity(share * known['load'], words.load_unit, 3)}" * bool(hung) for share in (1.0, 0.5, 2.0)
+    )
     speed = f"{number(known['speed_per_s'] / 2.0, 3)} {words.motion_unit}/s"
     rows = {
-        "loop_as_before": f"the loop of a stroke as before{full}",
+        **({} if "recorded" in known else {"loop_as_before": f"the loop of a stroke as before{full}"}),
         "loop_half_speed": f"the loop at half the speed, {speed}",
         "loop_half_load": f"the loop{half}",
+        "loop_twice_load": f"the loop{twice}",
     }
     if "strokes" in known:
         rows["top"] = f"change at {top}, from the next stroke to the {known['strokes']}th"
@@ -161,13 +137,6 @@ def _cell(key: str, cell: Number | None, limit: float, words: Vocabulary) -> str
 
 def _head(content: Verdict, ids: list[str], shared: set[str]) -> str:
     """An explanation with its probability; without what all explanations share, where something is left then."""
-    held = [each for each in content["evidence"]["explanations"] if set(each["ids"]) == set(ids)]
-    share = held[0].get("probability") if held else None
+    share = probability(content, ids)
     own = rivals.called([id_ for id_ in ids if id_ not in shared] or ids)
     return f"{own} ({percent(share)})" if share is not None and share >= LEAST else own
-
-
-def _error(content: Verdict, words: Vocabulary) -> float:
-    """What the explained simulator errs by on strokes that no fit has seen, or the noise."""
-    noise, held = content["fit"][f"noise_floor_{words.ending}"], unseen.errors(content, words)
-    return float(max(held[2], noise) if held else noise)

@@ -1,16 +1,23 @@
 """What makes sure of the one explanation: more strokes where something is still missing, and each effect's own sign."""
 
+import shlex
 from pathlib import Path
 
+from ...ground.command import command, program_name
 from ..content import Verdict
 from ..library import mechanisms
 from ..time_constants import time_constants_s
-from . import commands, expectation, holdout, unseen, worth
+from . import commands, expectation, holdout, recipe, second_load, unseen, worth
 from .missing_signs import ALIKE, missing
 from .quantity import duration, listing, number, quantity, times
 from .vocabulary import Vocabulary
 
 AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
+BEFORE = f"Do it before you adopt; later, first take it out of each run ({program_name('adopt')} --remove)."
+ANEW = (
+    "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
+    "diagnose all together:"
+)
 DETAILS = "details.txt"
 RUN = "The run to make next"  # the heading of its steps and commands in the details
 LEAVE = "Leave what is still missing, unless it is too much for your use."
@@ -56,18 +63,21 @@ def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path
     tests = [f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}." for id_ in ids]
     if not tests:
         return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
-    again = [_again(folders[-1]), *(f"  {line}" for line in commands.lines(folders, out, [""]))] if numbers else []
+    run = recipe.sentence(content, words, ids)
+    load = recipe.to_type(content, words, ids)
+    again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     head = "Only if you need to be surer of a name, record what tells the effect from others:"
-    return [[head, *tests, *held(content, words, tests), *numbers, *again]]
+    made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
+    return [[head, *tests, *held(content, words, tests), *numbers, *made]]
 
 
-def _again(old: Path) -> str:
+def _again(old: Path, load: str) -> str:
     """What to fill into the commands that record what tells an effect from others, as the run `old` was recorded."""
     remark = commands.remark(old)
-    return AGAIN if remark == commands.CAPTURE else remark
+    return AGAIN if remark == commands.CAPTURE and not load else remark
 
 
-def of_adopted(content: Verdict, words: Vocabulary, ids: list[str]) -> list[list[str]]:
+def of_adopted(content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path]) -> list[list[str]]:
     """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
     lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms()}
     lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
@@ -75,7 +85,13 @@ def of_adopted(content: Verdict, words: Vocabulary, ids: list[str]) -> list[list
         return []
     head = "Still open since adopting, if you need to be surer of a name: this recording has no second"
     lacked = listing(list(dict.fromkeys(what for lacks in lacking.values() for what in lacks)), "and no second")
-    return [[f"{head} {lacked}.", *lines]]
+    load = recipe.to_type(content, words, list(lacking))
+    *made, diagnose = commands.lines(folders, None, [load])
+    runs = [*folders, folders[-1].with_name(f"{folders[-1].name}-next")]
+    removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
+    typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load)]
+    run = recipe.sentence(content, words, list(lacking))
+    return [[f"{head} {lacked}.", *lines, *([run] if run else []), ANEW, *typed]]
 
 
 def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
@@ -123,10 +139,9 @@ def held(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
             f"{two}." if two and fast >= ALIKE * slow else f"It has no second speed: {other}, half or twice, would do."
         )
     if "load" in wanted and words.load is not None and most > 0.0:
-        other = f"{number(most / 2.0, 3)} or {quantity(2.0 * most, words.load_unit, 3)}"
         counts.append(
             "Its loads count as more than one."
             if content["evidence"]["loaded"]
-            else f"It has no second load: {other}, half or twice, would do if the rig bears it."
+            else second_load.sentence(content, words, most)
         )
     return [" ".join([f"This one has {loads}, {speeds}, and {stands}{under}.", *counts])]

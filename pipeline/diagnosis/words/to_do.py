@@ -169,7 +169,7 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path]) -> list[l
         return [
             [f"Measure {names} again, and write what you measured into run.yaml.", *to_measure.table(content, words)]
         ]
-    open_still = make_sure.of_adopted(content, words, holdout.included(content))
+    open_still = make_sure.of_adopted(content, words, holdout.included(content), folders)
     return [["Nothing needs to be done: this recording shows nothing further."], *open_still]
 
 

@@ -1,0 +1,133 @@
+"""What a verdict says of the next recording: what it shows, of which rival, under which load, and when to adopt."""
+
+import shlex
+
+import pytest
+from made_content import SYSTEMS, content, page
+
+from pipeline.diagnosis.in_memory import diagnosed
+from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.words import recipe, second_load
+from pipeline.diagnosis.words.adoption import WEIGHED_ANEW
+from pipeline.diagnosis.words.expectation import lines
+from pipeline.diagnosis.words.foretold_numbers import compared
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.run.samples import read_samples
+
+WORDS = Vocabulary.of(SYSTEMS["mm"])
+ALONE = {"verdict": "explained", "alternatives": [], "next_run": None, "evidence__loaded": False}
+COVERED = {"load": [13.2, 13.2], "speed_per_s": [1.0, 2.0], "longest_hold_s": 3.0, "longest_rest_s": 6.0}
+
+
+def foretold(half_mm: float, ids: list[str], **numbers: float) -> dict:
+    """What an explanation foretells, each number with one half-width; a loop as before in the recording, too."""
+    known = {f"{key}_mm": value for key, value in numbers.items()}
+    own = {"recorded": {"loop_mm": numbers["loop_as_before"]}} if "loop_as_before" in numbers else {}
+    return {"ids": ids, **known, **own, "plus_minus": dict.fromkeys(known, half_mm)}
+
+
+FRICTION = foretold(0.03, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
+PLAY = foretold(0.015, ["backlash"], loop_as_before=0.09, loop_half_load=0.09, loop_twice_load=0.09)
+LAG = foretold(0.01, ["sensor_lag"], loop_as_before=0.04, loop_half_load=0.04, loop_twice_load=0.04)
+
+
+def named(ids: list[str], explanations: list[dict], shares: dict[str, float], recorded: float = 0.09, **more) -> dict:
+    """A verdict that names `ids`, with what is foretold and how likely each explanation is."""
+    expected = {"load": 13.2, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": explanations}
+    expected["recorded"] = {"loop_mm": recorded}
+    made = content(**ALONE | more, evidence__covered=COVERED, evidence__expected=expected)
+    made["mechanisms"] = [entry for entry in made["mechanisms"] if entry["id"] in ids]
+    for id_, share in shares.items():
+        made["evidence"]["explanations"].append(
+            {"ids": [id_], "standing": "named" if id_ in ids else "beaten", "left_mm": 0.03, "bent_mm": 0.03,
+             "probability": share, "worse": 9.0, "gap_mm": 0.1, "driver": None,
+             "location": {"motor_turns": [0, 1], "strokes": [1, 2], "phase": "all", "share": 0.8}}
+        )  # fmt: skip
+    return made
+
+
+def rubbing(**more) -> dict:
+    shares = {"friction_hysteresis": 0.9, "backlash": 0.02, "sensor_lag": 0.001}
+    return named(["friction_hysteresis"], [FRICTION, LAG, PLAY], shares, **more)
+
+
+def test_the_rival_is_the_runner_up_and_no_rejected_one_stands_beside_it():
+    assert [each["ids"] for each in compared(rubbing())] == [["friction_hysteresis"], ["backlash"]]
+    table = lines(rubbing(), WORDS)
+    assert "backlash (2 %)" in table[0] and not any("sensor_lag" in line for line in table[:1])
+    alike = named(["friction_hysteresis"], [FRICTION, LAG, PLAY], {"backlash": 0.002, "sensor_lag": 0.004})
+    assert [each["ids"][0] for each in compared(alike)][1:] == ["sensor_lag", "backlash"], "both unlikely: by share"
+
+
+def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
+    text = " ".join(page(rubbing()).split())
+    assert "It has no second load: 26.4 N, twice, parts friction_hysteresis from backlash most" in text
+    assert "So record: the same 12 strokes, 0 to 30.7 turns under 26.4 N, at 1 to 2 turns/s" in text
+    assert "--like raw/nylon-3 --load-n 26.4" in text
+    near = foretold(0.2, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
+    neither = named(["friction_hysteresis"], [near, PLAY], {"backlash": 0.02})
+    assert second_load.best(neither, WORDS)[1] < 1.0
+    said = " ".join(page(neither).split())
+    assert "neither 26.4 N nor 6.6 N parts friction_hysteresis from backlash here by more than the plus-minus" in said
+
+
+def test_a_load_that_a_column_holds_is_not_typed():
+    made = rubbing()
+    made["evidence"]["covered"] = COVERED | {"load": [13.1, 13.3]}
+    assert recipe.load(made, WORDS, ["friction_hysteresis"]) is not None
+    assert recipe.to_type(made, WORDS, ["friction_hysteresis"]) == "" and "--load-n 2" not in page(made)
+
+
+def test_one_speed_asks_for_a_second_one():
+    made = rubbing()
+    made["evidence"]["covered"] = COVERED | {"speed_per_s": [2.0, 2.0]}
+    assert "at 2 turns/s, then as many at 1 turns/s" in recipe.sentence(made, WORDS, ["friction_hysteresis"])
+
+
+CREEP = foretold(1.0, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)
+LASTING = foretold(0.05, ["plastic_elongation"], loop_as_before=0.0, hold=0.0, rest=0.0)
+
+
+def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows_and_why():
+    text = " ".join(page(named(["creep"], [CREEP, LASTING], {"creep": 0.8}, recorded=0.5)).split())
+    assert (
+        "if it is creep, the reading changes by more than 0.050 mm in a hold of 2 min, and at least a part of that "
+        "comes back in a rest of 2 min after it; if it is plastic_elongation, it changes by less than 0.050 mm in both."
+    ) in text
+    assert (
+        "By how much cannot be said: this recording was too short for it (it has holds of up to 3 s and rests" in text
+    )
+    assert "in the last one hold 2 min at 30.7 turns and rest 2 min at 0 turns after it" in text
+    firm = foretold(0.05, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)
+    assert not any("In words" in line for line in lines(named(["creep"], [firm, LASTING], {}, recorded=0.5), WORDS))
+
+
+def test_a_loop_that_was_recorded_is_evidence_and_no_row_of_what_is_to_come():
+    firm = foretold(0.05, ["creep"], loop_as_before=0.18, loop_half_speed=0.18, hold=-0.35, rest=0.25)
+    table = lines(named(["creep"], [firm, LASTING], {"creep": 0.8}, recorded=0.2), WORDS)
+    text = " ".join(table)
+    assert "the loop of a stroke as before" not in text and "plastic_elongation" not in table[0]
+    assert "This recording itself shows a loop of 0.20 mm. creep makes it (0.18 ± 0.05 mm)" in text
+    assert "plastic_elongation alone (0.00 ± 0.05 mm) does not, so the loop excludes that already." in text
+    other = " ".join(lines(named(["creep"], [firm, LASTING], {"creep": 0.8}, recorded=0.03), WORDS))
+    assert "excludes" not in other, "the best one does not make it either"
+
+
+def test_the_loop_of_a_recording_is_that_of_its_effect(conceal):
+    run, samples = read_samples(conceal("backlash", kappa=3.0, rich=False)[0])
+    known = diagnosed([RecordedRun(run, samples)])[0]["evidence"]["expected"]
+    best, shown = known["explanations"][0], known["recorded"]["loop_mm"]
+    assert shown == pytest.approx(best["recorded"]["loop_mm"], abs=best["plus_minus"]["loop_as_before_mm"])
+    assert shown == pytest.approx(best["loop_as_before_mm"], abs=2.0 * best["plus_minus"]["loop_as_before_mm"])
+    assert best["loop_half_load_mm"] <= 1.05 * shown and 0.95 * shown <= best["loop_twice_load_mm"]
+
+
+def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_again():
+    adopted = {"effects": ["friction_hysteresis"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    made = rubbing(verdict="consistent", mismatch=None, adopted=[adopted], evidence__moved_sigma={})
+    made["mechanisms"], made["simulation"] = [], [{"id": "friction_hysteresis", "parameters": {}}]
+    text = page(made)
+    removed = [line.strip() for line in text.splitlines() if "adopt --remove" in line]
+    assert [shlex.split(line)[-1] for line in removed] == ["raw/nylon-3", "raw/nylon-3-next"]
+    assert text.index("new_run nylon-3-next") < text.index("adopt --remove") < text.index("--together")
+    assert "Do it before you adopt" in page(rubbing()) and "not weighed again" in WEIGHED_ANEW
