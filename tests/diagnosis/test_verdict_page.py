@@ -732,3 +732,24 @@ def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no
     text = " ".join(page(copy.deepcopy(made)).split())
     assert "TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm) (rms" in text, "an older file"
     assert "Do not report how much creep does alone." in text and "No dimension could do" not in details(made)
+
+
+def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it_follows():
+    box = {"motor_turns": [0.0, 30.7], "strokes": [10, 12], "phase": "all", "share": 0.81}
+    lasts = {"split": "last 30 % of strokes", "nominal_mm": 1.92, "calibrated_mm": 0.81, "explained_mm": 0.0418}
+    made = content(
+        **ALONE, fit__heldout=lasts | {"without_physics_mm": 0.036},
+        evidence__left_of_unseen={"location": box, "driver": "direction"},
+        evidence__pattern={"location": box | {"strokes": [4, 6]}, "driver": ["time"], "rms_mm": 0.021},
+    )  # fmt: skip
+    text = " ".join(page(copy.deepcopy(made)).split())
+    where = "most of it lies in strokes 10 to 12, and it follows the direction of motion."
+    assert f"or too few strokes were seen. What a regression without physics foretells of it: {where}" in text
+    assert "holds a pattern" not in text and text.count(where) == 1
+    assert "0.042 mm (1.34 times the noise)" in text, "1.3 is the limit"
+    made["fit"]["heldout"]["without_physics_mm"] = 0.042
+    text = " ".join(page(copy.deepcopy(made)).split())
+    assert "foretells of it" not in text, "it foretells no more of it"
+    assert "pattern of 0.021 mm rms beside the noise. It lies mostly in strokes 4 to 6, and follows the time." in text
+    made["fit"]["heldout"]["explained_mm"] = 0.0468
+    assert "(1.5 times the noise)" in page(made)

@@ -26,6 +26,17 @@ def beaten(content: Verdict, words: Vocabulary) -> list[str]:
     ]
 
 
+def place_of_missing(content: Verdict, words: Vocabulary) -> str:
+    """Where that lies of what unseen strokes are missed by which a regression foretells, and what it follows.
+
+    A sentence; nothing where a regression foretells no more of it, and where `beaten` says it.
+    """
+    errors = _errors(content, words)
+    if errors is None or errors[1] > NO_BETTER * errors[0] or beaten(content, words):
+        return ""
+    return f"What a regression without physics foretells of it: {_where(content, words)}."
+
+
 def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
     """How much of an unknown mismatch can be foretold at all, and from what."""
     errors = _errors(content, words)

@@ -42,11 +42,14 @@ def pattern(content: Verdict, words: Vocabulary) -> list[str]:
     return [how_large, f"{share} lies {where}. It follows {follows}.", *closest]
 
 
-def remains(content: Verdict, words: Vocabulary) -> list[str]:
-    """Where the pattern lies that the best explanation leaves, and what it follows; nothing where it leaves noise."""
+def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[str]:
+    """Where the pattern lies that the best explanation leaves, and what it follows; nothing where it leaves noise.
+
+    `least`: noise floors from which on it leaves more.
+    """
     left_pattern, evidence = content["evidence"].get("pattern"), content["evidence"]
     floor, best = evidence[f"floor_{words.ending}"], next(iter(entries(content, "named")), None)
-    if not left_pattern or best is None or best[f"left_{words.ending}"] <= NOISY * floor:
+    if not left_pattern or best is None or best[f"left_{words.ending}"] <= least * floor:
         return []
     where = place(left_pattern["location"], evidence, words)
     half = place(left_pattern["half"], evidence, words) if "half" in left_pattern else EVERYWHERE

@@ -70,7 +70,8 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     elif named and explained > NO_BETTER * calibrated:
         sentences.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
     if partly(content, words) and content["verdict"] != "unknown":
-        sentences.append(still_missing(content, words, explained / noise, named))
+        found = level.place_of_missing(content, words)
+        sentences.append(f"{still_missing(content, words, explained / noise, named)} {found}".rstrip())
     return [*sentences, *level.beaten(content, words)]
 
 
@@ -121,6 +122,11 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
         changes = "So something changes from stroke to stroke that the explanation does not foresee"
         return f"Something systematic is still missing: {both}. {changes}, or too few strokes were seen."
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
+
+
+def beside_limit(ratio: float) -> str:
+    """How many times, to a hundredth where a tenth does not tell on which side of the limit it lies: 1.34, 1.5, 12."""
+    return f"{ratio:.2f}" if times(ratio) == times(STILL_MISSING) else times(ratio)
 
 
 def exact(ratio: float) -> str:

@@ -16,6 +16,7 @@ from . import (
     level,
     logged,
     rejected_explanations,
+    rivals,
     slow_look_alikes,
     spikes,
     to_do,
@@ -52,7 +53,7 @@ def verdict_text(
                 *doubts,
                 *adoption.cautions(content),
                 *unseen.cautions(content, words),
-                *(unexplained_pattern.remains(content, words) if unseen.partly(content, words) else []),
+                *_left(content, words),
                 *_provisional(content, words),
                 *spikes.on_page(content, words),
             ],
@@ -67,6 +68,14 @@ def verdict_text(
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
     return text(sections, last=(MORE.format(run=RUN if content["next_run"] else TOLERANCES), []))
+
+
+def _left(content: Verdict, words: Vocabulary) -> list[str]:
+    """Where the pattern lies that is left, where unseen strokes are missed and nothing says by what."""
+    if not unseen.partly(content, words) or level.place_of_missing(content, words):
+        return []
+    least = rivals.NOISY if level.beaten(content, words) else 0.0
+    return unexplained_pattern.remains(content, words, least)
 
 
 def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
