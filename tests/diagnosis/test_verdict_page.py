@@ -180,7 +180,7 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     assert steps(near).endswith(fitted)
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "Do not report how much creep does alone." in steps(near)
-    sure = "- at work: friction_hysteresis (probability 93 %);"
+    sure = "- at work: friction_hysteresis (sure, 93 %);"
     assert sure in steps(confident(0.93, 0.46)), "creep is not sure"
 
 
@@ -571,11 +571,13 @@ def test_no_effect_is_called_sure_while_a_dimension_stands_at_its_limit():
     text = " ".join(page(at_limit()).split())
     limit = "the radius, the torsion zone and the gain of the displacement sensor stand at their limit"
     assert "friction_hysteresis probable, 93 %" in text and "sure, 9" not in text
-    assert f"creep and friction_hysteresis are probable, not sure, while {limit}." in text.replace(
-        "friction_hysteresis and creep are", "creep and friction_hysteresis are"
+    write = (
+        f"In a paper call friction_hysteresis and creep probable, not sure: from 80 % on the word is sure, but {limit}."
     )
+    assert write in text and "- at work: friction_hysteresis (probable, 93 %) and creep (probable, 96 %);" in text
     details = told(at_limit())
-    assert f"Probable while {limit} (80 % or more): " in details
+    assert f"Probable while {limit}: " in details and write in " ".join(details.split())
+    assert "In a paper" not in page(confident(0.93, 0.96)), "the words say it themselves"
     assert "None is needed before dimensions are measured again" in details
     near = told(confident(0.93, 0.96, **ALONE, evidence__moved_sigma=NEAR))
     assert "None is needed: no other explanation" in near and "Sure (80 % or more): " in near

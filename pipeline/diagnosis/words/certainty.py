@@ -96,12 +96,29 @@ def summary(content: Verdict, words: Vocabulary) -> list[str]:
     others = {id_: probability.at_work(content, id_) for ids in content["alternatives"] for id_ in ids}
     beside = [f"{id_} ({percent(share)})" for id_, share in others.items() if id_ not in shares]
     groups = {
-        **{f"{word} ({percent(SURE)} or more)": ids for word, ids in likely_while.items()},
+        **{
+            word if " while " in word else f"{word} ({percent(SURE)} or more)": ids
+            for word, ids in likely_while.items()
+        },
         f"Probable ({percent(PROBABLE)} or more)": probable,
         "Open": [*doubtful, *beside],
     }
     sentences = [f"{word}: {listing(ids)}." for word, ids in groups.items() if ids]
-    return [" ".join(sentences), *_than_the_explanation(content), limits(content)] if shares else []
+    also = [*to_write(content, words), *_than_the_explanation(content), limits(content)]
+    return [" ".join(sentences), *also] if shares else []
+
+
+def to_write(content: Verdict, words: Vocabulary) -> list[str]:
+    """Which word a paper should use, and why, of each effect whose percentage alone would make it sure."""
+    reasons: dict[str, list[str]] = {}
+    for id_ in known(content):
+        reason = held_back(content, words, id_)
+        if reason and is_likely(content, id_):
+            reasons.setdefault(reason, []).append(id_)
+    return [
+        f"In a paper call {listing(ids)} probable, not sure: from {percent(SURE)} on the word is sure, but {reason}."
+        for reason, ids in reasons.items()
+    ]
 
 
 def _than_the_explanation(content: Verdict) -> list[str]:

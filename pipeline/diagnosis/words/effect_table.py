@@ -50,7 +50,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *table_lines,
         *_in_all(content, entries, words),
         *_in_one([*certainty.needed(content), *(["Sizes are those of the best explanation."] if several else [])]),
-        *_while(content, words),
+        *certainty.to_write(content, words),
         *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
         *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),
@@ -88,19 +88,6 @@ def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -
     are = "are" if len(both) > 1 else "is"
     sure = "probable" if any(certainty.held_back(content, words, id_) for id_ in both) else "sure"
     return [BOTH_HOLD.format(listing(both), f"{are} {sure}")] if both else []
-
-
-def _while(content: Verdict, words: Vocabulary) -> list[str]:
-    """Why an effect is called probable whose percentage would make it sure; nothing where none is."""
-    reasons: dict[str, list[str]] = {}
-    for id_ in certainty.known(content):
-        reason = certainty.held_back(content, words, id_)
-        if reason and certainty.is_likely(content, id_):
-            reasons.setdefault(reason, []).append(id_)
-    return [
-        f"{listing(ids)} {'are' if len(ids) > 1 else 'is'} probable, not sure, while {reason}."
-        for reason, ids in reasons.items()
-    ]
 
 
 def _in_one(sentences: list[str]) -> list[str]:

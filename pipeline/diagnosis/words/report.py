@@ -41,7 +41,8 @@ def _sure(content: Verdict, words: Vocabulary) -> list[str]:
     """Which effects are at work, where that is sure."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     shares = certainty.known(content)
-    named = listing([f"{id_} (probability {percent(shares[id_])})" for id_ in sure])
+    word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
+    named = listing([f"{id_} ({word[id_]}, {percent(shares[id_])})" for id_ in sure])
     return [f"at work: {named}{slow_look_alikes.remark(content, words, sure)}"] if sure else []
 
 
