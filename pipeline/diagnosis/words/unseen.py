@@ -70,8 +70,8 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     elif named and explained > NO_BETTER * calibrated:
         sentences.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
     if partly(content, words) and content["verdict"] != "unknown":
-        found = level.place_of_missing(content, words)
-        sentences.append(f"{still_missing(content, words, explained / noise, named)} {found}".rstrip())
+        lies = level.place_of_missing(content, words)
+        sentences.append(f"{still_missing(content, words, explained / noise, named)} {lies}".rstrip())
     return [*sentences, *level.beaten(content, words)]
 
 
