@@ -208,6 +208,13 @@ def test_a_plan_of_corners_is_answered_in_a_table():
     assert cells[1] == ["4", "8", "16", "15.9 to 16.1"] and cells[3][-1] == "no band"
 
 
+def test_of_a_plan_with_many_corners_it_is_said_that_the_file_has_them():
+    time_s = np.arange(0.0, 40.01, 0.5)
+    table = pd.DataFrame({"time_s": time_s, "motor_turns": 8.0 * (time_s.round() % 2), "x_mm": 1.0})
+    (sentence,) = corners(table, "motor_turns", "x_mm")
+    assert re.fullmatch(r"the plan turns or stops \d+ times, too often for a table: the file has each row", sentence)
+
+
 def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_outside():
     time_s = np.arange(0.0, 42.01, 0.5)
     turns = np.interp(time_s, [0.0, 10.0, 20.0, 42.0], [0.0, 112.5, 112.5, 0.0])

@@ -197,6 +197,7 @@ def test_outside_what_was_recorded_there_is_no_band_and_the_expected_error_says_
     assert rows.any() and not rows.all() and (answer["low_mm"].isna() == rows).all()
     count = f"{rows.sum()} of {len(answer)} rows are outside (column outside): nothing says how well the simulator does"
     assert "rms where the motion is within what was recorded; " in said and count in said
+    assert "rows after one that is outside are inside again, though what is slow may still remember it" in said
     pd.DataFrame(motion | {"load_n": 90.0}).to_csv(plan, index=False)
     said = programs.run("pipeline.simulate", folder, *words).stdout
     assert "no expected error: " in said and "\nexpected error: " not in said

@@ -12,7 +12,7 @@ WAY = f"way to it: how much of the way from the row above is {OUTSIDE} what was 
 
 
 def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
-    """The answer where a drawn plan turns or stops, a line each; nothing of a plan that has many such corners.
+    """The answer where a drawn plan turns or stops, a line each; of many such corners only how many they are.
 
     `driver` and `channel` are the columns of motion and reading; those of the band and the others go by their names,
     and may lack.
@@ -23,7 +23,7 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
     bend = np.abs(np.diff(slope)) > BEND * max(float(np.abs(slope).max(initial=0.0)), 1e-12)
     places = [0, *(np.flatnonzero(bend) + 1).tolist(), len(table) - 1]
     if len(places) > CORNERS:
-        return []
+        return [f"the plan turns or stops {len(places)} times, too often for a table: the file has each row"]
     out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else None
     shown = [name for name in (bare,) if name in table]
     rows = [["time_s", driver, channel, *shown, "nine of ten readings", *(["way to it"] if out is not None else [])]]

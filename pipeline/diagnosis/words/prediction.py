@@ -41,6 +41,8 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) ->
             f"expected error: {expected} where the motion is within what was recorded; {beyond}",
             f"of the expected error {parts}",
         ]
+    if (inside & np.logical_or.accumulate(~inside)).any():
+        first.append(f"rows after one that is {OUTSIDE} are inside again, though what is slow may still remember it")
     return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}"]
 
 
