@@ -187,7 +187,7 @@ def adopt(source: Path, folder: Path) -> None:
     predict = adopted_predictions(folder, run.system.driver, run.system.load, ids)
     meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
     out = ["To take all of it out of run.yaml again:", taken_out(folder)]
-    show([*report, *errors, before_after.NEXT, *predict, *meant, *out, WEIGHED_ANEW])
+    show([*report, *errors, before_after.NEXT, *predict, *meant, WEIGHED_ANEW, *out])
 
 
 def show(lines: list[str]) -> None:

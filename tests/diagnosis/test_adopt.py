@@ -289,6 +289,7 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     done = programs.run("pipeline.adopt", diagnosis, folder)
     *_, before_last, last = done.stdout.splitlines()
     assert before_last == "To take all of it out of run.yaml again:"
+    assert "not weighed again" in done.stdout, "before the command that takes it out"
     assert last == f"  python -m pipeline.adopt --remove {folder}"
     assert (folder / "run.yaml").read_bytes() != before
     done = programs.run(*last.split()[-3:])
