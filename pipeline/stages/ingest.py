@@ -26,7 +26,7 @@ def main() -> None:
     parser.add_argument("--out-strokes", type=Path, help="the file of the strokes, Parquet; default: none is written")
     parser.add_argument("--read-ahead", type=Path, help="where a plan keeps what it has read; default: nowhere")
     of = "digests of the run's files and of the code that reads them, to which what is kept must be bound"
-    parser.add_argument("--of", nargs=2, default=("", ""), metavar=("CONTENT", "CODE"), help=of)
+    parser.add_argument("--of", nargs="+", default=[], metavar="DIGEST", help=of)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
     files = [path for path in (arguments.out, arguments.out_strokes) if path]

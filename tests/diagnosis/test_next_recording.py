@@ -131,3 +131,12 @@ def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_ag
     assert [shlex.split(line)[-1] for line in removed] == ["raw/nylon-3", "raw/nylon-3-next"]
     assert text.index("new_run nylon-3-next") < text.index("adopt --remove") < text.index("--together")
     assert "Do it before you adopt" in page(rubbing()) and "not weighed again" in WEIGHED_ANEW
+
+
+def test_of_an_adopted_slow_effect_a_second_load_is_asked_for_where_no_hold_can_be_foretold():
+    made = rubbing()
+    assert recipe.load(made, WORDS, ["creep"]) is None, "a hold and a rest tell more"
+    assert "hold 2 min" in recipe.sentence(made, WORDS, ["creep"])
+    del made["evidence"]["expected"]
+    assert recipe.load(made, WORDS, ["creep"]) == 6.6
+    assert "under 6.6 N" in recipe.sentence(made, WORDS, ["creep"])

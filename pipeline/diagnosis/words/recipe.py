@@ -13,7 +13,7 @@ FEWEST = 4  # strokes: of fewer a diagnosis leaves none out
 def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
     """The load that the next recording asks for, where it is another one than was recorded; else None."""
     known = content["evidence"].get("covered")
-    if known is None or _lasting(ids) or "load" not in _lacking(content, words, ids):
+    if known is None or _lasting(content, ids) or "load" not in _lacking(content, words, ids):
         return None
     chosen = second_load.best(content, words)
     share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.HALF
@@ -31,8 +31,7 @@ def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
 def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     """What to record for the effects `ids`; nothing where their tests ask for no other load, speed, hold or rest."""
     known, lacking = content["evidence"].get("covered"), _lacking(content, words, ids)
-    stand_s = (content["evidence"].get("expected") or {}).get("stand_s")
-    lasting = _lasting(ids) and stand_s is not None
+    lasting = _lasting(content, ids)
     if known is None or not words.twisted or not (lacking or lasting):
         return ""
     (first, last), (low, high) = content["evidence"]["strokes"], content["evidence"][words.driver]
@@ -46,18 +45,19 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         speed = (
             f"{number(fast, 3)} {words.motion_unit}/s, then as many at {number(fast / 2.0, 3)} {words.motion_unit}/s"
         )
-    if lasting and stand_s:
-        stand = duration(stand_s)
+    if lasting:
+        stand = duration(lasting)
         still = f", and in the last one hold {stand} at {top} and rest {stand} at {bottom} after it"
     else:
         still = ", with the same holds and rests"
     turned = span(low, high, words.motion_unit, high - low)
-    turned = span(low, high, words.motion_unit, high - low)
     return f"So record: the same {count} strokes, {turned}{under}, at {speed}{still}."
 
 
-def _lasting(ids: list[str]) -> bool:
-    return any(mechanisms()[id_].acts_at_rest for id_ in ids)
+def _lasting(content: Verdict, ids: list[str]) -> float:
+    """How long to hold and to rest for an effect that goes on at rest, in s; 0 where nobody can say or none does."""
+    stand_s = (content["evidence"].get("expected") or {}).get("stand_s")
+    return float(stand_s or 0.0) if any(mechanisms()[id_].acts_at_rest for id_ in ids) else 0.0
 
 
 def _lacking(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str]:
