@@ -140,3 +140,12 @@ def test_of_an_adopted_slow_effect_a_second_load_is_asked_for_where_no_hold_can_
     del made["evidence"]["expected"]
     assert recipe.load(made, WORDS, ["creep"]) == 6.6
     assert "under 6.6 N" in recipe.sentence(made, WORDS, ["creep"])
+
+
+def test_a_test_that_the_recording_holds_already_is_marked_as_done():
+    made = rubbing()
+    made["evidence"] |= {"loaded": True, "covered": COVERED | {"load": [13.2, 26.4]}}
+    text = " ".join(page(made).split())
+    assert "This recording has what tells the effect from others. Only if you need to be surer" in text
+    assert "a lag follows the speed) (this recording has it)." in text
+    assert "this recording has it" not in page(rubbing())

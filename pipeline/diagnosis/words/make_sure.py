@@ -8,11 +8,16 @@ from ..content import Verdict
 from ..library import mechanisms
 from ..time_constants import time_constants_s
 from . import commands, expectation, holdout, recipe, second_load, unseen, worth
-from .missing_signs import ALIKE, missing
+from .missing_signs import ALIKE, missing, recorded
 from .quantity import duration, listing, number, quantity, times
 from .vocabulary import Vocabulary
 
 AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
+HERE = " (this recording has it)"
+ONLY_IF = "Only if you need to be surer of a name, record what tells the effect from others:"
+ALL_HERE = (
+    "This recording has what tells the effect from others. Only if you need to be surer of a name, record it again:"
+)
 BEFORE = f"Do it before you adopt; later, first take it out of each run ({program_name('adopt')} --remove)."
 ANEW = (
     "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
@@ -60,13 +65,17 @@ def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path
         return []
     numbers = expectation.lines(content, words)
     ids = [entry["id"] for entry in content["mechanisms"]] if words.twisted else []
-    tests = [f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}." for id_ in ids]
+    has = {id_ for id_ in ids if recorded(content, words, id_)}
+    tests = [
+        f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}{HERE if id_ in has else ''}."
+        for id_ in ids
+    ]
     if not tests:
         return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
     again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
-    head = "Only if you need to be surer of a name, record what tells the effect from others:"
+    head = ALL_HERE if ids and has == set(ids) else ONLY_IF
     made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
     return [[head, *tests, *held(content, words, tests), *numbers, *made]]
 

@@ -11,6 +11,13 @@ LOADS = re.compile(r"two loads|second load|load steps|hold under load")
 SPEEDS = re.compile(r"(two|three) speeds|another speed|at speed")
 
 
+def recorded(content: Verdict, words: Vocabulary, id_: str) -> bool:
+    """Whether the effect's test is one of loads or speeds, and the recording has what it asks for."""
+    test = mechanisms()[id_].told_apart_by
+    asks = bool(LOADS.search(test) or SPEEDS.search(test)) and not mechanisms()[id_].acts_at_rest
+    return asks and content["evidence"].get("covered") is not None and not missing(content, words, id_)
+
+
 def missing(content: Verdict, words: Vocabulary, id_: str) -> list[str]:
     """Of `load` and `speed` those of which the effect's test wants another one, and the recording has one alone.
 

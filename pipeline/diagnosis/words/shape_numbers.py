@@ -21,7 +21,7 @@ MEANS = {
     "from_load": "the load, in 10 N, at which it does nothing",
     "half_turns": "half the width of the narrow stop that rounds the loop",
     "half_waves": "by how many half waves over the recording it may wander",
-    "half_width_turns": "half the width of the play",
+    "half_width_turns": "the widest part of the play; half the play is a share of it, which the verdict gives in turns",
     "heavy_slow": "1 means: it swings slower under a heavier load, and 0: always alike",
     "highest_pressure": "the highest load x tan(helix angle)^2 of the recording, {scale}",
     "highest_torque": "the highest torque of the recording, {scale}",
