@@ -28,9 +28,14 @@ UNITS = sorted({"count", "V", "W", "Hz", "kg"}.union(*_QUANTITIES))
 
 
 def unit_of(column: str) -> str:
-    """Unit that a column's name ends in, or "1" for a count, a label or a share."""
+    """Unit that a column's name ends in, or "1" for a count, a label or a share; a `_turns_per_s` is in turns/s."""
     endings = [ending for ending in UNIT_BY_ENDING if column.endswith(ending)]
-    return UNIT_BY_ENDING[max(endings, key=len)] if endings else "1"
+    if not endings:
+        return "1"
+    ending = max(endings, key=len)
+    stem, per, _ = column.rpartition(f"_per{ending}")
+    over = unit_of(stem) if per else "1"
+    return UNIT_BY_ENDING[ending] if over == "1" else f"{over}/{UNIT_BY_ENDING[ending]}"
 
 
 def _near(unit: str) -> str:

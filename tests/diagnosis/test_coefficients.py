@@ -8,13 +8,16 @@ import pytest
 
 from pipeline.adoption.number_sizes import sizes
 from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.mechanism_entries import effect_of
+from pipeline.diagnosis.mechanism_entries import effect_of, unit_of_nonlinear
 from pipeline.diagnosis.outcome import rms
 from pipeline.diagnosis.problem import Act
+from pipeline.diagnosis.system_units import Units
 from pipeline.diagnosis.words import coefficients
 from pipeline.diagnosis.words.coefficients import factors
 from pipeline.diagnosis.words.shape_numbers import CHOSEN, shape_number
 from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.ground.units import unit_of
+from pipeline.systems import systems
 
 NAMES = {"twist": "a", "steep_twist": "b", "load": "c", "dry_*_twist": "d"}
 
@@ -52,6 +55,21 @@ def test_every_number_in_a_formula_has_its_meaning(problem) -> None:
     for key in keys | {key for one in mechanisms().values() for key in one.units}:
         assert CHOSEN not in shape_number(key, key, words) and "{" not in shape_number(key, key, words), key
     assert CHOSEN in shape_number("of_your_own", "of_your_own", words)
+
+
+def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -> None:
+    words, rigs = Vocabulary.of(problem.system), systems()
+    keys = {key for one in mechanisms().values() for shape in one.candidates(problem.drivers) for key in shape}
+    per_s = sorted(key for key in keys if key.endswith("_per_s"))
+    assert "fastest_turns_per_s" in per_s
+    for key in per_s:
+        assert shape_number(key, key, words).startswith(" turns/s: "), key
+    assert shape_number("fastest_s", "fastest_s", words).startswith(" s: the shortest time constant")
+    drive = rigs["cable_drive"]
+    own = Units.of(drive).name("slow_turns_per_s")
+    assert shape_number("slow_turns_per_s", own, Vocabulary.of(drive)).startswith(" deg/s: "), own
+    for key in keys:
+        assert unit_of_nonlinear(key) in ("1", unit_of(key)), key
 
 
 @pytest.mark.parametrize("id_", [id_ for id_, one in mechanisms().items() if one.names])
