@@ -18,6 +18,7 @@ from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
 from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis, tared
+from .diagnosis.words import loop_table
 from .diagnosis.words.corner_table import corners
 from .diagnosis.words.dimensions import name_of
 from .diagnosis.words.home import of_home
@@ -35,6 +36,7 @@ from .diagnosis.words.prediction import (
 )
 from .diagnosis.words.quantity import listing, size
 from .diagnosis.words.residual import RESIDUAL
+from .diagnosis.words.vocabulary import Vocabulary
 from .ground import schemas
 from .ground.command import command
 from .ground.complaint import key_name
@@ -174,6 +176,10 @@ def main() -> None:
         print(sentence)
     if plan and plan.drawn:
         print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
+    if plan:
+        begins = acting if plan.recorded and not plan.after else None
+        for line in loop_table.printed(table, Vocabulary.of(problem.system), problem.system.channel, begins):
+            print(line)
     if plan and problem.system.free_zero:
         as_there = plan.after or has_zero(content, problem.system, run.run)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"

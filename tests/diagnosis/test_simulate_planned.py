@@ -17,6 +17,7 @@ from pipeline.diagnosis.legs import Rig
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.own_rate import at_own_rate
 from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.words import loop_table
 from pipeline.diagnosis.words.answered import within
 from pipeline.diagnosis.words.prediction import of_half_speed
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -326,6 +327,59 @@ def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_sai
     assert "foretells a loop of 0.09 ± 0.02 mm at half the speed, 0.691 turns/s, if the explanation is right" in said
     assert not of_half_speed(content, 0.656, "mm", "turns", "mm"), "half the speed is inside"
     assert not of_half_speed({"evidence": {}}, 1.05, "mm", "turns", "mm"), "an older file"
+
+
+def strokes_table(last: float = 0.0) -> pd.DataFrame:
+    """The answer of three strokes of 10 turns at one speed, with a loop of 0.2 mm; the first begins without memory."""
+    time_s = np.arange(0.0, 60.01, 0.02)
+    turns = 10.0 * (1.0 - np.abs(time_s / 10.0 % 2.0 - 1.0))
+    up = time_s % 20.0 < 10.0
+    table = pd.DataFrame({"time_s": time_s, "motor_turns": turns})
+    loop = np.where(up, np.where(time_s < 3.0, 0.0, -0.1), 0.1)
+    return table.assign(displacement_mm=turns**2 / 10.0 + loop + last * (time_s > 40.0))
+
+
+def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_like_strokes_once():
+    words = Vocabulary.of(SYSTEMS["mm"])
+    table = strokes_table()
+    _, head, *rows = [re.split(r" {2,}", line) for line in loop_table.lines(table, words, "displacement_mm")]
+    assert head == ["stroke", "motor_turns", "displacement_mm, winding", "unwinding", "difference"]
+    assert [row[0] for row in rows] == ["1", "", "", "2 and 3", "", ""]
+    assert [float(row[1]) for row in rows[:3]] == [2.5, 5.0, 7.5]
+    assert rows[0][4] == "+0.10 mm", "the first way up has no memory yet"
+    for row in rows[1:]:
+        assert float(row[3]) - float(row[2]) == pytest.approx(0.2, abs=1e-3) and row[4] == "+0.20 mm"
+        assert float(row[2]) == pytest.approx(float(row[1]) ** 2 / 10.0 - 0.1, abs=1e-3)
+    other = loop_table.lines(strokes_table(0.05).assign(outside=1.0), words, "displacement_mm")
+    assert "2 (outside)" in other[5] and "3 (outside)" in other[8] and max(map(len, other)) <= 100
+    many = pd.concat(
+        [strokes_table(0.1 * k).assign(time_s=lambda made, k=k: made["time_s"] + 60.0 * k) for k in range(5)]
+    )
+    long = loop_table.lines(many.reset_index(drop=True), words, "displacement_mm")
+    assert len(long) == 2 + 3 * 3 + 1 and "more strokes that differ from these are in the file" in long[-1]
+    assert not loop_table.lines(table[:400], words, "displacement_mm"), "no stroke is whole"
+
+
+def test_a_first_stroke_that_begins_otherwise_than_the_second_is_explained():
+    words, table = Vocabulary.of(SYSTEMS["mm"]), strokes_table()
+    (said,) = loop_table.of_starts(table, words, "displacement_mm", "friction_hysteresis")
+    assert said.startswith("stroke 1 begins at 0 mm and stroke 2 at ") and "(friction_hysteresis)" in said
+    assert "as it was before its first stroke" in said and "--after-recording" in said
+    same = table.assign(displacement_mm=table["motor_turns"])
+    assert not loop_table.of_starts(same, words, "displacement_mm", "jam")
+    assert not loop_table.of_starts(table[:900], words, "displacement_mm", "jam"), "one stroke begins once"
+
+
+def test_the_loop_of_a_plan_is_printed_and_why_its_first_stroke_begins_otherwise(make_run, tmp_path):
+    folder, table = four_strokes(make_run)
+    top, plan, lasts_s = float(table["motor_turns"].max()), tmp_path / "plan.csv", float(table["time_s"].max()) / 8.0
+    corners_s = np.arange(5) * lasts_s
+    pd.DataFrame({"time_s": corners_s, "motor_turns": [0.0, top, 0.0, top, 0.0]}).to_csv(plan, index=False)
+    loop = acting(tmp_path, LOOP)
+    said = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan).stdout
+    assert "unwinding less winding" in said and "stroke 1 begins at " in said
+    after = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan, "--after-recording").stdout
+    assert "unwinding less winding" in after and "stroke 1 begins at " not in after
 
 
 def test_what_another_recording_of_the_same_diagnosis_holds_is_inside(make_run, tmp_path):
