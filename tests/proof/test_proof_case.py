@@ -106,7 +106,7 @@ def test_at_kappa_one_calibration_leaves_one_noise_floor(effect):
     case = case_of(effect)
     assert case.sizes[effect].kappa == pytest.approx(1.0, abs=0.05)
     left = np.sqrt(np.square(left_mm(case)).mean()) / case.nuisance.floor_mm
-    assert left == pytest.approx(case.sizes[effect].kappa, rel=0.06)
+    assert left == pytest.approx(case.sizes[effect].kappa, rel=0.1)
 
 
 @pytest.mark.parametrize("effect", effects.names())
