@@ -62,7 +62,10 @@ def case_of(effect: str, protocol: str = "rich", kappa: float = 1.0) -> Case:
 
 
 def left_mm(case: Case) -> np.ndarray:
-    """What a fit of its own leaves of the noise-free recording: straight lines solved again and again, no prior."""
+    """What a fit of its own leaves of the noise-free recording: straight lines solved again and again, no prior.
+
+    Dimensions that take each other's place let a step land elsewhere, by how a machine rounds: the best one counts.
+    """
     said, measured = perform(case.bench, case.protocol, case.effects), case.bench.measured
 
     def residual(moves):
@@ -73,12 +76,13 @@ def left_mm(case: Case) -> np.ndarray:
         model = geometry.contraction_mm(said.motor_turns, said.load_n) * (1 + 0.01 * moves[4]) + moves[5]
         return said.displacement_mm - model
 
-    moves, limits = np.zeros(6), np.append(np.full(5, 3.0), 1e3)
+    moves, limits, left = np.zeros(6), np.append(np.full(5, 3.0), 1e3), []
     for _ in range(6):
         slopes = np.stack([(residual(moves + 1e-4 * one) - residual(moves)) / 1e-4 for one in np.eye(6)], axis=1)
         bounds = (-limits - moves, limits - moves)
         moves = moves + lsq_linear(slopes[::4], -residual(moves)[::4], bounds, method="bvls").x
-    return residual(moves)
+        left.append(residual(moves))
+    return min(left, key=lambda each: float(np.square(each).sum()))
 
 
 def test_every_effect_of_the_rig_can_be_concealed_and_has_a_claim():
@@ -106,7 +110,7 @@ def test_at_kappa_one_calibration_leaves_one_noise_floor(effect):
     case = case_of(effect)
     assert case.sizes[effect].kappa == pytest.approx(1.0, abs=0.05)
     left = np.sqrt(np.square(left_mm(case)).mean()) / case.nuisance.floor_mm
-    assert left == pytest.approx(case.sizes[effect].kappa, rel=0.1)
+    assert left == pytest.approx(case.sizes[effect].kappa, rel=0.06)
 
 
 @pytest.mark.parametrize("effect", effects.names())
