@@ -5,7 +5,6 @@ each string then makes these strokes. Source of the cases: `settled_ties.py`.
 """
 
 import argparse
-import json
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -16,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
 import pandas as pd
+from kept_cases import kept_cases
 from scipy.stats import binomtest
 from settled_ties import Case, NotOnRig, asked, cases, recordings
 
@@ -96,14 +96,7 @@ def main() -> None:
     parser.add_argument("--cases", type=int, default=60, help="of the drawn order")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="measured cases (.jsonl)")
     options = parser.parse_args()
-    lines = [json.loads(line) for line in options.out.read_text().splitlines()] if options.out.is_file() else []
-    known = {(line["author"], line["seed"], line["effect"]) for line in lines}
-    for case in cases(options.seed)[: options.cases]:
-        if (case.author, case.seed, case.effect) not in known:
-            lines.append(measured(case))
-            with options.out.open("a") as file:
-                print(json.dumps(lines[-1]), file=file)
-    print(told(lines))
+    print(told(kept_cases(cases(options.seed)[: options.cases], options.out, measured)))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ the true values are those of the author's rig, whose instruments read without no
 
 import argparse
 import importlib
-import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -17,6 +16,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
+from kept_cases import kept_cases
 from scipy.stats import binomtest
 from settled_ties import RIG, Case, NotOnRig, asked, cases, recordings
 
@@ -151,15 +151,8 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="measured cases (.jsonl)")
     options = parser.parse_args()
     verdict.next_experiment = lambda study, run: None  # it takes long, and changes nothing of what is foretold
-    lines = [json.loads(line) for line in options.out.read_text().splitlines()] if options.out.is_file() else []
-    known = {(line["author"], line["seed"], line["effect"]) for line in lines}
     drawn = [case for case in cases(options.seed) if case.author != RIG]
-    for case in drawn[: options.cases]:
-        if (case.author, case.seed, case.effect) not in known:
-            lines.append(measured(case))
-            with options.out.open("a") as file:
-                print(json.dumps(lines[-1]), file=file)
-    print(shares(lines))
+    print(shares(kept_cases(drawn[: options.cases], options.out, measured)))
 
 
 if __name__ == "__main__":

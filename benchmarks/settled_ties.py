@@ -5,7 +5,6 @@ Concealed single effects on the poor protocol, by every author; each tie goes on
 
 import argparse
 import itertools
-import json
 import random
 import sys
 from collections.abc import Callable, Sequence
@@ -16,6 +15,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import pandas as pd
+from kept_cases import kept_cases
 from scipy.stats import binomtest
 
 from pipeline.diagnosis.foretold import foretold, rivals
@@ -248,16 +248,14 @@ def main() -> None:
     parser.add_argument("--part", default="0/1", metavar="K/N", help="every N-th case from the K-th on")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="measured cases (.jsonl)")
     told = parser.parse_args()
-    lines = [json.loads(line) for line in told.out.read_text().splitlines()] if told.out.is_file() else []
-    known = {(line["author"], line["seed"], line["effect"]) for line in lines}
     at, step = map(int, told.part.split("/"))
-    for case in cases(told.seed)[: told.cases][at::step]:
-        if (case.author, case.seed, case.effect) not in known:
-            lines.append(measured(case))
-            with told.out.open("a") as file:
-                print(json.dumps(lines[-1]), file=file)
-            print(case, lines[-1]["verdict"], [(one["way"], one["verdict"], one["right"]) for one in lines[-1]["ways"]])
-    print(table(lines))
+
+    def said(case: Case) -> dict[str, Any]:
+        line = measured(case)
+        print(case, line["verdict"], [(one["way"], one["verdict"], one["right"]) for one in line["ways"]])
+        return line
+
+    print(table(kept_cases(cases(told.seed)[: told.cases][at::step], told.out, said)))
 
 
 if __name__ == "__main__":

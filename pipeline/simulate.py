@@ -185,7 +185,7 @@ def main() -> None:
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
         print(f"its zero is {zero}; the string is taken to be {state}")
-    if tied := tied_with(run, content, arguments.simulation is None):
+    if tied := plan.tied if plan else tied_with(run, content, arguments.simulation is None):
         print(f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here")
     if plan is None:
         error, _ = off(*compared(run, problem, predicted))

@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
+from ..ground import spans
 from ..ground.kinematics import Array
 from .interface import Nonlinear
 from .library import mechanisms
@@ -37,9 +38,8 @@ def floor_at_rest(problem: Problem, state: State, otherwise: float) -> float:
     residual, drivers = left(problem, state), problem.drivers
     rate = np.abs(drivers.rate[: problem.rows])
     still = rate < STILL * rate.max()
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(int)))
     squares, count = 0.0, 0
-    for start, end in zip(edges[::2], edges[1::2], strict=True):
+    for start, end in spans.of_mask(still):
         if (end - start) * drivers.step_s >= LEAST_REST_S and end - start > 10:
             part = residual[start + 2 : end - 2]
             squares += float(np.sum(np.square(part - part.mean())))

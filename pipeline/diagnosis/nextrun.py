@@ -30,19 +30,26 @@ MOST_STEPS = 4000
 class Proposal:
     """A run to add: what it is called, its legs from where the recording ended, and what it is expected to tell.
 
-    `now` and `then` are the smallest gap between two explanations that tie, without the run and with it; `all_now` and
-    `all_then` are those of each two that were compared. `follows` is the driver that it tries, where there are no
-    explanations to part.
+    `all_now` and `all_then` are the gaps between each two explanations that tie, without the run and with it. `follows`
+    is the driver that it tries, where there are no explanations to part.
     """
 
     title: str
     legs: list[Leg]
     rig: Rig
-    now: Gap | None = None
-    then: Gap | None = None
-    follows: str | None = None
     all_now: tuple[Gap, ...] = ()
     all_then: tuple[Gap, ...] = ()
+    follows: str | None = None
+
+    @property
+    def now(self) -> Gap | None:
+        """The smallest gap without the run, and which two explanations it is between; None where none are parted."""
+        return closest(self.all_now) if self.all_now else None
+
+    @property
+    def then(self) -> Gap | None:
+        """The smallest gap with the run, as `now` gives it."""
+        return closest(self.all_then) if self.all_then else None
 
     def entry(self, run: Run, fixed_load: bool) -> dict[str, Any]:
         """It as `diagnosis.json` holds it; `fixed_load`: whether the load stood still in what was recorded."""
@@ -142,8 +149,7 @@ class Runs:
 
     def proposal(self, title: str, legs: list[Leg]) -> Proposal:
         """A run by its words and legs, with what it is expected to tell."""
-        then = self.parted(tuple(legs))
-        return Proposal(title, legs, self.rig, closest(self.now), closest(then), all_now=self.now, all_then=then)
+        return Proposal(title, legs, self.rig, self.now, self.parted(tuple(legs)))
 
     def built(self, loads: bool, faster: bool) -> Proposal:
         """The run that is built for this tie; `loads` and `faster`: whether it may ask other loads, a higher speed."""

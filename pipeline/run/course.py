@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from ..ground import spans
 from ..ground.kinematics import Array
 from .strokes import of_samples
 from .turning import turning_points
@@ -55,7 +56,7 @@ class Course:
     def lasted_s(self, mask: Mask) -> Array:
         """For how long a mask has held already, in s, 0 where it does not. Both of shape (samples,)."""
         lasted_s = np.zeros(len(mask))
-        for first, last in stretches(mask):
+        for first, last in spans.of_mask(mask):
             lasted_s[first:last] = self.time_s[first:last] - self.time_s[first]
         return lasted_s
 
@@ -66,15 +67,9 @@ class Course:
         return points, {True: values[values > before], False: values[values <= before]}
 
 
-def stretches(mask: Mask) -> list[tuple[int, int]]:
-    """First row of each stretch in which a mask of shape (samples,) holds, and the row after its last."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
-    return [(int(first), int(last)) for first, last in zip(edges[::2], edges[1::2], strict=True)]
-
-
 def longest_s(time_s: Array, mask: Mask) -> float:
     """The longest time without a break, in s, of the samples in a mask; both of shape (samples,)."""
-    return max((float(time_s[last - 1] - time_s[first]) for first, last in stretches(mask)), default=0.0)
+    return max((float(time_s[last - 1] - time_s[first]) for first, last in spans.of_mask(mask)), default=0.0)
 
 
 @dataclass(frozen=True)

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
+from ..ground import spans
 from ..ground.units import unit_of
-from .course import Course, Mask, Recorded, stretches
+from .course import Course, Mask, Recorded
 from .description import Run
 from .limits import LONGER, ROOM, SHORT_S, from_on, least_speed, longest_stand_s, most_speed, up_to
 
 SOME = f"{100.0 * ROOM:.0f} %"  # the room, as a person reads it
 NEAR = 0.1  # of the recorded range: so near it was recorded
-
 
 Part = tuple[Mask, str, str]  # rows of a plan that are outside, of shape (samples,); what it asks for there; the mend
 
@@ -153,7 +153,7 @@ def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows:
     pairs = zip(recorded.courses, before, strict=True)
     least_s = max(LONGER * max(float(course.lasted_s(mask).max()) for course, mask in pairs), SHORT_S)
     lasted_s, going_on = planned.lasted_s(rows), np.zeros(len(rows), bool)
-    for first, last in stretches(rows):
+    for first, last in spans.of_mask(rows):
         going_on[first:last] = lasted_s[last - 1] > least_s
     return going_on
 

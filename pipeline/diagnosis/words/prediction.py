@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ...ground import spans
 from ...ground.command import command
 from ...ground.kinematics import Array
 from ...run.course import Mask
@@ -64,11 +65,9 @@ def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int
 
 def stretches(rows: Mask, time_s: Array) -> str:
     """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], rows, [False]]).astype(int)))
-    pairs = zip(time_s[edges[::2]], time_s[edges[1::2] - 1], strict=True)
-    spans = [f"{first:.4g} to {last:.4g} s" for first, last in pairs]
-    more = [f"{len(spans) - STRETCHES} stretches more"] if len(spans) > STRETCHES else []
-    return f"from {listing([*spans[:STRETCHES], *more])}" if spans else ""
+    times_s = [f"{time_s[first]:.4g} to {time_s[last - 1]:.4g} s" for first, last in spans.of_mask(rows)]
+    more = [f"{len(times_s) - STRETCHES} stretches more"] if len(times_s) > STRETCHES else []
+    return f"from {listing([*times_s[:STRETCHES], *more])}" if times_s else ""
 
 
 def of_state(gap: Array, expected: float | None, unit: str, again: str) -> str:
