@@ -13,6 +13,7 @@ from .panels import BAND, BINS, MOTION, SHADES, ways
 from .stroke_means import stroke_means
 
 GAP = 4.0  # bins: points further apart are not joined by a line
+STILL_C = 0.1  # a temperature that moves by less is followed by nothing that a sensor shows
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 TIME, TEMPERATURE = "time (s)", "temperature (°C)"
 SLOW = (TIME, TEMPERATURE)  # what hardly changes within a stroke
@@ -37,7 +38,9 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
     if drivers.turn and drivers.span > drivers.turn:
         channels["angle within the turn (turns)"] = ((drivers.motion / drivers.turn) % 1.0, moving)
     if drivers.temperature_c is not None:
-        channels[TEMPERATURE] = (drivers.smooth(drivers.temperature_c), everywhere)
+        warmth_c = drivers.smooth(drivers.temperature_c)
+        if np.ptp(warmth_c) > STILL_C:
+            channels[TEMPERATURE] = warmth_c, everywhere
     return {
         label: pair for label, pair in channels.items() if pair[1].sum() > BINS and np.ptp(pair[0]) > 0
     }  # a constant is followed by nothing
@@ -96,3 +99,4 @@ def _draw(axes: Axes, places: Array, means: dict[str, Array], floor: float, labe
         axes.plot(places, mean, ".-" if joined else ".", ms=3 if joined else 5, lw=1, color=SHADES[name], label=name)
     axes.set_xlabel(label, fontsize=8)
     axes.tick_params(labelsize=7)
+    axes.ticklabel_format(axis="x", useOffset=False)

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from ..ground.files import whole
+from ..ground.figure_file import write_figure
 from .health import Health
 from .indicators import REFERENCE
 from .percent import percent
@@ -61,8 +61,7 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
         figure.suptitle(f"{health.string}: {strokes(len(health.strokes))} seen", fontsize=11)
         if note := footnote(answers, level):
             figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
-        with whole(path) as temporary:
-            figure.savefig(temporary, dpi=130)
+        write_figure(figure, path, dpi=130)
         plt.close(figure)
 
 

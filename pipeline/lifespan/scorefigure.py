@@ -12,7 +12,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-from ..ground.files import whole
+from ..ground.figure_file import write_figure
 
 COLOURS = ("#d55e00", "#0072b2", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 MARKS = ("o", "s", "^", "v")
@@ -71,6 +71,5 @@ def page(rows: pd.DataFrame, levels: tuple[float, ...], path: Path) -> None:
             levels_held(left, part, levels)
             left.set_title(TITLES.get(str(question), str(question)), fontsize=9.5, loc="left")
             against_truth(right, part)
-        with whole(path) as temporary:
-            figure.savefig(temporary, metadata={"Date": None})
+        write_figure(figure, path)
         plt.close(figure)

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..ground.files import whole
+from ..ground.figure_file import write_figure
 from .made_by import MadeBy, sentence, warning
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
@@ -32,12 +32,11 @@ def name(axes: Axes, title: str, x: str, y: str) -> None:
 
 def save(figure: Figure, stem: Path, mark: MadeBy | None = None) -> None:
     """Write a figure as png and pdf, without dates; what is no result says so in a line of text on the figure."""
-    metadata_there: dict[str, Any] = {}
+    metadata: dict[str, Any] = {}
     if mark is not None:
-        metadata_there = {".png": {"Description": sentence(mark)}, ".pdf": {"Subject": sentence(mark)}}
+        metadata = {".png": {"Description": sentence(mark)}, ".pdf": {"Subject": sentence(mark)}}
         if warning(mark):
             figure.suptitle("\n".join(filter(None, (figure.get_suptitle(), warning(mark)))), color=WARNING)
-    for suffix, metadata in {".png": {"Software": None}, ".pdf": {"CreationDate": None}}.items():
-        with whole(stem.with_suffix(suffix)) as temporary:
-            figure.savefig(temporary, metadata={**metadata, **metadata_there.get(suffix, {})})
+    for suffix in (".png", ".pdf"):
+        write_figure(figure, stem.with_suffix(suffix), STYLE["savefig.dpi"], metadata.get(suffix))
     plt.close(figure)

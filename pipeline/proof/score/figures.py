@@ -10,12 +10,11 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
-from ...ground.files import whole
+from ...ground.figure_file import write_figure
 from . import share_intervals
 
 COLOURS = ("#0072b2", "#009e73", "#d55e00", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 RATIOS = (0.1, 0.2, 0.5, 0.8, 1.0, 1.25, 2.0, 5.0, 10.0)  # ticks
-UNDATED = {"png": {"Software": None}, "pdf": {"CreationDate": None}}  # the same bytes each time
 OTHER = ("several", "tie, truth in it", "tie, truth not in it", "unknown", "nothing missing", "refused")
 SPOKEN = {
     "tie with the truth": "tie, truth in it",
@@ -149,6 +148,5 @@ def draw(cases: pd.DataFrame, sizes: pd.DataFrame, out: Path) -> None:
     figures = {"confusion": confusion(cases), "dose_response": dose_response(cases), "sizes": named_sizes(sizes)}
     for name, figure in figures.items():
         for suffix in ("png", "pdf") if name != "sizes" else ("png",):
-            with whole(out / f"{name}.{suffix}") as temporary:
-                figure.savefig(temporary, dpi=200, metadata=UNDATED[suffix])
+            write_figure(figure, out / f"{name}.{suffix}", dpi=200)
         plt.close(figure)

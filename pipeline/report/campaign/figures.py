@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from ...ground.files import whole
+from ...ground.figure_file import write_figure
 from .results import ALONE, MAPS, TOLERANCE, middles, pooled
 
 COLOURS = ("#d55e00", "#cc79a7", "#009e73", "#0072b2", "#56b4e9", "#e69f00", "0.25")  # Okabe and Ito, then dark grey
@@ -98,5 +98,5 @@ def _held(axes: Axes, table: pd.DataFrame) -> None:
 
 def save_svg(figure: Figure, path: Path) -> None:
     """Write a figure as svg, without a date, so that the same data gives the same bytes."""
-    with plt.rc_context({"svg.hashsalt": "twistbench"}), whole(path) as temporary:
-        figure.savefig(temporary, metadata={"Date": None})
+    with plt.rc_context({"svg.hashsalt": "twistbench"}):
+        write_figure(figure, path)

@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 
 from ...ground.errors import BadInput, program
+from ...ground.figure_file import write_figure
 from ...ground.files import whole, write_text
 from ...ground.units import unit_of
 from ...real.plan import ALL_OTHERS
@@ -186,10 +187,9 @@ def main() -> None:
     results = read_results(arguments.verdicts, arguments.together, arguments.black_boxes, pairs)
     unit = next((result.spoken for result in results if result.unit), "")
     write_text(arguments.out, page(arguments.rig, rig, results, pairs, unit))
-    with whole(arguments.figure) as temporary:
-        drawn = figure(results, pairs, unit)
-        drawn.savefig(temporary, dpi=160)
-        plt.close(drawn)
+    drawn = figure(results, pairs, unit)
+    write_figure(drawn, arguments.figure, dpi=160)
+    plt.close(drawn)
     rows = pd.DataFrame([{"rig": arguments.rig, **result.row(rig)} for result in results])
     with whole(arguments.table) as temporary:
         rows.to_csv(temporary, index=False, float_format="%.5g")
