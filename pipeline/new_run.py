@@ -25,6 +25,7 @@ from .run.option_mend import by_option
 from .run.recording import read_recording, to_samples
 from .run.samples import check, questions
 from .run.tolerances_given import read_back, tolerance_questions
+from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
@@ -103,6 +104,8 @@ def arguments_to_content(arguments: argparse.Namespace) -> dict[str, Any]:
         content["actuator"] = arguments.actuator or STRING_ACTUATORS[0]
     content["string"] = {key: value for key, value in string.items() if value is not None}
     content["rig"] = {key: value for key, value in rig.items() if value is not None}
+    if arguments.tare:
+        content["tare"] = arguments.tare
     for key in ("file", "channels", "tolerance"):
         if getattr(arguments, key) is not None:
             content[key] = parse_yaml(getattr(arguments, key), Path(f"--{key}"))
@@ -159,6 +162,8 @@ def main() -> None:
         metavar="YAML",
         help="how well its dimensions were measured, the radius as a share: '{radius: 0.02, length_mm: 0.5}'",
     )
+    tare = "run: the sensor's zero was moved since the string's run before (default: string)"
+    parser.add_argument("--tare", choices=("string", "run"), help=tare)
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument(
         "--out",
@@ -178,6 +183,8 @@ def main() -> None:
     print(read_back(parse_run(content, folder / "run.yaml")))
     if "tolerance" not in content:
         print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")
+    for sentence in advice_on(folder) if recorded else []:
+        print(f"warning: {sentence}", file=sys.stderr)
     effects = ", ".join(entry["id"] for entry in content.get("simulation", []))
     if effects:
         mend = f"{command('adopt')} --remove {shlex.quote(str(folder))}"

@@ -34,6 +34,16 @@ def tell(info: CaptureJson, folder: Path) -> None:
         read_run(folder)
     except BadInput as error:
         print(f"{error} Until then nothing can use this run.")
+    else:
+        tell_zero(folder)
+
+
+def tell_zero(folder: Path) -> None:
+    """Say whether the sensor's zero moved since the run of the same string before."""
+    from ..string.jumps_beside import advice_on  # it needs pandas, for which no rig should wait
+
+    for sentence in advice_on(folder):
+        print(f"{folder}: {sentence}")
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

@@ -80,6 +80,17 @@ def check(hello: Hello, legs: Sequence[Leg], name: str) -> None:
         raise BadInput(name, field, sentence, "choose another run, or widen the limits in the firmware if that is safe")
 
 
+def strokes_of(legs: Sequence[Leg], at_turns: float) -> int:
+    """How many strokes a program has that starts at `at_turns`: as often as it begins to wind."""
+    count, winding = 0, False
+    for leg in legs:
+        if leg.turns != at_turns:
+            count += leg.turns > at_turns and not winding
+            winding = leg.turns > at_turns
+        at_turns = leg.turns
+    return count
+
+
 def load(port: Port, hello: Hello, legs: Sequence[Leg], name: str) -> None:
     """Hand a program over, until the device says that it has the whole of it; nothing moves yet. Raises BadInput."""
     check(hello, legs, name)

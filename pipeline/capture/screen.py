@@ -1,4 +1,7 @@
-"""What the person at the rig sees: on a terminal one line that renews itself, in a log file a line a minute."""
+"""What the person at the rig sees: on a terminal one line that renews itself, in a log file a line a minute.
+
+The first line of a log file comes sooner: whoever looks into it wants to see that the recording grows.
+"""
 
 import contextlib
 import shutil
@@ -6,7 +9,7 @@ import sys
 import time
 
 RENEW_S = 0.25
-LOG_S = 60.0
+LOG_S, FIRST_S = 60.0, 5.0
 CLEAR = "\r\x1b[K"
 
 
@@ -16,12 +19,13 @@ class Screen:
     def __init__(self) -> None:
         self.live = sys.stdout.isatty()
         self._shown_s = time.monotonic()
+        self._every_s = RENEW_S if self.live else FIRST_S
         self._open = False  # whether the line that renews itself stands there
 
     @property
     def due(self) -> bool:
         """Whether it is time for the next line."""
-        return time.monotonic() - self._shown_s >= (RENEW_S if self.live else LOG_S)
+        return time.monotonic() - self._shown_s >= self._every_s
 
     def say(self, sentence: str) -> None:
         """A sentence that stays."""
@@ -32,6 +36,7 @@ class Screen:
         """The line that renews itself: as many of its parts, the first ones first, as the terminal is wide for."""
         self._shown_s = time.monotonic()
         if not self.live:
+            self._every_s = LOG_S
             self._write(", ".join(parts) + "\n")
             return
         width = shutil.get_terminal_size().columns - 1

@@ -4,6 +4,7 @@ import math
 import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
@@ -16,7 +17,7 @@ from .commit import commit
 from .handshake import check_rate, greet
 from .lines_to_csv import commit_lines
 from .log import LINES, NAME, Log, check_folder
-from .motion import load
+from .motion import load, strokes_of
 from .port import Port
 from .printed import await_header, follow
 from .stream import record
@@ -103,6 +104,8 @@ def capture(
                 )
             if legs:
                 load(port, hello, legs, name)
+                assert hello.program is not None, "load has refused a device without limits"
+                hello = replace(hello, strokes=strokes_of(legs, hello.program.at_turns))  # not its own motion's
             if stopped():
                 raise KeyboardInterrupt
             until_committed.enter_context(end_request.listening())

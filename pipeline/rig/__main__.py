@@ -12,7 +12,7 @@ from ..ground.errors import program
 from .commanded import Commanded
 from .device import Device
 from .line import line, serve
-from .options import command, free_name
+from .options import again, command, free_name
 from .setup import names, read_setup
 from .simulate import simulate
 from .standing import Standing
@@ -81,7 +81,8 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
         print(f"rig: {arguments.setup} is at {arguments.link}, {paced(arguments.pace, setup.rate_hz)}; Ctrl-C ends it")
-        print(f"rig: before recording 1 describe its string by: {command(setup, free_name(RAW))}")
+        first = free_name(RAW)
+        print(f"rig: before recording 1 describe its string by: {command(setup, first)}")
         print(STAYS if standing else ANEW)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
         try:
@@ -94,6 +95,8 @@ def main() -> int:
                 number += 1
                 if standing is None:
                     print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
+                else:
+                    print(f"rig: before recording {number} describe it by: {again(setup, RAW, first)}", flush=True)
                 device = device_of(number)
         except KeyboardInterrupt:
             return 130

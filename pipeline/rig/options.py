@@ -29,3 +29,14 @@ def command(setup: SetUp, run: str) -> str:
     sizes = [f"{option(name)} {content[name]:g}" for name in (*STRING, *RIG) if content.get(name) is not None]
     words = [called.command("new_run"), run, option("material"), MATERIAL, *sizes, option("string_id"), run]
     return " ".join(words)
+
+
+def again(setup: SetUp, raw: Path, first: str) -> str:
+    """The command that makes a run folder for a further recording of the string of run `first`.
+
+    A displacement sensor that counts from where it stands when a recording starts has another zero in each.
+    """
+    known = raw / first / "run.yaml"
+    like = raw / first if known.is_file() else raw / "RUN_OF_RECORDING_1"
+    moved = setup.sensors["displacement_mm"].zeroed
+    return f"{called.command('new_run')} {free_name(raw)} --like {like}{' --tare run' if moved else ''}"

@@ -25,6 +25,7 @@ class Standing:
         self.setup, self.seed, self.load = setup, seed, load
         self.step_s, self.string, self.number = step_of(setup), string_of(setup), 0
         each = setup.motion.each()
+        self.strokes = len(each)  # of its own motion
         self.at_turns, self.hangs_n = each[0].bottom_turns, each[0].load_n
         top = max(stroke.top_turns for stroke in each)
         fastest = FASTER * max(stroke.speed_turns_per_s for stroke in each)
@@ -56,7 +57,7 @@ class Standing:
     def declared(self) -> Simulated:
         """What its HELLO says, and no samples yet."""
         nonce = f"{np.random.default_rng(self.seed).integers(1 << 32):08x}"
-        hello = hello_of(self.setup, nonce, 0, self.limits)
+        hello = hello_of(self.setup, nonce, self.strokes, self.limits)
         return Simulated(hello, np.zeros(0, hello.sample_type), [], np.zeros(0), {})
 
     def own(self) -> Simulated:

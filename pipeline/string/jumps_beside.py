@@ -62,6 +62,22 @@ def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
     return [jump for jump in jumps_found if jump.run in known]
 
 
+def advice_on(folder: Path) -> list[str]:
+    """What a person should do about the zero of a run that was just recorded: a sentence for each jump into it.
+
+    None where no other run of its string lies beside it, or where one of them cannot be read.
+    """
+    try:
+        string = read_run(folder).string_id
+    except BadInput:
+        return []
+    if not any(_naming(folder.parent, {string}, {folder.resolve()})):
+        return []
+    beside = Beside()
+    rests = beside.at(folder)
+    return [jump.advice for jump in jumps_into([rests], beside)] if rests else []
+
+
 def _naming(place: Path, strings: set[str], but: set[Path]) -> Iterator[Path]:
     """Runs in a folder of runs, `but` some, whose run.yaml names one of these strings."""
     return (folder for folder in find_runs(place) if folder.resolve() not in but and _names(folder, strings))

@@ -7,7 +7,7 @@ import pytest
 from programs import run
 from scripted_rig import CHANNELS, ScriptedRig
 
-from pipeline.capture.motion import load
+from pipeline.capture.motion import load, strokes_of
 from pipeline.capture.port import Port
 from pipeline.ground.errors import BadInput
 from pipeline.wire import Hello, Kind
@@ -91,3 +91,18 @@ def test_a_file_without_a_program_is_refused(text, tmp_path):
     path.write_text(text)
     done = run("pipeline.capture", "/dev/null", tmp_path / "run-1", "--program", path)
     assert done.returncode == 2 and "--program" in done.stderr and "Mend:" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("turns", "at", "strokes"),
+    [
+        ([10, 0], 0, 1),
+        ([0, 10, 10, 0, 0, 20, 0], 0, 2),
+        ([5, 10, 10, 12, 3, 8], 0, 2),
+        ([3, 0], 10, 0),
+        ([10, 10], 10, 0),
+        ([], 0, 0),
+    ],
+)
+def test_a_program_has_as_many_strokes_as_it_begins_to_wind(turns, at, strokes):
+    assert strokes_of([Leg(1.0, float(end)) for end in turns], float(at)) == strokes

@@ -1,4 +1,4 @@
-"""On a terminal one line renews itself, in a log file a line a minute; the time left never rises."""
+"""On a terminal one line renews itself, in a log file a line a minute and the first soon; the time left never rises."""
 
 import os
 import pty
@@ -68,7 +68,8 @@ def test_on_a_terminal_one_line_renews_itself(at, monkeypatch):
 
 def test_in_a_log_file_it_is_a_line_a_minute(at, monkeypatch):
     said, times = shown(False, at, monkeypatch, 7200)
-    assert times == 119 and said.count("\n") == 121 and CLEAR not in said and "\x1b" not in said
+    assert times == 120 and said.count("\n") == 122 and CLEAR not in said and "\x1b" not in said
+    assert said.startswith("5.0 s recorded, ") and said.splitlines()[1].startswith("65.0 s")
 
 
 @given(st.lists(st.floats(0.1, 100), min_size=1, max_size=20), st.floats(0, 30))

@@ -51,7 +51,7 @@ ROOMS = {
     "run": "ground wire systems formats",
     "string": "ground run",
     "foreign": "ground systems formats run",
-    "capture": "ground wire run",
+    "capture": "ground wire run string",
     "rig": "ground wire run",
     "diagnosis": "ground systems run",
     "adoption": "ground run diagnosis",

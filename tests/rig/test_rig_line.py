@@ -75,6 +75,46 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
         rig.communicate()
 
 
+def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_and_capture_says_its_zero(tmp_path):
+    """The sensor of the example starts at 0 in each recording: nothing but the main job's log said so."""
+    rig = start(
+        tmp_path / "port", "--pace", "inf", "--recordings", "3", "--standing", "--strokes", "14", folder=tmp_path
+    )
+
+    def called(line):
+        words = [sys.executable, *shlex.split(line)[1:]]
+        done = subprocess.run(
+            words,
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(ROOT)},
+            timeout=300,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    try:
+        said = [rig.stdout.readline() for _ in range(4)]
+        called(said[1].partition("by: ")[2])
+        first = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-1")
+        assert "zero jumps" not in first and "14 of 14 strokes done" in first
+        assert json.loads((tmp_path / "raw/example-1/capture.json").read_text())["hello"]["strokes"] == 14
+        called("python -m pipeline.new_run example-2 --like raw/example-1")
+        second = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-2")
+        assert "raw/example-2: The zero jumps between two runs of one string" in second
+        assert "write `tare: run` in run.yaml of example-2" in second
+        assert rig.stdout.readline() == "rig: recording 1 is recorded\n" and "example-2 --like" in rig.stdout.readline()
+        assert rig.stdout.readline() == "rig: recording 2 is recorded\n"
+        third = rig.stdout.readline().partition("before recording 3 describe it by: ")[2]
+        assert shlex.split(third)[3:] == ["example-3", "--like", "raw/example-1", "--tare", "run"]
+        called(third)
+        assert read_run(tmp_path / "raw" / "example-3").tare == "run"
+    finally:
+        rig.kill()
+        rig.communicate()
+
+
 def test_at_a_pace_the_rig_says_how_many_samples_a_second_come(tmp_path):
     rig = start(tmp_path / "port")
     try:
