@@ -127,7 +127,7 @@ def main() -> None:
     """Make one run folder."""
     parser = argparse.ArgumentParser(prog=command("new_run"), description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
-    kinds = "separator (default), or twisted_pair: two strings without a separator, x = L - sqrt(L^2 - (theta r)^2)"
+    kinds = "separator (default), or twisted_pair: two strings without a separator"
     like = "a run of the same string on the same rig: all is taken from its run.yaml but what is given here"
     parser.add_argument("--like", type=Path, metavar="RUN_DIR", help=like)
     parser.add_argument("--actuator", choices=STRING_ACTUATORS, help=kinds)
@@ -154,22 +154,22 @@ def main() -> None:
     parser.add_argument(
         "--recording", type=Path, metavar="FILE", help=f"a .csv, .csv.gz or .parquet with the columns {columns}"
     )
-    channels = "which column is what, as in run.yaml: '{time_s: t, motor_turns: {column: theta, unit: rad}}'"
+    channels = "which column is what: '{time_s: t, motor_turns: {column: theta, unit: rad}}'"
     parser.add_argument("--channels", metavar="YAML", help=channels)
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument(
         "--tolerance",
         metavar="YAML",
-        help="how well its dimensions were measured, the radius as a share: '{radius: 0.02, length_mm: 0.5}'",
+        help="how well it was measured, the radius as a share: '{radius: 0.02, length_mm: 0.5}'",
     )
-    tare = "run: the sensor's zero was moved since the string's run before (default: string)"
+    tare = "run: the zero was moved since the string's run before; default: string"
     parser.add_argument("--tare", choices=("string", "run"), help=tare)
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument(
         "--out",
         type=Path,
         metavar="DIR",
-        help="folder in which the run's folder is made; default: raw, or beside the run it is like",
+        help="where the run's folder is made; default: raw, or beside the run it is like",
     )
     arguments = parser.parse_args()
     lacking = [f"--{name}" for name in NEEDED if getattr(arguments, name.replace("-", "_")) is None]

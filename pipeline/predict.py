@@ -2,7 +2,8 @@
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
 (`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, or further ahead of the
-last recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds.
+last recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds. With
+`--saved` a model that was fitted before answers, as its export does and without intervals.
 """
 
 import argparse
@@ -12,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from .export.asked import answers as saved_answers
 from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
@@ -24,6 +26,7 @@ from .models.parts.conditions import Conditions
 from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
 from .models.parts.question_table import question_table, refuse_cells
 from .models.parts.settings import shown
+from .models.parts.unanswered import reasons
 from .stages.train import configured, fitting, seed
 from .string.jump_notes import NAME, read_jumps
 
@@ -75,15 +78,15 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str
 
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
-    """What was asked beside its answer: value, low and high in the answer's unit, and whether it lies inside.
+    """Value, low and high in the answer's unit, and whether the question lies inside."""
+    interval, wanted = getattr(intervals, MAPS[known])(points, level), GIVEN[known]
+    return interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
 
-    Of the other columns, such as the load, those in which the questions differ stand there too.
-    """
-    interval = getattr(intervals, MAPS[known])(points, level)
-    wanted = GIVEN[known]
-    renamed = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
-    others = [name for name in points if name not in (known, wanted, *ASKED) and points[name].nunique() > 1]
-    return pd.concat([points[[known, *ASKED, *others]], renamed], axis=1)
+
+def beside_questions(points: pd.DataFrame, known: str, answered: pd.DataFrame) -> pd.DataFrame:
+    """What was asked beside its answer; of the other columns, such as the load, those in which the questions differ."""
+    others = [name for name in points if name not in (known, GIVEN[known], *ASKED) and points[name].nunique() > 1]
+    return pd.concat([points[[known, *ASKED, *others]], answered], axis=1)
 
 
 @program
@@ -99,9 +102,10 @@ def main() -> None:
     )
     parser.add_argument(
         "--model",
-        default=usual(),
-        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved one is read; default: {usual()}",
+        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved file is read; default: {usual()}",
     )
+    saved = "this fitted model answers, as its export: processed/<material>/<model>/<split>-<seed>.model"
+    parser.add_argument("--saved", type=Path, metavar="FILE", help=saved)
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
     parser.add_argument("--seed", type=seed, default=0)
@@ -109,20 +113,31 @@ def main() -> None:
     arguments = parser.parse_args()
     if not 0.0 < arguments.level < 1.0:
         raise BadInput("--level", str(arguments.level), "is no probability", "give a number between 0 and 1")
+    if arguments.saved and (arguments.model or arguments.settings != "{}"):
+        parser.error("--saved takes a model as it is: leave out --model and --settings")
+    arguments.model = arguments.model or usual()
     configured(arguments.model, arguments.settings)  # complains before anything is fitted
     if about(arguments.model).needs_motion:
         problem = "answers along a whole motion, which single questions do not tell"
         raise BadInput("--model", arguments.model, problem, f"choose another, such as {usual()}")
-    file_to_write(arguments.out, reads=[arguments.dataset, arguments.questions])
+    reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
+    file_to_write(arguments.out, reads=reads)
     dataset = opened(arguments.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
     points, known = read_questions(arguments.questions, dataset)
+    if arguments.saved:
+        table = beside_questions(points, known, saved_answers(arguments.saved, points, known, arguments.dataset))
+        write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
+        outside = int((~table["inside"]).sum())
+        print(f"{len(table)} answers of {arguments.saved} in {arguments.out}, without intervals", end="")
+        print(f"; {outside} of them are outside its ranges, and its export does not answer them" if outside else "")
+        return
     intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
     try:
         with fitting(arguments.model):
             intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
-            table = answers(intervals, points, known, arguments.level)
+            table = beside_questions(points, known, answers(intervals, points, known, arguments.level))
     except TooFew as error:
         raise BadInput(
             arguments.dataset, "points", str(error), "record more strokes, or more samples a stroke"
@@ -131,6 +146,8 @@ def main() -> None:
     outside = int((~table["inside"]).sum())
     print(f"{len(table)} answers in {arguments.out}", end="")
     print(f", {outside} of them without an interval: outside what was recorded, or too far ahead" if outside else "")
+    for reason in reasons(intervals, points, GIVEN[known]):
+        print(f"  {reason}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Questions are answered with intervals, flagged beyond the recorded range, and refused where they lack something."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,8 +12,10 @@ import programs
 import pytest
 from models.made_dataset import made_dataset
 
+from pipeline.export.source import Beside, opened
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.models.interface import make_model
 from pipeline.predict import read_questions
 
 ROOT = Path(__file__).parent.parent
@@ -37,6 +40,8 @@ def test_answers_come_with_intervals_and_what_lies_outside_is_flagged(dataset: P
     done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *lines, "3,1,90\n"]), "--model", "polynomial")
     assert done.returncode == 0, done.stderr
     assert "1 of them without an interval" in done.stdout
+    assert re.search(r"^  row 4: motor_turns 90: recorded are -?[\d.]+ to [\d.]+ turns$", done.stdout, re.MULTILINE)
+    assert done.stdout.count("row ") == 1
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert table["inside"].tolist() == [True, True, True, False]
     np.testing.assert_allclose(table["displacement_mm"][:3], known["displacement_mm"], atol=0.2)
@@ -50,6 +55,7 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
     for level in ("0.8", "0.95"):
         done = ask(dataset, text, "--model", "polynomial", "--level", level)
         assert done.returncode == 0 and "1 of them without an interval" in done.stdout
+        assert "  row 3: stroke 12: 6 strokes were recorded, and 2 further ones have intervals\n" in done.stdout
         table = pd.read_csv(dataset.with_name("answers.csv"))
         widths[level] = table["motor_turns_high"] - table["motor_turns_low"]
         assert widths[level][1] >= widths[level][0] and np.isinf(widths[level][2])
@@ -130,7 +136,7 @@ def test_answers_say_of_which_load_they_are(dataset: Path) -> None:
 
 def test_help_says_what_directions_are_and_that_the_model_is_fitted_anew(dataset: Path) -> None:
     said = " ".join(ask(dataset, "", "--help").stdout.split())
-    assert "direction, 1 winding or -1 unwinding" in said and "fitted anew, no saved one is read" in said
+    assert "direction, 1 winding or -1 unwinding" in said and "fitted anew, no saved file is read" in said
 
 
 def test_a_bad_level_and_a_missing_file_end_with_2(dataset: Path) -> None:
@@ -177,3 +183,38 @@ def test_a_model_with_a_memory_a_table_that_is_none_and_one_block_end_with_2(dat
 def test_the_help_says_which_model_answers_where_none_is_named(dataset: Path) -> None:
     done = ask(dataset, "", "--help")
     assert done.returncode == 0 and "default: spline" in " ".join(done.stdout.split())
+
+
+def test_of_many_questions_outside_the_first_have_their_reason(dataset: Path) -> None:
+    done = ask(dataset, "stroke,direction,motor_turns\n" + "40,1,90\n" * 8, "--model", "polynomial")
+    assert "8 of them without an interval" in done.stdout and done.stdout.count("  row ") == 5
+    assert re.search(r"row 5: motor_turns 90: recorded are .* turns; stroke 40: 6 strokes were recorded", done.stdout)
+
+
+@pytest.mark.parametrize("name", ["spline", "polynomial"])
+def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset: Path, name: str) -> None:
+    """Header and `predict` side by side gave slightly other numbers: one was fitted to fewer points."""
+    points = pd.read_parquet(dataset)
+    model, file = make_model(name), dataset.parent / name / "within-0.model"
+    file.parent.mkdir(exist_ok=True)
+    model.fit(points[points["block"] % 4 != 0], 0)
+    model.save(file)
+    text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n12,1,9\n13,1,9\n2,1,90\n"
+    done = ask(dataset, text, "--saved", str(file))
+    assert done.returncode == 0, done.stderr
+    assert "without intervals; 2 of them are outside its ranges, and its export does not answer them" in done.stdout
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table.columns.tolist() == ["motor_turns", "stroke", "direction", "displacement_mm", "inside"]
+    source = opened(file, None, Beside(dataset=dataset))
+    queries = np.array([[9, 2, 1], [14, 5, -1], [9, 12, 1]], float)
+    meant = source.model.forward(source.inputs.points("motor_turns", queries))
+    np.testing.assert_allclose(table["displacement_mm"][:3], meant, rtol=1e-5)
+    assert table["inside"].tolist() == [True, True, True, False, False]
+
+
+def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: Path) -> None:
+    text = "stroke,direction,motor_turns\n1,1,3\n"
+    done = ask(dataset, text, "--saved", "spline/within-0.model", "--model", "spline")
+    assert done.returncode == 2 and "leave out --model and --settings" in done.stderr
+    done = ask(dataset, text, "--saved", str(dataset.parent / "spline" / "no.model"))
+    assert done.returncode == 2 and "is not a file. Mend: train it first, or mend the path" in done.stderr

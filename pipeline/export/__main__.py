@@ -2,6 +2,7 @@
 
 import argparse
 import re
+import shlex
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -55,6 +56,13 @@ def _header_to_write(out: Path, reads: list[Path]) -> None:
         raise BadInput("--out", str(out), "is there and no header", mend)
 
 
+def _in_python(file: Path) -> str:
+    """How the same answers are had in Python: other commands fit the model anew, to more points."""
+    dataset = shlex.quote(str(file.parent.parent / "dataset.parquet"))
+    ask = f"{command('predict')} {dataset} questions.csv --saved {shlex.quote(str(file))} --out answers.csv"
+    return f"The same answers in Python: {ask} (without --saved the model is fitted anew, to all points)"
+
+
 def main() -> None:
     """Export."""
     options = arguments(sys.argv[1:])
@@ -77,6 +85,7 @@ def main() -> None:
             text = header(source, options.name)
         write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text")
+        print(_in_python(options.file))
         return
     from .onnx_model import graphs  # a header needs no onnx
 
@@ -87,6 +96,7 @@ def main() -> None:
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")
+    print(_in_python(options.file))
 
 
 if __name__ == "__main__":

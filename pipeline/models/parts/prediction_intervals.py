@@ -28,7 +28,6 @@ FOLDS = 4  # into which seen strokes are cut to be foreseen from each other
 LEAST_STROKES = 4  # to foresee any
 AHEAD = 3  # strokes that are foreseen, at most
 GIVEN = {"displacement_mm": "motor_turns", "motor_turns": "displacement_mm"}  # of each map, by what it predicts
-
 MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
 
 
@@ -122,17 +121,30 @@ class Intervals:
             return float("inf")
         return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
 
+    def outside(self, points: pd.DataFrame, wanted: str) -> dict[str, Array]:
+        """Which questions have no interval, by the column that is why: masks of shape (points,), without unit."""
+        last, stroke = self.last_strokes(points), points["stroke"].to_numpy()
+        far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
+        wrong = self.box.outside(points, GIVEN[wanted]) | {"stroke": far, "string": last.isna().to_numpy()}
+        return {name: mask for name, mask in wrong.items() if mask.any()}
+
+    def last_strokes(self, points: pd.DataFrame) -> pd.Series:
+        """The last recorded stroke of each question's string, NaN where none was; of shape (points,)."""
+        return _seen(points, self.strokes)
+
+    def ahead(self, wanted: str) -> int:
+        """How many strokes after the last recorded one have an interval."""
+        return max(number for number, values in self.scores[wanted].items() if len(values))
+
     def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:
         value = getattr(self.model, MAPS[wanted])(points)
         at = points["motor_turns"].to_numpy(float) if wanted == "displacement_mm" else value
         size = self.scatter[wanted].at(at, points["direction"].to_numpy())
-        last = _seen(points, self.strokes)
+        last = self.last_strokes(points)
         ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
         half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
-        wrong = {name: rows for name, rows in self.box.outside(points, GIVEN[wanted]).items() if name != "stroke"}
-        inside = ~np.any(list(wrong.values()), axis=0) if wrong else np.ones(len(points), bool)
-        inside &= points["stroke"].to_numpy() >= self.box.low["stroke"]
-        inside &= last.notna().to_numpy() & np.isfinite(half)
+        outside = self.outside(points, wanted)
+        inside = ~np.any(list(outside.values()), axis=0) if outside else np.ones(len(points), bool)
         half = np.where(inside, half, np.inf)
         return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
 

@@ -1,0 +1,37 @@
+"""Questions answered by a saved model in Python, within the ranges of its export: what header and graphs say."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ..ground.errors import BadInput
+from .inputs import ANSWER
+from .interface import Source
+from .source import Beside, opened
+
+MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
+
+
+def answers(file: Path, points: pd.DataFrame, known: str, dataset: Path) -> pd.DataFrame:
+    """The value of each question, in the answer's unit, and `inside`: whether the export would answer it.
+
+    `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
+    BadInput for a file that holds no model which can be exported.
+    """
+    source = opened(file, None, Beside(dataset=dataset))
+    value = np.asarray(getattr(source.model, MAPS[known])(points), float)
+    return pd.DataFrame({ANSWER[known]: value, "inside": _inside(source, points, known, file)})
+
+
+def _inside(source: Source, points: pd.DataFrame, known: str, file: Path) -> pd.Series:
+    """Which questions lie within the ranges of the export; a boolean of shape (points,)."""
+    inside = pd.Series(True, index=points.index)
+    for field in source.inputs.columns(known):
+        if field.name == "material":
+            inside &= points["material"].isin(source.inputs.materials)
+        elif field.name not in points:
+            raise BadInput(file, field.name, "is read by the model, and the dataset lacks it", "say the right dataset")
+        else:
+            inside &= points[field.name].between(field.low, field.high)
+    return inside
