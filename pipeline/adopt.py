@@ -1,6 +1,5 @@
 """Adopt a diagnosis: its `simulation` goes into a run's `run.yaml`, and the other text of that file stays as it is."""
 
-import argparse
 import shlex
 import shutil
 import sys
@@ -28,6 +27,7 @@ from .ground.complaint import short
 from .ground.errors import BadInput, program
 from .ground.files import whole
 from .ground.names import SYNTHETIC
+from .ground.parser import Parser
 from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
 from .run.description import Adopted, Run
@@ -118,7 +118,7 @@ def main() -> None:
     """Command line."""
     program = command("adopt")
     usage = f"{program} DIAGNOSIS.json RUN_DIR\n       {program} --remove RUN_DIR\n       {program} --explain RUN_DIR"
-    parser = argparse.ArgumentParser(prog=program, usage=usage, description=__doc__)
+    parser = Parser(prog=program, usage=usage, description=__doc__)
     parser.add_argument(
         "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
     )

@@ -3,7 +3,6 @@
 A mapping is a `run.yaml` without `run`: the string, the rig, how the file is written and where its channels stand.
 """
 
-import argparse
 import shlex
 import sys
 from dataclasses import dataclass
@@ -23,6 +22,7 @@ from .ground.errors import BadInput, program
 from .ground.files import sha256, write_text
 from .ground.folders import whole_folder
 from .ground.names import checked, own_material, run_name
+from .ground.parser import Parser
 from .ground.strict_yaml import read_yaml, write_yaml
 from .run.columns_read import read_as
 from .run.description import parse_run
@@ -164,7 +164,7 @@ def guess(file: Path, actuator: str, out: Path | None) -> None:
 @program
 def main() -> int:
     """Import one file, or all of a folder, or draft a mapping for one."""
-    parser = argparse.ArgumentParser(prog=command("import_run"), description=__doc__)
+    parser = Parser(prog=command("import_run"), description=__doc__)
     whole = "the recording, or a folder: each recording below it becomes a run NAME-<name of the file>"
     parser.add_argument("file", type=Path, metavar="FILE", help=whole)
     mapping = f"what is where in the file (docs/import.md), such as {HOUSE}/mappings/tsa_haptic_1.yaml"

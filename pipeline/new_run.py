@@ -15,6 +15,7 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.folders import whole_folder
 from .ground.names import checked, own_material, run_name
+from .ground.parser import Parser
 from .ground.strict_yaml import parse_yaml, write_yaml
 from .run.columns_read import read_as
 from .run.copied_run import as_in, with_given
@@ -125,7 +126,7 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
 @program
 def main() -> None:
     """Make one run folder."""
-    parser = argparse.ArgumentParser(prog=command("new_run"), description=__doc__)
+    parser = Parser(prog=command("new_run"), description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     kinds = "separator (default), or twisted_pair: two strings without a separator"
     like = "a run of the same string on the same rig: all is taken from its run.yaml but what is given here"

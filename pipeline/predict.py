@@ -6,7 +6,6 @@ last recorded stroke than errors could be learnt, is answered, flagged (`inside`
 `--saved` a model that was fitted before answers, as its export does and without intervals.
 """
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.given_table import opened
 from .ground.outputs import file_to_write
+from .ground.parser import Parser
 from .models.interface import about, usual
 from .models.parts.box import COLUMNS
 from .models.parts.conditions import Conditions
@@ -92,7 +92,7 @@ def beside_questions(points: pd.DataFrame, known: str, answered: pd.DataFrame) -
 @program
 def main() -> None:
     """Write the answers to a csv of questions."""
-    parser = argparse.ArgumentParser(prog=command("predict"), description=__doc__)
+    parser = Parser(prog=command("predict"), description=__doc__)
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
     parser.add_argument(
         "questions",

@@ -1,11 +1,11 @@
 """Record a rig: PORT → RUN_DIR/recording.frames, then capture.json. Ctrl-C ends it in good order: what came is used."""
 
-import argparse
 import math
 from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
 from ..run.folder import read_run
 from .commit import recover
@@ -81,7 +81,7 @@ def main() -> int:
 
     Nothing without a sample is exit 0.
     """
-    parser = argparse.ArgumentParser(prog=command("capture"), description=__doc__)
+    parser = Parser(prog=command("capture"), description=__doc__)
     parser.add_argument("port", metavar="PORT", nargs="?", help="the rig's serial port")
     parser.add_argument("run_dir", metavar="RUN_DIR", nargs="?", type=Path, help="raw/<run>")
     parser.add_argument("--baud", type=int, default=1_000_000)

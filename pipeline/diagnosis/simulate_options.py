@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..ground.command import command
+from ..ground.parser import Parser
 from .home import HOME
 from .words.prediction import AFTER_RECORDING
 from .words.residual import RESIDUAL
@@ -11,7 +12,7 @@ from .words.residual import RESIDUAL
 
 def parsed(description: str) -> argparse.Namespace:
     """The arguments of the command line; it ends the program with 2 where they do not go together."""
-    parser = argparse.ArgumentParser(prog=command("simulate"), description=description)
+    parser = Parser(prog=command("simulate"), description=description)
     parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="the run whose motion and load are simulated")
     parser.add_argument(
         "--simulation", type=Path, metavar="FILE.json",

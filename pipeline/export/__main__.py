@@ -12,6 +12,7 @@ from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write, folder_to_write
+from ..ground.parser import Parser
 from ..stages.train import SPLITS
 from .c_header import header
 from .source import Beside, opened
@@ -21,7 +22,7 @@ LONGEST = 31  # characters of a name's beginning, which C compilers must tell ap
 
 def arguments(words: list[str]) -> argparse.Namespace:
     """The command line."""
-    parser = argparse.ArgumentParser(prog=command("export"), description=__doc__)
+    parser = Parser(prog=command("export"), description=__doc__)
     parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
     parser.add_argument("--format", required=True, choices=("c", "onnx"))
     parser.add_argument(

@@ -4,7 +4,6 @@ A forecast needs 12 complete strokes of a string, in one run or in several that 
 answer says how far the limits are now.
 """
 
-import argparse
 import json
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from ..ground.outputs import folder_to_write
+from ..ground.parser import Parser
 from ..ground.progress import clear, steps
 from . import as_json, figure, sentences
 from .from_folders import strings
@@ -29,7 +29,7 @@ def ask(string_health: Health, loss: float, drift_mm: float) -> list[Answer]:
 def main() -> int:
     """Command line."""
     on_a_rig = f"On the synthetic rig: {command('rig')} paper --link /tmp/rig --strokes 24"
-    parser = argparse.ArgumentParser(prog=command("lifespan"), description=__doc__, epilog=on_a_rig)
+    parser = Parser(prog=command("lifespan"), description=__doc__, epilog=on_a_rig)
     runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes or more in all"
     parser.add_argument("run_dir", type=Path, nargs="+", help=runs)
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")

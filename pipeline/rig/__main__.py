@@ -1,6 +1,5 @@
 """Be a synthetic rig behind a pseudo-terminal: one recording after another, at a pace that a person can watch."""
 
-import argparse
 import math
 import signal
 import sys
@@ -9,6 +8,7 @@ from types import FrameType
 
 from ..ground import command as called
 from ..ground.errors import program
+from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .line import line, serve
@@ -49,7 +49,7 @@ def strokes_of(count: int) -> str:
 @program
 def main() -> int:
     """Make the link, then serve until Ctrl-C, or so many recordings; exit 1 when nobody acknowledges the last one."""
-    parser = argparse.ArgumentParser(prog=called.command("rig"), description=__doc__)
+    parser = Parser(prog=called.command("rig"), description=__doc__)
     parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
     parser.add_argument("--link", type=Path, required=True, help="name of the serial port that is made")
     parser.add_argument("--seed", type=int, default=0)

@@ -1,11 +1,11 @@
 """Settle a tie: record the run that would decide, diagnose all together, and go on until one explanation is left."""
 
-import argparse
 from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
+from ..ground.parser import Parser
 from ..run.folder import read_run
 from .approve import UNATTENDED, WAYS
 from .choose import Budget
@@ -32,7 +32,7 @@ def looked_at(folders: list[Path]) -> list[Path]:
 @program
 def main() -> int:
     """Exit 0 when it is settled or not approved, 1 after a fault of the rig, 2 on bad input, 130 when stopped."""
-    parser = argparse.ArgumentParser(prog=command("settle"), description=__doc__)
+    parser = Parser(prog=command("settle"), description=__doc__)
     parser.add_argument(
         "run_dir",
         metavar="RUN_DIR",

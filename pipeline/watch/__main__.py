@@ -1,6 +1,5 @@
 """Show RUN_DIR on a page of this machine while it is recorded; approve or stop what settles its tie. Ctrl-C ends it."""
 
-import argparse
 import os
 import secrets
 import threading
@@ -10,6 +9,7 @@ from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from ..ground.parser import Parser
 from .jobs import Jobs
 from .recording import Followed
 from .server import LOCAL, Page, Server
@@ -65,7 +65,7 @@ def real(path: Path) -> Path:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog=command("watch"), description=__doc__)
+    parser = Parser(prog=command("watch"), description=__doc__)
     parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="raw/<run>, which may be recorded later")
     parser.add_argument("--host", default="127.0.0.1", help="from any but 127.0.0.1 reading needs the token too")
     parser.add_argument("--port", type=int, default=8770, help="0: any that is free")

@@ -1,0 +1,36 @@
+"""The command line of a program: a misspelt option is told the near name."""
+
+import argparse
+import difflib
+import itertools
+import sys
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+LONGEST = 40  # characters of a word that are compared
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose complaints name the option that a misspelt one may mean."""
+
+    _words: Sequence[str] = ()
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """As argparse does; the words are kept for a complaint."""
+        self._words = sys.argv[1:] if args is None else list(args)
+        return super().parse_known_args(args, namespace)
+
+    def error(self, message: str) -> NoReturn:
+        """End with exit status 2: usage, what is wrong, and the near name of each option that there is not."""
+        super().error("; ".join([message, *self._meant()]))
+
+    def _meant(self) -> list[str]:
+        options = [option for option in self._option_string_actions if option.startswith("--")]
+        words = itertools.takewhile(lambda word: word != "--", self._words)
+        given = [word.partition("=")[0] for word in words if word.startswith("--")]
+        sentences = []
+        for word in dict.fromkeys(given):
+            if not any(option.startswith(word) for option in options):  # a beginning is enough for argparse
+                near = difflib.get_close_matches(word[:LONGEST], options, n=1)
+                sentences += [f"did you mean {near[0]} by {word[:LONGEST]}?"] if near else []
+        return sentences
