@@ -1,11 +1,13 @@
 """The box is where the energy is."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from pipeline.diagnosis import locate
+from pipeline.diagnosis.covered import pauses
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.verdict import diagnosis
@@ -32,7 +34,8 @@ def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(
     (entry,) = content["mechanisms"]
     assert entry["location"]["share"] == 0.0 and entry["rms_mm"]["value"] == 0.0
     assert "a strength of 0" in entry["sentence"] and content["simulation"] == []
-    assert "creep: The search's first fit" in details_text(content, found.problem.system, [])
+    content["evidence"]["covered"] |= pauses([RecordedRun(run, samples)])
+    assert "creep: The search's first fit" in details_text(content, found.problem.system, [Path("raw/run-0")])
 
 
 @pytest.mark.parametrize("signal", [0.0, np.nan])

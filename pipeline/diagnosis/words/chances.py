@@ -9,21 +9,25 @@ from .vocabulary import Vocabulary
 
 HEADING = "How probable each explanation is"
 KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
-KEPT = 5  # of them by name; the others are counted
+KEPT, FEW = 5, 3  # of them by name, and where the page is short; the others are counted
 LEFT_OUT = 3  # of those that are no names, in the table
 WORTH = 0.05  # a probability from which on the next best is named
 OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
 
 
-def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """The table; nothing where nothing is named or no probability is known."""
+def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+    """The table; nothing where nothing is named or no probability is known.
+
+    `brief` is how short: 1 without the tolerances that it stands on, 2 with fewer explanations by name.
+    """
     if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
         return []
     kept = kept_shares(content)
     rows = [[name, percent(share), "the best one" if place == 0 else ""] for place, (name, share) in enumerate(kept)]
-    if len(rows) > KEPT:
-        rest = kept[KEPT - 1 :]
-        rows = [*rows[: KEPT - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
+    by_name = FEW if brief > 1 else KEPT
+    if len(rows) > by_name:
+        rest = kept[by_name - 1 :]
+        rows = [*rows[: by_name - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
     none = content["evidence"].get("probability_of_none") or 0.0
     left = max(1.0 - none - sum(share for _, share in kept), 0.0)
     for entry in left_out.entries(content)[:LEFT_OUT]:
@@ -34,7 +38,11 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         rows.append([following[0], percent(following[1]), "less likely"])
         left = max(left - following[1], 0.0)
     rows += [[OTHERS, percent(left), ""], [NONE, percent(none), ""]]
-    return [*(line.rstrip() for line in aligned(rows)), *left_out.lines(content), *_stands_on(content, words)]
+    return [
+        *(line.rstrip() for line in aligned(rows)),
+        *left_out.lines(content),
+        *([] if brief else _stands_on(content, words)),
+    ]
 
 
 def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:

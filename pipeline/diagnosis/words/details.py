@@ -21,6 +21,7 @@ from . import (
     level,
     other_effects,
     own_size,
+    page,
     probability,
     rejected_explanations,
     rivals,
@@ -31,6 +32,7 @@ from . import (
     tolerances,
     unexplained_pattern,
     unseen,
+    verdict,
     worth,
 )
 from .dimensions import corrected, each_moved, far_moved, remeasured, suspicious
@@ -89,6 +91,7 @@ def details_text(
         (other_effects.HEADING, other_effects.lines(content, words)),
         ("What would have been seen", detection_limits.lines(content, words)),
     ]
+    sections.append((page.HEADING, page.unsaid(verdict.without_room(content, system, folders, out, doubts), sections)))
     all_text = "\n".join(line for head, lines in sections for line in (head, *lines))
     return text(sections, last=(WORDS, explained_words.lines(content, all_text, words)))
 

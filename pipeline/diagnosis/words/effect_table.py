@@ -11,6 +11,7 @@ from .vocabulary import Vocabulary
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
+PROBABLY = "probable"
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
 TAKEN_BACK = (
@@ -26,30 +27,46 @@ IN_ALL = (
     "The table has the part of {} that no dimension could do. In all {}, but {} could do much of that as well. Sizes "
     "in rms do not subtract."
 )
+IN_ALL_SHORT = "The first size is what no dimension could do; {} could do much of the rest as well."
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
     "its own size stands and falls with them."
 )
 
 
-def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """The effects of the best explanation, then those that only another likely one has; nothing where none is named."""
+def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+    """The effects of the best explanation, then those that only another likely one has; nothing where none is named.
+
+    `brief` is how short: 1 without remarks that the table's own words make, 2 without strokes,
+    3 without how to write of it, 4 one line each effect.
+    """
     if not content["mechanisms"]:
         return []
     shares = certainty.known(content)
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
     rows = [[entry["id"], how_sure(content, entry["id"], words), own_size(entry, content, words)] for entry in entries]
-    rows += [[id_, how_sure(content, id_, words), NO_SIZE] for id_ in only_elsewhere(content)]
+    elsewhere = only_elsewhere(content)
+    rows += [[id_, how_sure(content, id_, words), NO_SIZE] for id_ in elsewhere]
     head, *table = aligned([HEAD, *rows])
-    does = {entry["id"]: entry["sentence"] for entry in entries}
+    does = {} if brief > 3 else {entry["id"]: entry["sentence"] for entry in entries}
     table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
-        table_lines += [row, f"    {does.get(id_) or on_rig(meaning(id_), words)}{_of_strokes(content, id_, words)}"]
+        what = does.get(id_) or on_rig(meaning(id_), words)
+        if brief and id_ in elsewhere:
+            table_lines.append(f"{row} {what}")
+            continue
+        table_lines += [row, f"    {what}{'' if brief > 1 else _of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
+    whose = ["Sizes are those of the best explanation."] if several else []
+    if brief:
+        parts = any(own_part(entry, content, words) for entry in entries)
+        rest = [IN_ALL_SHORT.format(_in_its_place(content))] if parts else []
+        write = [] if brief > 2 else certainty.to_write(content, words)
+        return [*table_lines, *_in_one([*certainty.needed(content), *whose, *rest]), *write]
     return [
         *table_lines,
         *_in_all(content, entries, words),
-        *_in_one([*certainty.needed(content), *(["Sizes are those of the best explanation."] if several else [])]),
+        *_in_one([*certainty.needed(content), *whose]),
         *certainty.to_write(content, words),
         *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
@@ -131,8 +148,14 @@ def how_sure(content: Verdict, id_: str, words: Vocabulary) -> str:
     named = {entry["id"] for entry in content["mechanisms"]}
     surely = share >= certainty.SURE and not certainty.held_back(content, words, id_)
     probably = share >= certainty.SURE or (share >= certainty.PROBABLE and id_ in named)
-    word = "sure" if surely else "probable" if probably else "open"
+    word = "sure" if surely else PROBABLY if probably else "open"
     return f"{word}, {percent(share)}"
+
+
+def only_probable(content: Verdict, words: Vocabulary) -> list[str]:
+    """The named effects that are called probable."""
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    return [id_ for id_ in ids if how_sure(content, id_, words).startswith(PROBABLY)]
 
 
 def _missing(content: Verdict, words: Vocabulary) -> str:

@@ -19,6 +19,8 @@ ALL_HERE = (
     "This recording has what tells the effect from others. Only if you need to be surer of a name, record it again:"
 )
 BEFORE = f"Do it before you adopt; later, first take it out of each run ({program_name('adopt')} --remove)."
+EXPECT = "Which numbers to expect of it: details.txt."
+WHERE = "The {} are in details.txt. {}"
 ANEW = (
     "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
     "diagnose all together:"
@@ -37,7 +39,9 @@ AS_MANY = (
 )
 
 
-def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
+def of_what_is_missing(
+    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, brief: int = 0
+) -> list[list[str]]:
     """What to do about what is still missing beside what is named; nothing where nothing is."""
     if not unseen.partly(content, words) or content["verdict"] not in ("explained", "ambiguous"):
         return []
@@ -50,6 +54,10 @@ def of_what_is_missing(content: Verdict, words: Vocabulary, folders: list[Path],
     printed = {line.strip() for step in of_names(content, words, folders, out) for line in step}
     above = set(again) <= printed  # the step before has them
     where = f" (commands: {DETAILS}, {RUN})" if shown else ABOVE if above else ""
+    if brief > 2:
+        shown, where = True, where if shown else f" (commands: {DETAILS})"
+    if brief > 3:
+        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where)]]
     typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
     return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
 
@@ -59,11 +67,17 @@ def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:
     return [[f"{LEAVE} {NO_NAME} {MORE}"]] if unseen.left_over(content, words) else []
 
 
-def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
-    """What at the rig shows that the effects of the one explanation are what they are called."""
+def of_names(
+    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, brief: int = 0
+) -> list[list[str]]:
+    """What at the rig shows that the effects of the one explanation are what they are called.
+
+    `brief` is how short: 1 without what this recording holds, 2 without the numbers to expect, 3 without commands,
+    4 without the tests.
+    """
     if content["verdict"] != "explained":
         return []
-    numbers = expectation.lines(content, words)
+    numbers = expectation.lines(content, words, brief)
     ids = [entry["id"] for entry in content["mechanisms"]] if words.twisted else []
     has = {id_ for id_ in ids if recorded(content, words, id_)}
     tests = [
@@ -71,13 +85,20 @@ def of_names(content: Verdict, words: Vocabulary, folders: list[Path], out: Path
         for id_ in ids
     ]
     if not tests:
+        if numbers and brief > 1:
+            return [[f"To make sure of the name, see which numbers the rig shows ({DETAILS})."]]
         return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
     again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     head = ALL_HERE if ids and has == set(ids) else ONLY_IF
     made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
-    return [[head, *tests, *held(content, words, tests), *numbers, *made]]
+    if brief > 1:
+        what = "tests, the numbers to expect and the commands" if brief > 3 else "commands"
+        made = made if brief == 2 else [*([run] if run else []), WHERE.format(what, BEFORE)] if made else []
+        numbers = [EXPECT] if numbers and brief < 4 else []
+    tests_shown = [] if brief > 3 else tests
+    return [[head, *tests_shown, *([] if brief and run else held(content, words, tests)), *numbers, *made]]
 
 
 def _again(old: Path, load: str) -> str:
@@ -86,7 +107,9 @@ def _again(old: Path, load: str) -> str:
     return AGAIN if remark == commands.CAPTURE and not load else remark
 
 
-def of_adopted(content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path]) -> list[list[str]]:
+def of_adopted(
+    content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], brief: int = 0
+) -> list[list[str]]:
     """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
     lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms()}
     lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
@@ -100,6 +123,7 @@ def of_adopted(content: Verdict, words: Vocabulary, ids: list[str], folders: lis
     removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
     typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load)]
     run = recipe.sentence(content, words, list(lacking))
+    typed = ["The commands are in details.txt."] if brief > 1 else typed
     return [[f"{head} {lacked}.", *lines, *([run] if run else []), ANEW, *typed]]
 
 

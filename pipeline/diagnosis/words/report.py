@@ -9,17 +9,30 @@ from .vocabulary import Vocabulary
 TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote stands once
 LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
+ONLY_PART = (
+    "Of {} only that part may be reported, not what {} in all nor {} constants (loop, times): calibrated dimensions "
+    "could make the rest."
+)
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 
-def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
+def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+    """A line of what can be reported, and one of what cannot; nothing where nothing is named.
+
+    `brief` is how short: 1 without the probability that the page has above, 2 without look-alikes.
+    """
     if not content["mismatch"]:
         return []
     left = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
     missing = f"{left} rms is missing after calibration, noise taken off"
     missing += _unseen(content, words)
-    statements = [missing, *_sure(content, words), *_own(content, words), *_best(content, words)]
+    statements = [
+        missing,
+        *_sure(content, words, brief),
+        *_own(content, words),
+        *_open(content, words),
+        *_best(content, words, brief),
+    ]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
     return [
         f"You can report{when}:",
@@ -37,13 +50,14 @@ def _unseen(content: Verdict, words: Vocabulary) -> str:
     return f"; the errors on the {holdout.strokes(content)} above"
 
 
-def _sure(content: Verdict, words: Vocabulary) -> list[str]:
+def _sure(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
     """Which effects are at work, where that is sure."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     shares = certainty.known(content)
     word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
     named = listing([f"{id_} ({word[id_]}, {percent(shares[id_])})" for id_ in sure])
-    return [f"at work: {named}{slow_look_alikes.remark(content, words, sure)}"] if sure else []
+    remark = "" if brief > 1 else slow_look_alikes.remark(content, words, sure)
+    return [f"at work: {named}{remark}"] if sure else []
 
 
 def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
@@ -58,19 +72,34 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
     if not entries:
         return []
     sizes, constants = [], []
+    all_in_part = len(entries) > 1 and all(own_size.own_part(entry, content, words) for entry in entries)
     for entry in entries:
         if own_size.own_part(entry, content, words):
-            sizes.append(f"{entry['id']} {own_size.own_with_interval(entry, content, words)}, {own_size.PART}")
+            part = f", {own_size.PART}" * (not all_in_part)
+            sizes.append(f"{entry['id']} {own_size.own_with_interval(entry, content, words)}{part}")
             continue
         sizes.append(f"{entry['id']} {own_size.with_interval(entry, words)}")
         constants += [entry["id"]] if effects.has_constants(entry) else []
     also = f", and the constants of {listing(constants)} above" if constants else ""
+    of_each = f", of each {own_size.PART}" if all_in_part else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
-    return [f"{TO_REPORT}: {'; '.join(sizes)} (rms, 90 % interval){also}{provided}"]
+    return [f"{TO_REPORT}: {'; '.join(sizes)} {of_each} (rms, 90 % interval){also}{provided}"]
 
 
-def _best(content: Verdict, words: Vocabulary) -> list[str]:
+def _open(content: Verdict, words: Vocabulary) -> list[str]:
+    """The most that an open effect of the best explanation does, where dimensions did not move far."""
+    entries = [entry for entry in content["mechanisms"] if entry["id"] in own_sizes(content, words)]
+    shares = certainty.known(content)
+    most = [
+        f"{entry['id']}, at most {own_size.most(entry, content, words)}"
+        for entry in entries
+        if shares.get(entry["id"], 1.0) < certainty.PROBABLE
+    ]
+    return [f"open, so 0 is possible: {listing(most)} (the upper end of the interval)"] if most else []
+
+
+def _best(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
     """How likely the best explanation is, what is not excluded, and physics that the library lacks."""
     none = content["evidence"].get("probability_of_none")
     kept = chances.kept_shares(content)
@@ -79,6 +108,9 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
     name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
     rest = "beyond these no other is excluded" if slow_look_alikes.excluded(content, words) else "no other is excluded"
+    if brief:
+        but_slow = " but slow ones (details.txt)" if brief > 1 and slow_look_alikes.excluded(content, words) else ""
+        return [f"no other explanation is excluded{but_slow}" if brief > 1 else rest]
     return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 
@@ -86,14 +118,24 @@ def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
     """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
     if far_moved(content):
         return [
-            "Do not report how much an effect does alone, its constants (times, corners), or calibrated dimensions."
+            "Do not report how much an effect does alone, its constants (loop, times, corners), or calibrated "
+            "dimensions."
         ]
     doubtful = [entry for entry in content["mechanisms"] if own_size.doubt_of(entry, content, words)]
-    no_size = [entry["id"] for entry in doubtful if not own_size.reportable(entry, content, words)]
-    in_all = [entry["id"] for entry in doubtful if own_size.reportable(entry, content, words)]
+    reportable = own_sizes(content, words)
+    no_size = [entry["id"] for entry in doubtful if entry["id"] not in reportable]
+    in_part = [entry["id"] for entry in content["mechanisms"] if own_size.own_part(entry, content, words)]
+    in_part = [id_ for id_ in in_part if id_ in reportable]
+    in_all = [entry["id"] for entry in doubtful if entry["id"] in reportable and entry["id"] not in in_part]
     sentences = [f"Do not report how much {listing(no_size)} {_does(no_size)} alone."] if no_size else []
+    sentences += [_only_part(in_part)] if in_part else []
     sentences += [f"Do not report what {listing(in_all)} {_does(in_all)} in all."] if in_all else []
     return [" ".join([*sentences, FITTED])] if content["mechanisms"] else []
+
+
+def _only_part(ids: list[str]) -> str:
+    several = len(ids) > 1
+    return ONLY_PART.format(listing(ids), "they do" if several else "it does", "their" if several else "its")
 
 
 def _does(ids: list[str]) -> str:

@@ -9,6 +9,9 @@ from .tolerances import stem
 from .vocabulary import Vocabulary
 
 HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
+FIRST = 4  # of them, where the page is short
+HOW = "How each is measured: details.txt."
+DETAILS = "details.txt"
 BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
 
 
@@ -19,9 +22,14 @@ def to_measure(content: Verdict) -> list[str]:
     return sorted(again, key=lambda name: -abs(moved[name]))
 
 
-def table(content: Verdict, words: Vocabulary) -> list[str]:
-    """Each dimension to measure again, with how it is measured below it."""
+def table(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+    """Each dimension to measure again, with how it is measured below it.
+
+    `brief` is how short: 1 with short remarks, 2 without how each is measured, 3 with the first ones alone.
+    """
     names, rows = to_measure(content), []
+    more = len(names) - FIRST if brief > 2 else 0
+    names = names[:FIRST] if more > 0 else names
     for name in names:
         nominal, value = from_to(content, name)
         given = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
@@ -31,7 +39,12 @@ def table(content: Verdict, words: Vocabulary) -> list[str]:
     measured = [head]
     for name, line in zip(names, lines, strict=True):
         how = words.measured.get(stem(name))
-        measured += [line, *([f"    {how}"] if how else [])]
+        measured += [line, *([f"    {how}"] if how and brief < 2 else [])]
+    if brief:
+        gross = [exactness.SHORT] if exactness.mistakes(content, {name: name for name in names}) else []
+        short = [*([HOW] if brief > 1 else []), *gross]
+        rest = [f"And {more} more dimensions: {DETAILS}."] if more > 0 else []
+        return [*measured, *rest, *([" ".join(short)] if short else []), *_together(content, names)]
     return [
         *measured,
         *exactness.mistakes(content, {name: name_of(name) for name in names}),
@@ -48,15 +61,19 @@ def _together(content: Verdict, names: list[str]) -> list[str]:
     ]
 
 
-def consequences(content: Verdict, then: str) -> list[str]:
-    """What to do with what was measured; `then` is what to do where nothing changed."""
+def consequences(content: Verdict, then: str, brief: int = 0) -> list[str]:
+    """What to do with what was measured; `then` is what to do where nothing changed; `brief`: as one paragraph."""
     moved = to_measure(content)
     where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))
-    exact = f"- if the same, known better than its tolerance: say how well (`tolerance: {{{where}}}`)"
+    keys = "`tolerance` in run.yaml" if brief else f"`tolerance: {{{where}}}`"
+    exact = f"- if the same, known better than its tolerance: say how well ({keys})"
     scaled = any(stem(name) == "scale" for name in moved)
     gain = " (a gain as `scale`, its inverse: details.txt, Dimensions)" if scaled else ""
-    return [
+    bullets = [
         f"- If you find another value: write it into run.yaml{gain}, and diagnose again;",
         *([f"{exact} and diagnose again;"] if where else []),
         f"- if the same, no better known: {then}. No percentage covers other physics that moved it.",
     ]
+    if brief > 2:
+        return [f"Write what you measured, or how well, into run.yaml ({DETAILS}) and diagnose again; else {then}."]
+    return [" ".join(bullet.removeprefix("- ") for bullet in bullets)] if brief else bullets

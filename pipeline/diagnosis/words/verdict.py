@@ -15,6 +15,7 @@ from . import (
     holdout,
     level,
     logged,
+    page,
     rejected_explanations,
     rivals,
     slow_look_alikes,
@@ -24,15 +25,18 @@ from . import (
     unexplained_pattern,
     unseen,
 )
+from .brief import FULL, Brief, first_sentence
 from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
 from .headline import UNNAMED, headline, kept_times
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
-from .sections import text
+from .sections import Sections
 from .vocabulary import Vocabulary
 
 DOUBTS = "What to know first"
+LONG = 200  # letters: a doubt that is told shorter first
 MORE = "More: details.txt (reasons,{run} words), diagnosis.pdf (figures), diagnosis.json (for programs)."
+SHORT = "More: details.txt (what had no room here, reasons,{run} words), diagnosis.pdf, diagnosis.json."
 RUN, TOLERANCES = " the run in steps,", " tolerances,"
 
 
@@ -43,31 +47,59 @@ def verdict_text(
 
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
+    return _fitted(content, system, folders, out, doubts)[0]
+
+
+def without_room(
+    content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
+) -> list[str]:
+    """What the page would say if it had no end, of which it has no room."""
+    shown = _fitted(content, system, folders, out, doubts)[1]
+    return page.without_room(_sections(content, system, folders, out, doubts, FULL), shown)
+
+
+def _fitted(
+    content: Verdict, system: System, folders: list[Path], out: Path | None, doubts: Sequence[str]
+) -> tuple[str, Sections]:
+    run = RUN if content["next_run"] else TOLERANCES
+    return page.fitted(
+        lambda brief: _sections(content, system, folders, out, doubts, brief),
+        MORE.format(run=run),
+        SHORT.format(run=run),
+    )
+
+
+def _sections(
+    content: Verdict, system: System, folders: list[Path], out: Path | None, doubts: Sequence[str], brief: Brief
+) -> Sections:
+    """Each heading with its lines, as short as `brief` says."""
     words = Vocabulary.of(system)
     missing, would, temperature = _unknown(content, words), _would(content, words), logged.temperature(content, words)
-    sections = [
+    acts = [*effect_table.lines(content, words, brief.effects), *(temperature if brief.effects < 2 else [])]
+    first = [
+        *doubts,
+        *adoption.cautions(content),
+        *_shorter([*unseen.cautions(content, words), *_left(content, words)], brief.doubts),
+        *_provisional(content, words, brief.doubts),
+        *spikes.on_page(content, words),
+    ]
+    return [
         (headline(content, words), []),
-        (
-            DOUBTS,
-            [
-                *doubts,
-                *adoption.cautions(content),
-                *unseen.cautions(content, words),
-                *_left(content, words),
-                *_provisional(content, words),
-                *spikes.on_page(content, words),
-            ],
-        ),
-        (effect_table.HEADING, [*effect_table.lines(content, words), *temperature] if content["mechanisms"] else []),
+        (DOUBTS, first),
+        (effect_table.HEADING, acts if content["mechanisms"] else []),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
-        (chances.HEADING, chances.lines(content, words)),
+        (chances.HEADING, chances.lines(content, words, brief.chances)),
         ("What is missing", [*missing, *temperature] if missing else []),
         (error_table.SHORT, error_table.short(content, words)),
         ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
-        (to_do.HEADING, to_do.lines(content, words, folders, out)),
+        (to_do.HEADING, to_do.lines(content, words, folders, out, brief)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
-    return text(sections, last=(MORE.format(run=RUN if content["next_run"] else TOLERANCES), []))
+
+
+def _shorter(lines: list[str], brief: int) -> list[str]:
+    """Doubts as they are, the long ones by their first sentence, or all of them."""
+    return [first_sentence(line) if brief > 1 or (brief and len(line) > LONG) else line for line in lines]
 
 
 def _left(content: Verdict, words: Vocabulary) -> list[str]:
@@ -78,12 +110,16 @@ def _left(content: Verdict, words: Vocabulary) -> list[str]:
     return unexplained_pattern.remains(content, words, least)
 
 
-def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
+def _provisional(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
     """Why names may not last: dimensions that calibration moved far, slow effects that look alike, odd tolerances."""
     moved = far_moved(content)
     lines = tolerances.doubts(content, words)
     if moved:
-        names = listing([f"the {name_of(name)}" for name in moved])
+        names = (
+            f"{len(moved)} dimensions"
+            if brief > 1 < len(moved)
+            else listing([f"the {name_of(name)}" for name in moved])
+        )
         single = len(moved) == 1
         their, are = ("its", "it is") if single else ("their", "they are")
         lines.append(

@@ -1,0 +1,59 @@
+"""The run to make between explanations that are likely, as a step of the page."""
+
+from ..content import NextRun, Verdict
+from . import effect_table, experiment, parting, worth
+from .make_sure import DETAILS, RUN
+from .quantity import listing, quantity
+from .technician import lasting
+from .vocabulary import Vocabulary
+
+
+def step(content: Verdict, words: Vocabulary, brief: int) -> list[list[str]]:
+    """The run to make between explanations that are likely; that none decides, where none does.
+
+    `brief` is how short: 1 without what it parts and foretells, 2 without what it asks for; the details say both.
+    """
+    run = content["next_run"]
+    if content["verdict"] != "ambiguous":
+        return []
+    if not run or "parts" not in run:
+        return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
+    where = f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}"
+    where += "." if brief > 1 else f"{_asks(content, run, words)}. {_own_tests(content, words)} stands there too."
+    differ, parts = ("", "") if brief else (worth.readings(run, words), parting.sentence(content))
+    care = "" if brief > 1 else worth.care(content, words)
+    question, others = worth.question(content), _not_asked(content, words)
+    if worth.decides(run):
+        need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
+        return [[" ".join(part for part in (need, parts, differ, care) if part)]]
+    if worth.raises(run):
+        hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
+        need = f"Only if you need to know {question}{hard}: try the run that parts them most{others}."
+        tried = "About half of such runs decided in tests."
+        return [[" ".join(part for part in (need, tried, parts, where) if part)]]
+    if parting.some(content):
+        best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
+        return [[f"No run that was tried decides {question}{others}. {parting.sentence(content)} {best}"]]
+    return [[f"Make no other run: none that was tried decides {question}{others}."]]
+
+
+def _not_asked(content: Verdict, words: Vocabulary) -> str:
+    """That the run is not for the names that are only probable, in brackets; nothing where none of the others is."""
+    known = effect_table.only_probable(content, words)
+    known = [id_ for id_ in known if id_ not in worth.differing(content)]
+    return f" (it is not there to make the probable {listing(known)} surer)" if known else ""
+
+
+def _own_tests(content: Verdict, words: Vocabulary) -> str:
+    return f"The test of each open {'or probable ' * bool(effect_table.only_probable(content, words))}effect"
+
+
+def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
+    """What a run asks of the rig: other loads, other speeds."""
+    title = experiment.title(run, words)
+    usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
+    hung = list(dict.fromkeys(part.load for part in experiment.parts(run, words, 1.0)))
+    hung = [load for load in hung if load not in ("", usual)]
+    loads = f"another load ({listing(hung)})" if hung else "another load"
+    demands = ["another speed"] * worth.asks_speed(content, words) + [loads] * ("load" in title)
+    return f", and ask for {listing(demands)}" if demands else ""
