@@ -34,6 +34,7 @@ MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is kn
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = (1, -1)
 MOST_STROKE = 10**9  # that a question may be about: any number that a person means
+SHOWN = 8  # rows that are named
 MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
 
 
@@ -129,9 +130,12 @@ def main() -> None:
     if arguments.saved:
         table = beside_questions(points, known, saved_answers(arguments.saved, points, known, arguments.dataset))
         write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
-        outside = int((~table["inside"]).sum())
+        rows = [str(row + 1) for row in np.flatnonzero(~table["inside"])]
+        shown_rows = ", ".join(rows[:SHOWN]) + ", …" * (len(rows) > SHOWN)
         print(f"{len(table)} answers of {arguments.saved} in {arguments.out}, without intervals", end="")
-        print(f"; {outside} of them are outside its ranges, and its export does not answer them" if outside else "")
+        print(
+            f"; its export does not answer {len(rows)} of them: outside its ranges (row {shown_rows})" if rows else ""
+        )
         return
     intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
     try:

@@ -202,7 +202,7 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n12,1,9\n13,1,9\n2,1,90\n"
     done = ask(dataset, text, "--saved", str(file))
     assert done.returncode == 0, done.stderr
-    assert "without intervals; 2 of them are outside its ranges, and its export does not answer them" in done.stdout
+    assert "without intervals; its export does not answer 2 of them: outside its ranges (row 4, 5)" in done.stdout
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert table.columns.tolist() == ["motor_turns", "stroke", "direction", "displacement_mm", "inside"]
     source = opened(file, None, Beside(dataset=dataset))
@@ -218,3 +218,28 @@ def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: 
     assert done.returncode == 2 and "leave out --model and --settings" in done.stderr
     done = ask(dataset, text, "--saved", str(dataset.parent / "spline" / "no.model"))
     assert done.returncode == 2 and "is not a file. Mend: train it first, or mend the path" in done.stderr
+
+
+@pytest.mark.parametrize("saved", [False, True], ids=["anew", "saved"])
+def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, saved: bool) -> None:
+    """The largest recorded twist was answered, as inside and with an interval."""
+    points = pd.read_parquet(dataset)
+    file = dataset.parent / "spline" / "reach-0.model"
+    file.parent.mkdir(exist_ok=True)
+    model = make_model("spline")
+    model.fit(points, 0)
+    model.save(file)
+    ends = points[points["stroke"] == 6].groupby("direction")["displacement_mm"].agg(["min", "max"]).loc[1]
+    first = points[points["stroke"] == 1]["displacement_mm"]
+    asked = [0.5 * (ends["min"] + ends["max"]), first.max() - 0.01, ends["min"] - 0.01]
+    strokes = [6, 6, 1]
+    lines = [f"{stroke},1,{value}" for stroke, value in zip(strokes, asked, strict=True)]
+    words = ("--saved", str(file)) if saved else ("--model", "spline")
+    done = ask(dataset, "\n".join(["stroke,direction,displacement_mm", *lines]) + "\n", *words)
+    assert done.returncode == 0, done.stderr
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert first.max() - ends["max"] > 0.3 and first.min() - ends["min"] > 0.3, "strokes differ by what they reach"
+    assert table["inside"].tolist() == [True, False, False]
+    if not saved:
+        assert done.stdout.count("no twist that was recorded gives") == 2
+        assert f"row 2: no twist that was recorded gives {asked[1]:g} mm in this state" in done.stdout

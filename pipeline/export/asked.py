@@ -4,12 +4,16 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from ..ground.errors import BadInput
+from ..ground.kinematics import Array
+from ..models.parts.reach import unreached
 from .inputs import ANSWER
 from .interface import Source
 from .source import Beside, opened
 
+NEAR = 1e-6  # of the range: a twist that was brought to its end
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 
 
@@ -21,7 +25,17 @@ def answers(file: Path, points: pd.DataFrame, known: str, dataset: Path) -> pd.D
     """
     source = opened(file, None, Beside(dataset=dataset))
     value = np.asarray(getattr(source.model, MAPS[known])(points), float)
-    return pd.DataFrame({ANSWER[known]: value, "inside": _inside(source, points, known, file)})
+    inside = _inside(source, points, known, file)
+    if known == "displacement_mm":
+        inside &= ~_held(source, points, value)
+    return pd.DataFrame({ANSWER[known]: value, "inside": inside})
+
+
+def _held(source: Source, points: pd.DataFrame, turns: Array) -> NDArray[np.bool_]:
+    """Which twists the export holds at an end of its range, as none within gives the contraction; shape (points,)."""
+    low, high = source.inputs.motor_turns
+    at_end = (turns <= low + NEAR * (high - low)) | (turns >= high - NEAR * (high - low))
+    return (turns < low) | (turns > high) | (at_end & unreached(source.model, points, (low, high)))
 
 
 def _inside(source: Source, points: pd.DataFrame, known: str, file: Path) -> pd.Series:

@@ -6,7 +6,8 @@ import pytest
 from made_strings import NOISE_MM, made_string
 
 from pipeline.models.interface import make_model
-from pipeline.models.parts.prediction_intervals import AHEAD, Intervals, TooFew, _parts
+from pipeline.models.parts.prediction_intervals import Intervals, TooFew
+from pipeline.models.parts.rolling_origin import AHEAD, parts_of
 
 STRINGS, KNOWN, LEVEL = 48, 7, 0.9
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
@@ -140,7 +141,7 @@ def test_strokes_are_counted_for_each_string_and_an_unseen_string_gets_no_interv
 
 def test_each_strings_own_last_strokes_are_foreseen():
     points = pd.concat([made_string(2), made_string(3, strokes=5), made_string(4, strokes=3)], ignore_index=True)
-    ahead = _parts(points)[-AHEAD:]
+    ahead = parts_of(points)[-AHEAD:]
     for number, (known, rest) in enumerate(ahead, start=1):
         assert set(rest["string"]) == ({"made-002", "made-003"} if number == 1 else {"made-002"})
         for string, rows in rest.groupby("string"):

@@ -22,11 +22,11 @@ from ...ground.kinematics import Array
 from ...ground.progress import steps
 from ..interface import Model
 from .box import Box
+from .reach import unreached
+from .rolling_origin import FOLDS, last_seen, last_strokes, parts_of
 
 TWISTS = 6  # ranges of twist, equally populated, that have a scatter of their own
-FOLDS = 4  # into which seen strokes are cut to be foreseen from each other
-LEAST_STROKES = 4  # to foresee any
-AHEAD = 3  # strokes that are foreseen, at most
+SURELY = 0.99  # of the readings lie within what the curve reaches, and so much more
 GIVEN = {"displacement_mm": "motor_turns", "motor_turns": "displacement_mm"}  # of each map, by what it predicts
 MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
 
@@ -75,11 +75,11 @@ class Intervals:
 
         Raises TooFew where the points are all of one block.
         """
-        parts = _parts(points)
+        parts = parts_of(points)
         if not parts:
             raise TooFew("are all of one block, so nothing can be foreseen from the rest")
         self.model, self.box = self.make(), Box.of(points)
-        self.strokes, error_tables = _last_strokes(points), []
+        self.strokes, error_tables = last_strokes(points), []
         for part in steps([None, *parts], "fit"):
             if part is None:
                 self.model.fit(points, seed)
@@ -123,14 +123,18 @@ class Intervals:
 
     def outside(self, points: pd.DataFrame, wanted: str) -> dict[str, Array]:
         """Which questions have no interval, by the column that is why: masks of shape (points,), without unit."""
-        last, stroke = self.last_strokes(points), points["stroke"].to_numpy()
+        last, stroke = self.last_recorded(points), points["stroke"].to_numpy()
         far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
         wrong = self.box.outside(points, GIVEN[wanted]) | {"stroke": far, "string": last.isna().to_numpy()}
+        if wanted == "motor_turns":
+            turns = self.box.low["motor_turns"], self.box.high["motor_turns"]
+            room = self.quantile("displacement_mm", self.ahead("displacement_mm"), SURELY)
+            wrong["reach"] = unreached(self.model, points, turns, room * self.scatter["displacement_mm"].size.max())
         return {name: mask for name, mask in wrong.items() if mask.any()}
 
-    def last_strokes(self, points: pd.DataFrame) -> pd.Series:
+    def last_recorded(self, points: pd.DataFrame) -> pd.Series:
         """The last recorded stroke of each question's string, NaN where none was; of shape (points,)."""
-        return _seen(points, self.strokes)
+        return last_seen(points, self.strokes)
 
     def ahead(self, wanted: str) -> int:
         """How many strokes after the last recorded one have an interval."""
@@ -140,7 +144,7 @@ class Intervals:
         value = getattr(self.model, MAPS[wanted])(points)
         at = points["motor_turns"].to_numpy(float) if wanted == "displacement_mm" else value
         size = self.scatter[wanted].at(at, points["direction"].to_numpy())
-        last = self.last_strokes(points)
+        last = self.last_recorded(points)
         ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
         half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
         outside = self.outside(points, wanted)
@@ -162,35 +166,9 @@ class Intervals:
                 "motor_turns_at": turns,
                 **{f"{wanted}_fitted": float(np.mean(error**2)) for wanted, error in fitted.items()},
                 "direction": rest["direction"],
-                "ahead": np.maximum(rest["stroke"] - _seen(rest, _last_strokes(known)), 0).fillna(0).astype(int),
+                "ahead": np.maximum(rest["stroke"] - last_seen(rest, last_strokes(known)), 0).fillna(0).astype(int),
             }
         )
-
-
-def _last_strokes(points: pd.DataFrame) -> dict[str, int]:
-    """The last stroke of each string."""
-    return {str(string): int(last) for string, last in points.groupby("string")["stroke"].max().items()}
-
-
-def _seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
-    """The last stroke seen of each point's string, NaN where none was."""
-    return points["string"].astype(str).map(strokes).astype(float)
-
-
-def _parts(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
-    """What is known and what is foreseen: blocks held out in turn, then each string's last strokes from ever fewer."""
-    fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
-    parts = (
-        [(points[fold != number], points[fold == number]) for number in sorted(set(fold))] if len(set(fold)) > 1 else []
-    )
-    strokes = points.groupby("string")["stroke"]
-    count = strokes.transform("nunique")
-    before_last = count - strokes.rank("dense")
-    for ahead in range(1, AHEAD + 1):
-        enough = count - ahead >= LEAST_STROKES
-        if enough.any():
-            parts.append((points[~enough | (before_last >= ahead)], points[enough & (before_last == 0)]))
-    return parts
 
 
 def _quantile(sorted_scores: Array, level: float) -> float:

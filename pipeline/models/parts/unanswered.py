@@ -17,7 +17,7 @@ def reasons(intervals: Intervals, points: pd.DataFrame, wanted: str) -> list[str
 
     `points` are the questions, of which `wanted` is asked.
     """
-    outside, last = intervals.outside(points, wanted), intervals.last_strokes(points)
+    outside, last = intervals.outside(points, wanted), intervals.last_recorded(points)
     box, ahead = intervals.box, intervals.ahead(wanted)
     sentences: list[str] = []
     for place in range(len(points)):
@@ -32,6 +32,8 @@ def _reason(name: str, question: pd.Series, box: Box, last: float, ahead: int) -
     """What is wrong with one number of a question."""
     if name == "string":
         return f"string {question[name]} has no recording here"
+    if name == "reach":
+        return f"no twist that was recorded gives {question['displacement_mm']:g} mm in this state"
     if name == "material":
         return f"material {question[name]}: recorded are {', '.join(box.materials)}"
     if name == "stroke":

@@ -1,0 +1,36 @@
+"""Which points of strings are known and which are foreseen from them: blocks inside strokes, and the last strokes.
+
+Source: Tashman, "Out-of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000.
+"""
+
+import pandas as pd
+
+FOLDS = 4  # into which seen strokes are cut to be foreseen from each other
+LEAST_STROKES = 4  # to foresee any
+AHEAD = 3  # strokes that are foreseen, at most
+
+
+def last_strokes(points: pd.DataFrame) -> dict[str, int]:
+    """The last stroke of each string."""
+    return {str(string): int(last) for string, last in points.groupby("string")["stroke"].max().items()}
+
+
+def last_seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
+    """The last stroke seen of each point's string, NaN where none was."""
+    return points["string"].astype(str).map(strokes).astype(float)
+
+
+def parts_of(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
+    """What is known and what is foreseen: blocks held out in turn, then each string's last strokes from ever fewer."""
+    fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
+    parts = (
+        [(points[fold != number], points[fold == number]) for number in sorted(set(fold))] if len(set(fold)) > 1 else []
+    )
+    strokes = points.groupby("string")["stroke"]
+    count = strokes.transform("nunique")
+    before_last = count - strokes.rank("dense")
+    for ahead in range(1, AHEAD + 1):
+        enough = count - ahead >= LEAST_STROKES
+        if enough.any():
+            parts.append((points[~enough | (before_last >= ahead)], points[enough & (before_last == 0)]))
+    return parts
