@@ -770,6 +770,10 @@ def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_
     assert "open, so 0" not in steps(confident(0.93, 0.62, evidence__moved_sigma=NEAR)), "creep is probable"
     assert "open, so 0" not in steps(confident(0.93, 0.38)), "a dimension moved far"
     made["evidence"]["beyond_dimensions_mm"] = {"creep": 0.2, "friction_hysteresis": 0.04}
+    reported = page(copy.deepcopy(made)).partition("You can report")[2]
+    assert "TO REPORT" in reported and not [
+        line for line in reported.splitlines() if "  " in line.strip() or " ," in line
+    ]
     text = steps(made)
     assert "creep, at most 0.22 mm (the upper" in text and text.count("the part that no dimension could do") == 1
     assert "of each the part that no dimension could do (rms, 90 % interval), if friction_hysteresis + creep" in text

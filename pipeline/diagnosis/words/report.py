@@ -84,7 +84,7 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
     of_each = f", of each {own_size.PART}" if all_in_part else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
-    return [f"{TO_REPORT}: {'; '.join(sizes)} {of_each} (rms, 90 % interval){also}{provided}"]
+    return [f"{TO_REPORT}: {'; '.join(sizes)}{of_each} (rms, 90 % interval){also}{provided}"]
 
 
 def _open(content: Verdict, words: Vocabulary) -> list[str]:
