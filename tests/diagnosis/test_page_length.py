@@ -110,6 +110,8 @@ def test_the_page_is_never_longer_or_wider_than_a_printed_one(case):
     lines = text.splitlines()
     assert len(lines) <= 66, f"{len(lines)} lines:\n{text}"
     assert not [line for line in lines if len(line) > WIDE and "python -m" not in line]
+    headline = " ".join(text.partition("\n\n")[0].split())
+    assert headline.endswith((".", ")")) and "What" not in headline, "reports show what stands before the empty line"
     assert CUT.strip() not in text, "it fits by being short, not by being cut off"
 
 

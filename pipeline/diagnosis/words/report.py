@@ -13,6 +13,7 @@ ONLY_PART = (
     "Of {} only that part may be reported, not what {} in all nor {} constants (loop, times): calibrated dimensions "
     "could make the rest."
 )
+SLOW_ALONE = "excluded are only slow effects in the place of the named one (details.txt)"
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 
@@ -109,8 +110,8 @@ def _best(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
     rest = "beyond these no other is excluded" if slow_look_alikes.excluded(content, words) else "no other is excluded"
     if brief:
-        but_slow = " but slow ones (details.txt)" if brief > 1 and slow_look_alikes.excluded(content, words) else ""
-        return [f"no other explanation is excluded{but_slow}" if brief > 1 else rest]
+        slow_alone = brief > 1 and slow_look_alikes.excluded(content, words)
+        return [SLOW_ALONE if slow_alone else rest]
     return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 

@@ -12,11 +12,12 @@ Sections = list[tuple[str, list[str]]]  # each a heading and its lines
 def text(sections: Sections, last: tuple[str, list[str]], tight: bool = False) -> str:
     """Sections of a heading and its lines as a text: the first one, all others that have lines, and the last one.
 
-    `tight`: lines as wide as a page can be, and no empty ones between sections.
+    `tight`: lines as wide as a page can be, and no empty ones between sections, but for that after the first one.
     """
     first, *others = sections
     shown = [first, *(part for part in others if part[1]), last]
-    return ("\n" if tight else "\n\n").join(section(*part, WIDEST if tight else WIDE) for part in shown)
+    headline, *parts = [section(*part, WIDEST if tight else WIDE) for part in shown]
+    return "\n\n".join([headline, ("\n" if tight else "\n\n").join(parts)])
 
 
 def section(head: str, lines: list[str], wide: int = WIDE) -> str:
