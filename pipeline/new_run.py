@@ -129,7 +129,7 @@ def main() -> None:
     parser = Parser(prog=command("new_run"), description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     kinds = "separator (default), or twisted_pair: two strings without a separator"
-    like = "a run of the same string on the same rig: all is taken from its run.yaml but what is given here"
+    like = "a run of the same string on the same rig: takes all from its run.yaml but its tare and what is given"
     parser.add_argument("--like", type=Path, metavar="RUN_DIR", help=like)
     parser.add_argument("--actuator", choices=STRING_ACTUATORS, help=kinds)
     parser.add_argument("--material", metavar="NAME", help="needed without --like")

@@ -14,7 +14,7 @@ from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..ground.progress import clear, steps
 from . import as_json, figure, sentences
-from .from_folders import strings
+from .from_folders import others_beside, strings
 from .health import Health
 from .questions import Answer, model_error, stroke_loss
 from .strokes_left import LEAST_STROKES
@@ -56,6 +56,8 @@ def main() -> int:
         write_text(arguments.out / string_health.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
         figure.page(string_health, answers, arguments.level, arguments.out / string_health.string / "lifespan.png")
         clear()
+        if others := others_beside(string_health.string, arguments.run_dir):
+            print(sentences.not_given(string_health.string, others))
         print(sentences.sentences(string_health, answers, arguments.level))
     return 0
 

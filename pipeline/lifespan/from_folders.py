@@ -6,8 +6,10 @@ from tempfile import TemporaryDirectory
 
 from ..ground.errors import BadInput
 from ..ground.progress import steps
+from ..run.folder import has_recording
 from ..string.from_raw import read_long
 from ..string.history import Recorded
+from ..string.jumps_beside import runs_naming
 from .health import Health, health
 
 
@@ -26,3 +28,10 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
             recorded = read_long(folder if folder.name else folder.resolve(), Path(temporary) / f"{number}.parquet")
             runs.setdefault(recorded.run.string_id, []).append(recorded)
         return [health(of_one) for of_one in runs.values()]
+
+
+def others_beside(string: str, folders: list[Path]) -> list[Path]:
+    """Runs of a string that lie beside the given ones and were not given: their strokes are missing in what is said."""
+    given = {folder.resolve() for folder in folders}
+    places = sorted({folder.parent for folder in given})
+    return [run for place in places for run in runs_naming(place, {string}, given) if has_recording(run)]

@@ -1,5 +1,8 @@
 """What is said of a string's life in sentences: what is seen, what is foretold, how far to trust it, what to do."""
 
+import shlex
+from pathlib import Path
+
 import numpy as np
 
 from ..ground.command import command, program_name
@@ -13,6 +16,7 @@ from .questions import Answer
 from .stroke_counts import at_least, at_most, strokes
 from .strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
 
+SHOWN = 6  # runs that are named
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
     f"{of_100(sudden(1.0))} until the strokes seen have doubled, and of {of_100(sudden(HORIZON))} within "
@@ -106,6 +110,13 @@ def zero(jump: Jump) -> str:
         return f"{jump.run} has `tare: run`: the {abs(jump.jump_mm):.2g} mm by which its zero was moved are taken off."
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
     return f"{jump.advice} {done}."
+
+
+def not_given(string: str, folders: list[Path]) -> str:
+    """What is said where other runs of a string lie beside those that were given."""
+    runs = " ".join(shlex.quote(str(folder)) for folder in folders[:SHOWN]) + " …" * (len(folders) > SHOWN)
+    beside = f"{len(folders)} more run{'s' * (len(folders) > 1)} of the string {string} beside, not given"
+    return f"Beware: {beside}. Strokes are counted as if there were none of them; name all runs of a string: {runs}"
 
 
 def young(run: str) -> str:

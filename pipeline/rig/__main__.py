@@ -12,7 +12,7 @@ from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .line import line, serve
-from .options import again, command, free_name
+from .options import again, command, free_name, zeroed
 from .setup import names, read_setup
 from .simulate import simulate
 from .standing import Standing
@@ -22,6 +22,7 @@ FORECAST = 12  # strokes that a forecast of the life needs at least; a test hold
 RAW = Path("raw")  # of the folder in which the rig is started: where pipeline.new_run makes a run's folder
 ANEW = "rig: every recording is of a new string: give each a run and a --string-id of its own"
 STAYS = "rig: every recording is of the same string: give each a run of its own and the same --string-id"
+ZEROED = "rig: its displacement sensor is set to zero at each start, so every run after the first has --tare run"
 PACE = 5.0  # the paper's nine strokes in a minute
 
 
@@ -80,10 +81,13 @@ def main() -> int:
     device, number = device_of(1), 1
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
-        print(f"rig: {arguments.setup} is at {arguments.link}, {paced(arguments.pace, setup.rate_hz)}; Ctrl-C ends it")
+        pace = paced(arguments.pace, setup.rate_hz)
+        print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; Ctrl-C ends it, in the background kill")
         first = free_name(RAW)
         print(f"rig: before recording 1 describe its string by: {command(setup, first)}")
         print(STAYS if standing else ANEW)
+        if standing and zeroed(setup):
+            print(ZEROED)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
         try:
             while True:

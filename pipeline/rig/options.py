@@ -31,6 +31,11 @@ def command(setup: SetUp, run: str) -> str:
     return " ".join(words)
 
 
+def zeroed(setup: SetUp) -> bool:
+    """Whether a set-up's displacement sensor counts from where it stands when a recording starts."""
+    return setup.sensors["displacement_mm"].zeroed
+
+
 def again(setup: SetUp, raw: Path, first: str) -> str:
     """The command that makes a run folder for a further recording of the string of run `first`.
 
@@ -38,5 +43,4 @@ def again(setup: SetUp, raw: Path, first: str) -> str:
     """
     known = raw / first / "run.yaml"
     like = raw / first if known.is_file() else raw / "RUN_OF_RECORDING_1"
-    moved = setup.sensors["displacement_mm"].zeroed
-    return f"{called.command('new_run')} {free_name(raw)} --like {like}{' --tare run' if moved else ''}"
+    return f"{called.command('new_run')} {free_name(raw)} --like {like}{' --tare run' if zeroed(setup) else ''}"

@@ -20,6 +20,8 @@ from ..run.left_out import LeftOut, to_json
 from ..run.lossy import all_lossy, moving_strokes, touched
 from ..string import jump_notes
 from ..string.history import Recorded, by_string, read_usable
+from ..string.rests import Rests
+from ..string.tare_notes import tare_notes
 from ..string.zero import jumps, offsets_mm
 from .points import Piece, moving, points_of
 from .splits import HELD_OUT_POINTS, Mask, Split, blocks_from_top, held_out
@@ -124,7 +126,8 @@ def main() -> None:
     if without >= {recorded_run.run.run for recorded_run in recorded}:
         raise all_lossy(", ".join(sorted(without)))
     jumped = [jump for runs in by_string(recorded) for jump in jumps(runs)]
-    print("".join(f"{jump.advice}\n" for jump in jumped), end="")
+    notes = [note for runs in by_string(recorded) for _, note in tare_notes([Rests.of(run) for run in runs])]
+    print("".join(f"{sentence}\n" for sentence in [*(jump.advice for jump in jumped), *notes]), end="")
     dataset = Dataset(recorded, strokes_left, without)
     if not dataset.within.train.count or not dataset.within.test.count:
         mend = "record more strokes, or more samples a stroke"

@@ -8,6 +8,7 @@ from ..run.folder import find_runs, read_run
 from .from_raw import read
 from .history import Recorded
 from .rests import Rests
+from .tare_notes import tare_notes
 from .zero import Jump, jumps_among
 
 Reader = Callable[[Path], Recorded]
@@ -35,14 +36,14 @@ class Beside:
 
     def of_strings(self, place: Path, strings: set[str], but: set[Path]) -> list[Rests]:
         """Those of the runs in a folder of runs, `but` some, that name one of these strings."""
-        rests_beside = [self.at(folder) for folder in _naming(place, strings, but)]
+        rests_beside = [self.at(folder) for folder in runs_naming(place, strings, but)]
         return [rests for rests in rests_beside if rests]
 
 
 def are_beside(runs: list[Rests]) -> bool:
     """Whether other runs lie beside these that name one of their strings; none of them is read."""
     places, strings = {rests.folder.resolve() for rests in runs}, {rests.run.string_id for rests in runs}
-    return any(any(_naming(place, strings, places)) for place in {folder.parent for folder in places})
+    return any(any(runs_naming(place, strings, places)) for place in {folder.parent for folder in places})
 
 
 def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
@@ -71,14 +72,18 @@ def advice_on(folder: Path) -> list[str]:
         string = read_run(folder).string_id
     except BadInput:
         return []
-    if not any(_naming(folder.parent, {string}, {folder.resolve()})):
+    if not any(runs_naming(folder.parent, {string}, {folder.resolve()})):
         return []
     beside = Beside()
     rests = beside.at(folder)
-    return [jump.advice for jump in jumps_into([rests], beside)] if rests else []
+    if rests is None:
+        return []
+    others = beside.of_strings(folder.parent, {string}, {folder.resolve()})
+    notes = [note for name, note in tare_notes([*others, rests]) if name == rests.run.run]
+    return [*(jump.advice for jump in jumps_into([rests], beside)), *notes]
 
 
-def _naming(place: Path, strings: set[str], but: set[Path]) -> Iterator[Path]:
+def runs_naming(place: Path, strings: set[str], but: set[Path]) -> Iterator[Path]:
     """Runs in a folder of runs, `but` some, whose run.yaml names one of these strings."""
     return (folder for folder in find_runs(place) if folder.resolve() not in but and _names(folder, strings))
 

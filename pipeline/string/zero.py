@@ -97,7 +97,7 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
     for before, after in pairwise(runs):
         offset = offsets[-1]
         if after.run.tare == "run" or after.run.run in moved:
-            change = _change_mm(Rests.of(before), Rests.of(after))
+            change = change_mm(Rests.of(before), Rests.of(after))
             offset = tare_mm(after) if change is None else offset - change
         offsets.append(offset)
     return offsets
@@ -105,7 +105,7 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
 
 def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     """The jump of the zero between two runs, None where there is none or the rests do not compare."""
-    change = _change_mm(before, after)
+    change = change_mm(before, after)
     if change is None:
         return None
     floor_mm = max(before.noise_mm, after.noise_mm, LEAST_FLOOR_MM)
@@ -114,7 +114,7 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded, after.run.tare == "run")
 
 
-def _change_mm(before: Rests, after: Rests) -> float | None:
+def change_mm(before: Rests, after: Rests) -> float | None:
     """By how much a run's first rest reads more than the last rest of the run before, both against the model."""
     load_n = before.load_n[1], after.load_n[0]
     if abs(after.turns[0] - before.turns[1]) > SAME_TWIST * before.range_turns:

@@ -102,3 +102,13 @@ def test_a_device_at_another_pace_is_told_beside_the_persons_time(monkeypatch, p
     shown._began_s -= passed_s
     words = shown.parts()[0]
     assert words.endswith(said) and words.startswith("0:10 recorded")
+
+
+@pytest.mark.parametrize(("lost", "place"), [(0, -1), (3, 0)])
+def test_readings_come_before_frames_of_which_none_was_lost(lost, place):
+    """On a terminal of 80 columns what a person wants to see live was cut off for a 0."""
+    shown = Progress(HELLO)
+    shown.lost, shown.watch.now["motor_turns"] = lost, 12.5
+    parts = shown.parts()
+    order = [part for part in parts if part in ("12.50 turns", f"{lost} frames lost")]
+    assert len(order) == 2 and order[place] == f"{lost} frames lost"

@@ -95,7 +95,8 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
         return done.stdout
 
     try:
-        said = [rig.stdout.readline() for _ in range(4)]
+        said = [rig.stdout.readline() for _ in range(5)]
+        assert "set to zero at each start, so every run after the first has --tare run" in said[3]
         called(said[1].partition("by: ")[2])
         first = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-1")
         assert "zero jumps" not in first and "14 of 14 strokes done" in first
@@ -110,6 +111,8 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
         assert shlex.split(third)[3:] == ["example-3", "--like", "raw/example-1", "--tare", "run"]
         called(third)
         assert read_run(tmp_path / "raw" / "example-3").tare == "run"
+        third = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-3")
+        assert "run.yaml of example-3 says `tare: run`: at rest it reads" in third and "that is taken off" in third
     finally:
         rig.kill()
         rig.communicate()

@@ -2,6 +2,7 @@
 
 import json
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from pipeline.string.history import Recorded
 from pipeline.string.jump_notes import read_jumps
 from pipeline.string.jumps_beside import Beside, jumps_into
 from pipeline.string.rests import Rests
+from pipeline.string.tare_notes import tare_notes
 from pipeline.string.zero import jumps, offsets_mm
 
 ROOT = Path(__file__).parents[2]
@@ -205,3 +207,40 @@ def test_the_verdict_says_it(tmp_path: Path) -> None:
     assert [one["run"] for one in json.loads((tmp_path / "out" / "diagnosis.json").read_text())["zero_jumps"]] == [
         "a-2"
     ]
+
+
+@pytest.mark.parametrize(
+    ("tares", "said"),
+    [
+        ((None, None, None), []),
+        (("run", None, None), []),  # the first run of a string is its zero
+        ((None, "run", "run"), ["b says `tare: run`: at rest it reads", "c says `tare: run`: at rest it reads"]),
+        (
+            (None, "run", None),
+            ["b says `tare: run`: at rest", "b, of the same string, says `tare: run`, and c does not"],
+        ),
+    ],
+)
+def test_a_small_jump_is_asked_about_where_another_run_was_zeroed(whole: pd.DataFrame, tares, said) -> None:
+    """A sensor that starts at 0 in each recording: a jump of less than six floors stayed in, and nobody said so."""
+    parts = [whole[(whole["time_s"] >= a) & (whole["time_s"] < b)] for a, b in pairwise((0.0, 61.0, 121.0, 400.0))]
+    made = [
+        Rests.of(recorded(name, samples=part.reset_index(drop=True), string=string(id="a"), tare=tare))
+        for name, part, tare in zip("abc", parts, tares, strict=True)
+    ]
+    notes = tare_notes(made)
+    assert len(notes) == len(said) and all(words in note for words, (_, note) in zip(said, notes, strict=True))
+    if tares[2] is None and said:
+        assert "mm" in notes[1][1] and notes[1][0] == "c" and "write `tare: run` in run.yaml of c too" in notes[1][1]
+
+
+def test_where_a_jump_is_said_the_tare_is_not_said_again() -> None:
+    made = [Rests.of(run) for run in runs(JUMP_MM, tare="run")]
+    assert jumps(runs(JUMP_MM, tare="run")) and not tare_notes(made)
+
+
+def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Path) -> None:
+    one, two = folders(tmp_path / "raw", 0.0)
+    text = program("lifespan", one, "--out", tmp_path / "life")
+    assert "1 more run of the string a beside, not given" in text and f"name all runs of a string: {two}" in text
+    assert "not given" not in program("lifespan", one, two, "--out", tmp_path / "life")

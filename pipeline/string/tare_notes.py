@@ -1,0 +1,35 @@
+"""What a person should know of `tare` in the runs of one string where no jump of the zero is seen.
+
+A jump that is smaller than what the string does by itself from stroke to stroke is not called one. Where another run of
+the string says `tare: run`, its sensor is likely set to zero at each start, and so may be this one's.
+"""
+
+from itertools import pairwise
+
+from .history import in_order
+from .rests import Rests
+from .zero import change_mm, jumps_among
+
+
+def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
+    """Of runs of one string, the runs to which it matters, each with a sentence."""
+    ordered = in_order(runs)
+    jumped = {jump.run for jump in jumps_among(ordered)}
+    own_zero = [rests.run.run for rests in ordered[1:] if rests.run.tare == "run"]
+    notes = []
+    for before, after in pairwise(ordered):
+        name, change = after.run.run, change_mm(before, after)
+        if name in jumped or not own_zero:
+            continue
+        reads = "its first rest is at another twist or load than the last one before"
+        if change is not None:
+            more = "more" if change > 0 else "less"
+            reads = f"at rest it reads {abs(change):.2g} mm {more} than {before.run.run} at its end"
+        if name in own_zero:
+            off = "so it is set to the model's value" if change is None else "and that is taken off"
+            notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}, {off}."))
+        else:
+            others = f"{own_zero[0]}, of the same string, says `tare: run`, and {name} does not"
+            mend = f"If its sensor was set to zero again, write `tare: run` in run.yaml of {name} too"
+            notes.append((name, f"{others}: {reads}. {mend}."))
+    return notes
