@@ -4,12 +4,14 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from ..ground.errors import BadInput
-from ..run.folder import find_runs, read_run
+from ..run.folder import find_runs, read_run, started_utc
 from .from_raw import read
 from .history import Recorded
 from .rests import Rests
 from .tare_notes import tare_notes
 from .zero import Jump, jumps_among
+
+LAST = 4  # runs of a string that are compared with a new one
 
 Reader = Callable[[Path], Recorded]
 
@@ -66,21 +68,31 @@ def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
 def advice_on(folder: Path) -> list[str]:
     """What a person should do about the zero of a run that was just recorded: a sentence for each jump into it.
 
-    None where no other run of its string lies beside it, or where one of them cannot be read.
+    None where no other run of its string lies beside it, or where this one cannot be read. Of many others the last
+    ones before it are read, so that nobody waits for a year of recordings.
     """
     try:
-        string = read_run(folder).string_id
+        run = read_run(folder)
+        others = _last(list(runs_naming(folder.parent, {run.string_id}, {folder.resolve()})), started_utc(folder))
     except BadInput:
         return []
-    if not any(runs_naming(folder.parent, {string}, {folder.resolve()})):
-        return []
     beside = Beside()
-    rests = beside.at(folder)
+    rests = beside.at(folder) if others else None
     if rests is None:
         return []
-    others = beside.of_strings(folder.parent, {string}, {folder.resolve()})
-    notes = [note for name, note in tare_notes([*others, rests]) if name == rests.run.run]
-    return [*(jump.advice for jump in jumps_into([rests], beside)), *notes]
+    before = [other for other in map(beside.at, others) if other]
+    jumped = [jump.advice for jump in jumps_among([*before, rests]) if jump.run == run.run]
+    return [*jumped, *(note for name, note in tare_notes([*before, rests]) if name == run.run)]
+
+
+def _last(folders: list[Path], until_utc: str) -> list[Path]:
+    """The last of some runs that were recorded before a time, or all where nothing tells their order; BadInput."""
+    if len(folders) <= LAST or not until_utc:
+        return folders
+    times = {folder: started_utc(folder) for folder in folders}
+    if not all(times.values()):
+        return folders
+    return sorted((folder for folder in folders if times[folder] <= until_utc), key=times.__getitem__)[-LAST:]
 
 
 def runs_naming(place: Path, strings: set[str], but: set[Path]) -> Iterator[Path]:

@@ -19,7 +19,7 @@ from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
 from pipeline.string.history import Recorded
 from pipeline.string.jump_notes import read_jumps
-from pipeline.string.jumps_beside import Beside, jumps_into
+from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
 from pipeline.string.zero import jumps, offsets_mm
@@ -244,3 +244,20 @@ def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Pat
     text = program("lifespan", one, "--out", tmp_path / "life")
     assert "1 more run of the string a beside, not given" in text and f"name all runs of a string: {two}" in text
     assert "not given" not in program("lifespan", one, two, "--out", tmp_path / "life")
+
+
+def test_of_many_runs_of_a_string_the_last_ones_before_the_new_one_are_read(tmp_path: Path) -> None:
+    one, two = folders(tmp_path / "raw", JUMP_MM)
+    for number in range(6):
+        folder = tmp_path / "raw" / f"old-{number}"
+        folder.mkdir()
+        (folder / "run.yaml").write_text(json.dumps(content(folder.name, string=string(id="a"))))
+        (folder / "recording.parquet").write_bytes(b"never read")
+        (folder / "capture.json").write_text(json.dumps({"started_utc": f"2026-01-0{number + 1}T00:00:00+00:00"}))
+    for folder, day in ((one, 8), (two, 9)):
+        (folder / "capture.json").write_text(json.dumps({"started_utc": f"2026-01-0{day}T00:00:00+00:00"}))
+    assert [last.name for last in _last([*sorted((tmp_path / "raw").glob("o*")), one], "2026-01-09")] == [
+        "old-3", "old-4", "old-5", "a-1",
+    ]  # fmt: skip
+    (sentence,) = advice_on(two)
+    assert "write `tare: run` in run.yaml of a-2" in sentence and advice_on(one) == []
