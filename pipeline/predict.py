@@ -34,7 +34,6 @@ MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is kn
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = (1, -1)
 MOST_STROKE = 10**9  # that a question may be about: any number that a person means
-SHOWN = 8  # rows that are named
 MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
 
 
@@ -128,14 +127,13 @@ def main() -> None:
         print(f"beware: {note}", file=sys.stderr)
     points, known = read_questions(arguments.questions, dataset)
     if arguments.saved:
-        table = beside_questions(points, known, saved_answers(arguments.saved, points, known, arguments.dataset))
+        answered, why_not = saved_answers(arguments.saved, points, known, arguments.dataset)
+        table = beside_questions(points, known, answered)
         write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
-        rows = [str(row + 1) for row in np.flatnonzero(~table["inside"])]
-        shown_rows = ", ".join(rows[:SHOWN]) + ", …" * (len(rows) > SHOWN)
+        held_back = int((~table["inside"]).sum())
         print(f"{len(table)} answers of {arguments.saved} in {arguments.out}, without intervals", end="")
-        print(
-            f"; its export does not answer {len(rows)} of them: outside its ranges (row {shown_rows})" if rows else ""
-        )
+        print(f"; its export does not answer {held_back} of them" if held_back else "")
+        print("".join(f"  {reason}\n" for reason in why_not), end="")
         return
     intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
     try:

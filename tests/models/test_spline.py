@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from grown_dataset import LAWS, NOISE_MM, TOP_TURNS, grown_dataset, true_mm
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy import optimize
 
@@ -30,6 +30,7 @@ def one(knots: rational.Knots, row: int, points: int) -> rational.Knots:
 
 
 @given(seed=st.integers(0, 10_000), spread=st.floats(0.1, 3.0))
+@example(seed=220, spread=3.0)  # steep from point to point of the grid, and nearly flat at one of them
 def test_it_rises_whatever_its_weights_and_is_undone_by_its_inverse(seed: int, spread: float) -> None:
     knots = one(drawn(seed, 1, spread=spread), 0, 400)
     u = np.linspace(knots.at[0] - 2.0, knots.at[-1] + 2.0, 400)
@@ -38,7 +39,9 @@ def test_it_rises_whatever_its_weights_and_is_undone_by_its_inverse(seed: int, s
     # where the curve is nearly flat, y has too few digits to tell u; compare there what comes out again
     back = rational.inverse(knots, y)
     np.testing.assert_allclose(rational.value(knots, back), y, rtol=1e-9, atol=1e-9)
-    steep = np.gradient(y, u) > 1e-3
+    beside = [rational.value(knots, u + step) for step in (-1e-5, 1e-5)]
+    steep = np.minimum(y - beside[0], beside[1] - y) / 1e-5 > 1e-2
+    assert steep.sum() > 20
     np.testing.assert_allclose(back[steep], u[steep], atol=1e-6)
 
 
