@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from .export.asked import MAPS
 from .export.asked import answers as saved_answers
 from .ground import schemas
 from .ground.command import HOUSE, command
@@ -30,7 +31,6 @@ from .models.parts.unanswered import reasons
 from .stages.train import configured, fitting, seed
 from .string.jump_notes import NAME, read_jumps
 
-MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = (1, -1)
 MOST_STROKE = 10**9  # that a question may be about: any number that a person means
@@ -148,7 +148,7 @@ def main() -> None:
     outside = int((~table["inside"]).sum())
     print(f"{len(table)} answers in {arguments.out}", end="")
     print(f", {outside} of them without an interval: outside what was recorded, or too far ahead" if outside else "")
-    for reason in reasons(intervals, points, GIVEN[known]):
+    for reason in reasons(intervals, points, GIVEN[known], table["inside"].to_numpy(bool)):
         print(f"  {reason}")
 
 

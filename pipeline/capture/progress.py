@@ -63,14 +63,13 @@ class Progress:
         # as they come, which for a rig at another pace is not its own rate
         rate_hz = self.samples / max(passed_s, 1e-3)
         own = f" ({rate_hz / self.hello.rate_hz:.2g} times the {self.hello.rate_hz:g} of the rig's own clock)"
-        left_s = self.left.at(passed_s)
+        left_s, lost = self.left.at(passed_s), f"{self.lost} frames lost"
+        readings = [f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now]
         return [
             f"{clock(recorded_s)} recorded{f' in {clock(passed_s)}' if other_pace else ''}",
             f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} strokes done",
             *([f"about {clock(left_s)} left"] if left_s is not None else []),
-            *([f"{self.lost} frames lost"] if self.lost else []),
-            *(f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now),
-            *([] if self.lost else ["0 frames lost"]),
+            *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off
             f"{self.samples} samples",
             f"{rate_hz:.0f} samples/s{own if other_pace else ''}",
             *([f"{free_bytes / 1e9:.1f} GB free"] if free_bytes else []),

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.parts.reach import unreached
+from ..models.parts.unanswered import first_rows, ranged
 from .inputs import ANSWER, Field
 from .interface import Source
 from .source import Beside, opened
 
-SHOWN = 5  # questions whose reason is told
 NEAR = 1e-6  # of the range: a twist that was brought to its end
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 
@@ -27,18 +27,24 @@ def answers(file: Path, points: pd.DataFrame, known: str, dataset: Path) -> tupl
     """
     source = opened(file, None, Beside(dataset=dataset))
     value = np.asarray(getattr(source.model, MAPS[known])(points), float)
-    reasons = [""] * len(points)
-    for field in source.inputs.columns(known):
-        for row in np.flatnonzero(_outside(source, field, points, file)):
-            unit = "" if field.unit == "1" else f" {field.unit}"
-            range_ = f"the export takes {field.low:.4g} to {field.high:.4g}{unit}"
-            reasons[row] = reasons[row] or f"{field.name} {points[field.name].iloc[row]}: {range_}"
-    if known == "displacement_mm":
-        for row in np.flatnonzero(_held(source, points, value)):
-            asked_mm = points[known].iloc[row]
-            reasons[row] = reasons[row] or f"no twist in its range gives {asked_mm:g} mm in this state (TSA_HELD)"
-    table = pd.DataFrame({ANSWER[known]: value, "inside": [not reason for reason in reasons]})
-    return table, [f"row {row}: {reason}" for row, reason in enumerate(reasons, 1) if reason][:SHOWN]
+    masks = {field: _outside(source, field, points, file) for field in source.inputs.columns(known)}
+    held = _held(source, points, value) if known == "displacement_mm" else np.zeros(len(points), bool)
+    inside = ~np.any([*masks.values(), held], axis=0)
+    reasons = []
+    for row in first_rows(inside):
+        wrong = [field for field, mask in masks.items() if mask[row]]
+        why = [_reason(source, field, points.iloc[row]) for field in wrong]
+        nowhere = f"no twist in its range gives {points[known].iloc[row]:g} mm in this state (TSA_HELD)"
+        reasons.append(f"row {row + 1}: {'; '.join(why) or nowhere}")
+    return pd.DataFrame({ANSWER[known]: value, "inside": inside}), reasons
+
+
+def _reason(source: Source, field: Field, question: pd.Series) -> str:
+    """What is wrong with one number of a question."""
+    takes = ranged(field.low, field.high, field.unit)
+    if field.name == "material":
+        takes = ", ".join(source.inputs.materials)
+    return f"{field.name} {question[field.name]}: the export takes {takes}"
 
 
 def _outside(source: Source, field: Field, points: pd.DataFrame, file: Path) -> NDArray[np.bool_]:

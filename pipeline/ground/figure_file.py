@@ -18,18 +18,15 @@ DATES = {".png": "Software", ".pdf": "CreationDate", ".svg": "Date"}  # what dif
 DIGITS = 7  # of a position, as a share of the figure: less than any printer shows
 
 
-def settle_layout(figure: Figure, dpi: float | None = None) -> None:
+def settle_layout(figure: Figure) -> None:
     """Lay a figure out once, and round where its parts stand.
 
     The solver of matplotlib's layout orders its variables by where they lie in memory, so the last bit of a position
-    is chance, and a PDF writes ten decimals of it. `dpi` are the dots per inch at which texts are measured, by default
-    the figure's. What has been laid out stays as it is.
+    is chance, and a PDF writes ten decimals of it. What has been laid out stays as it is.
     """
     engine = figure.get_layout_engine()
     if engine is None:
         return
-    if dpi is not None:
-        figure.set_dpi(dpi)
     engine.execute(figure)
     figure.set_layout_engine("none")
     _round(figure)
@@ -53,9 +50,9 @@ def write_figure(figure: Figure, path: Path, dpi: float | None = None, metadata:
 
     `dpi` are the dots per inch, by default the figure's; `metadata` are matplotlib's, by the format.
     """
-    settle_layout(figure, dpi)
     dots, suffix = dpi or figure.dpi, path.suffix
     figure.set_dpi(dots)
+    settle_layout(figure)
     with whole(path) as temporary:  # a canvas draws once, savefig twice
         canvas = CANVASES[suffix](figure)
         getattr(canvas, f"print_{suffix[1:]}")(temporary, metadata={DATES[suffix]: None, **(metadata or {})})

@@ -22,7 +22,7 @@ from ..string import jump_notes
 from ..string.history import Recorded, by_string, read_usable
 from ..string.rests import Rests
 from ..string.tare_notes import tare_notes
-from ..string.zero import jumps, offsets_mm
+from ..string.zero import jumps_among, offsets_mm
 from .points import Piece, moving, points_of
 from .splits import HELD_OUT_POINTS, Mask, Split, blocks_from_top, held_out
 
@@ -125,8 +125,9 @@ def main() -> None:
     without = frozenset(refusal.run for refusal in refused)
     if without >= {recorded_run.run.run for recorded_run in recorded}:
         raise all_lossy(", ".join(sorted(without)))
-    jumped = [jump for runs in by_string(recorded) for jump in jumps(runs)]
-    notes = [note for runs in by_string(recorded) for _, note in tare_notes([Rests.of(run) for run in runs])]
+    rests = [[Rests.of(run) for run in runs] for runs in by_string(recorded) if len(runs) > 1]
+    jumped = [jump for of_string in rests for jump in jumps_among(of_string)]
+    notes = [note for of_string in rests for _, note in tare_notes(of_string)]
     print("".join(f"{sentence}\n" for sentence in [*(jump.advice for jump in jumped), *notes]), end="")
     dataset = Dataset(recorded, strokes_left, without)
     if not dataset.within.train.count or not dataset.within.test.count:

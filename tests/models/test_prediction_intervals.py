@@ -8,6 +8,7 @@ from made_strings import NOISE_MM, made_string
 from pipeline.models.interface import make_model
 from pipeline.models.parts.prediction_intervals import Intervals, TooFew
 from pipeline.models.parts.rolling_origin import AHEAD, parts_of
+from pipeline.models.parts.unanswered import reasons
 
 STRINGS, KNOWN, LEVEL = 48, 7, 0.9
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}
@@ -155,3 +156,14 @@ def test_points_of_one_block_are_refused():
     points = made_string(1)
     with pytest.raises(TooFew):
         Intervals(lambda: make_model("polynomial")).fit(points[points["stroke"] == 2].assign(block=1), 0)
+
+
+def test_where_no_error_could_be_learnt_there_is_no_interval() -> None:
+    points = made_string(0)
+    intervals = fitted(points)
+    assert intervals.forward(points[:5], 0.9)["inside"].all()
+    intervals.scatter["displacement_mm"].size[:] = np.nan
+    answered = intervals.forward(points[:5], 0.9)
+    assert not answered["inside"].any() and np.isinf(answered["high"]).all()
+    (sentence,) = reasons(intervals, points[:1], "displacement_mm", np.zeros(1, bool))
+    assert sentence == "row 1: how large an error is here could not be learnt"

@@ -148,7 +148,7 @@ class Intervals:
         ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
         half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
         outside = self.outside(points, wanted)
-        inside = ~np.any(list(outside.values()), axis=0) if outside else np.ones(len(points), bool)
+        inside = np.isfinite(half) & ~np.any(list(outside.values()), axis=0) if outside else np.isfinite(half)
         half = np.where(inside, half, np.inf)
         return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
 

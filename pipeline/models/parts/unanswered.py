@@ -3,7 +3,9 @@
 A question lies outside the box of the recordings, or too many strokes ahead of the last recorded one of its string.
 """
 
+import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from ...ground.units import unit_of
 from .box import Box
@@ -12,20 +14,31 @@ from .prediction_intervals import Intervals
 SHOWN = 5  # questions of which the reason is printed; the file flags all
 
 
-def reasons(intervals: Intervals, points: pd.DataFrame, wanted: str) -> list[str]:
-    """Of the first questions that have no interval, a sentence each that says why, numbered by their row.
+def reasons(intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_]) -> list[str]:
+    """Of the first questions that are not `inside`, a sentence each that says why, numbered by their row.
 
-    `points` are the questions, of which `wanted` is asked.
+    `points` are the questions, of which `wanted` is asked; `inside` has the shape (points,), without unit.
     """
-    outside, last = intervals.outside(points, wanted), intervals.last_recorded(points)
+    rows = first_rows(inside)
+    questions = points.iloc[rows]
+    outside, last = intervals.outside(questions, wanted), intervals.last_recorded(questions)
     box, ahead = intervals.box, intervals.ahead(wanted)
-    sentences: list[str] = []
-    for place in range(len(points)):
+    sentences = []
+    for place, row in enumerate(rows):
         columns = [name for name, mask in outside.items() if mask[place]]
-        if columns and len(sentences) < SHOWN:
-            why = "; ".join(_reason(name, points.iloc[place], box, float(last.iloc[place]), ahead) for name in columns)
-            sentences.append(f"row {place + 1}: {why}")
+        why = [_reason(name, questions.iloc[place], box, float(last.iloc[place]), ahead) for name in columns]
+        sentences.append(f"row {row + 1}: {'; '.join(why) or 'how large an error is here could not be learnt'}")
     return sentences
+
+
+def first_rows(inside: NDArray[np.bool_]) -> list[int]:
+    """Rows of the first questions that are not `inside`, which has the shape (points,), without unit."""
+    return [int(row) for row in np.flatnonzero(~inside)[:SHOWN]]
+
+
+def ranged(low: float, high: float, unit: str) -> str:
+    """A range in words; both ends in the unit, which is 1 for a number without."""
+    return f"{low:.4g} to {high:.4g}{'' if unit == '1' else f' {unit}'}"
 
 
 def _reason(name: str, question: pd.Series, box: Box, last: float, ahead: int) -> str:
@@ -39,6 +52,4 @@ def _reason(name: str, question: pd.Series, box: Box, last: float, ahead: int) -
     if name == "stroke":
         far = f"{last:.0f} strokes were recorded, and {ahead} further ones have intervals"
         return f"stroke {question[name]:.0f}: {far}"
-    unit = unit_of(name)
-    recorded = f"{box.low[name]:.4g} to {box.high[name]:.4g}{'' if unit == '1' else f' {unit}'}"
-    return f"{name} {question[name]:g}: recorded are {recorded}"
+    return f"{name} {question[name]:g}: recorded are {ranged(box.low[name], box.high[name], unit_of(name))}"
