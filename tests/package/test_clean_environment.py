@@ -1,4 +1,4 @@
-"""`pip install .` as a person does it: a new environment that takes every package from a registry, and nothing of ours."""
+"""`pip install .` as a person does it: a new environment that takes each package from a registry, none of ours."""
 
 import json
 import os
@@ -45,7 +45,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.long
 def test_the_required_packages_are_enough_to_diagnose_a_run_folder(programs: Path, tmp_path: Path) -> None:
     recording(strokes=4).to_csv(tmp_path / "log.csv", index=False)
-    sizes = "--radius-mm 0.4 --length-mm 400 --torsion-zone-mm 150 --separator-mm 8".split()
+    sizes = ["--radius-mm", "0.4", "--length-mm", "400", "--torsion-zone-mm", "150", "--separator-mm", "8"]
     words = ("new-run", "made", "--material", "UHMWPE", *sizes, "--recording", "log.csv")
     done = ended(programs / "twistbench", *words, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
