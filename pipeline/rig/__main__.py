@@ -1,6 +1,7 @@
 """Be a synthetic rig behind a pseudo-terminal: one recording after another, at a pace that a person can watch."""
 
 import math
+import os
 import signal
 import sys
 from pathlib import Path
@@ -12,7 +13,7 @@ from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .line import line, serve
-from .options import again, command, free_name, zeroed
+from .options import again, command, free_name
 from .setup import names, read_setup
 from .simulate import simulate
 from .standing import Standing
@@ -22,6 +23,7 @@ FORECAST = 12  # strokes that a forecast of the life needs at least; a test hold
 RAW = Path("raw")  # of the folder in which the rig is started: where pipeline.new_run makes a run's folder
 ANEW = "rig: every recording is of a new string: give each a run and a --string-id of its own"
 STAYS = "rig: every recording is of the same string: give each a run of its own and the same --string-id"
+KEPT = "rig: its displacement sensor keeps its zero from recording to recording, so no run needs --tare run"
 ZEROED = "rig: its displacement sensor is set to zero at each start, so every run after the first has --tare run"
 PACE = 5.0  # the paper's nine strokes in a minute
 
@@ -59,6 +61,8 @@ def main() -> int:
     strokes = f"strokes of each recording, 1 to {MOST_STROKES:,}; default: as the set-up says (paper: 9)"
     parser.add_argument("--strokes", type=int, metavar="N", help=strokes)
     parser.add_argument("--standing", action="store_true", help="one string for all recordings; it takes programs")
+    anew = "with --standing: the displacement sensor is set to zero at each start, not at the first alone"
+    parser.add_argument("--zeroed", action="store_true", help=anew)
     parser.add_argument("--fixed-load", action="store_true", help="with --standing: no program can change the load")
     parser.add_argument(
         "--stalls-at", type=float, metavar="TURNS", help="with --standing: a twist that programs stall at"
@@ -71,7 +75,10 @@ def main() -> int:
     setup = read_setup(arguments.setup)
     if arguments.strokes is not None:
         setup = setup.model_copy(update={"motion": setup.motion.of_strokes(arguments.strokes)})
-    standing = Standing(setup, arguments.seed, not arguments.fixed_load) if arguments.standing else None
+    if arguments.zeroed and not arguments.standing:
+        parser.error("--zeroed is for --standing: without it every recording is of another string")
+    load, zeroed = not arguments.fixed_load, arguments.zeroed and setup.sensors["displacement_mm"].zeroed
+    standing = Standing(setup, arguments.seed, load, zeroed) if arguments.standing else None
 
     def device_of(number: int) -> Device:
         if standing is not None:
@@ -82,12 +89,13 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
     with line(arguments.link) as end:
         pace = paced(arguments.pace, setup.rate_hz)
-        print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; Ctrl-C ends it, in the background kill")
+        ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
+        print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
         first = free_name(RAW)
         print(f"rig: before recording 1 describe its string by: {command(setup, first)}")
         print(STAYS if standing else ANEW)
-        if standing and zeroed(setup):
-            print(ZEROED)
+        if standing:
+            print(ZEROED if zeroed else KEPT)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
         try:
             while True:
@@ -100,7 +108,7 @@ def main() -> int:
                 if standing is None:
                     print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
                 else:
-                    print(f"rig: before recording {number} describe it by: {again(setup, RAW, first)}", flush=True)
+                    print(f"rig: before recording {number} describe it by: {again(RAW, first, zeroed)}", flush=True)
                 device = device_of(number)
         except KeyboardInterrupt:
             return 130

@@ -31,16 +31,11 @@ def command(setup: SetUp, run: str) -> str:
     return " ".join(words)
 
 
-def zeroed(setup: SetUp) -> bool:
-    """Whether a set-up's displacement sensor counts from where it stands when a recording starts."""
-    return setup.sensors["displacement_mm"].zeroed
-
-
-def again(setup: SetUp, raw: Path, first: str) -> str:
+def again(raw: Path, first: str, zeroed: bool) -> str:
     """The command that makes a run folder for a further recording of the string of run `first`.
 
-    A displacement sensor that counts from where it stands when a recording starts has another zero in each.
+    A displacement sensor that is `zeroed` at each start has another zero in each recording.
     """
     known = raw / first / "run.yaml"
     like = raw / first if known.is_file() else raw / "RUN_OF_RECORDING_1"
-    return f"{called.command('new_run')} {free_name(raw)} --like {like}{' --tare run' if zeroed(setup) else ''}"
+    return f"{called.command('new_run')} {free_name(raw)} --like {like}{' --tare run' if zeroed else ''}"

@@ -25,11 +25,13 @@ def declare(sensors: dict[str, Sensor]) -> tuple[Channel, ...]:
     return tuple(Channel(name, unit_of(name), sensor.type, sensor.quantum) for name, sensor in sensors.items())
 
 
-def read(sensor: Sensor, truth: Array, rng: np.random.Generator) -> Array:
+def read(sensor: Sensor, truth: Array, rng: np.random.Generator, zero: float | None = None) -> Array:
     """Counts of a sensor, whole numbers within its integer's range; of the shape of `truth`.
 
-    `truth` has the shape (samples,), in the sensor's unit.
+    `truth` has the shape (samples,), in the sensor's unit. `zero` is where a sensor that counts from where it stands
+    stood when it was set to zero: at the first sample unless given.
     """
-    value = truth - (truth[0] if sensor.zeroed else 0.0) + sensor.noise * rng.standard_normal(len(truth))
+    start = truth[0] if zero is None else zero
+    value = truth - (start if sensor.zeroed else 0.0) + sensor.noise * rng.standard_normal(len(truth))
     range_ = np.iinfo(INTEGERS[sensor.type])
     return np.clip(np.rint(value / sensor.quantum), range_.min, range_.max)

@@ -51,8 +51,13 @@ def string_of(setup: SetUp) -> String:
     return String(geometry, [effects.make(*effect) for effect in setup.effects.items()], step_of(setup))
 
 
-def sampled(setup: SetUp, commands: Commands, string: String, seed: int) -> Simulated:
-    """What a set-up's sensors say while a string, which is not new afterwards, undergoes commanded steps."""
+def sampled(
+    setup: SetUp, commands: Commands, string: String, seed: int, zeros: dict[str, float] | None = None
+) -> Simulated:
+    """What a set-up's sensors say while a string, which is not new afterwards, undergoes commanded steps.
+
+    `zeros` is where the channels' sensors were set to zero; one without a zero is set at the first sample.
+    """
     # the nonce, and each channel's noise, have a stream of their own: one more channel must not move the others'
     boot, *streams = (np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(17))
     contraction_mm = string.pull(commands.motor_turns, commands.load_n)
@@ -68,7 +73,7 @@ def sampled(setup: SetUp, commands: Commands, string: String, seed: int) -> Simu
     samples = np.zeros(len(time_s), hello.sample_type)
     samples["t_us"] = _t_us(setup, time_s)
     for (name, sensor), rng in zip(setup.sensors.items(), streams, strict=False):
-        samples[name] = sensors.read(sensor, truth[name], rng)
+        samples[name] = sensors.read(sensor, truth[name], rng, (zeros or {}).get(name))
     events = []
     for number, (start_s, _, _, end_s) in enumerate(commands.strokes_s.tolist(), 1):
         for at_s, code in ((start_s, Event.STROKE_START), (end_s, Event.STROKE_END)):

@@ -19,10 +19,14 @@ LEGS, LONGEST_S, SILENCE_S = 200, 3600.0, 1.5
 
 
 class Standing:
-    """One string for all recordings; `load` says whether the rig can change its load."""
+    """One string for all recordings; `load` says whether the rig can change its load.
 
-    def __init__(self, setup: SetUp, seed: int, load: bool = True) -> None:
-        self.setup, self.seed, self.load = setup, seed, load
+    It stays powered, so its sensors keep the zero of the first recording; `zeroed`: they are set to zero at each start.
+    """
+
+    def __init__(self, setup: SetUp, seed: int, load: bool = True, zeroed: bool = False) -> None:
+        self.setup, self.seed, self.load, self.zeroed = setup, seed, load, zeroed
+        self._zeros: dict[str, float] = {}  # of the first recording, by channel
         self.step_s, self.string, self.number = step_of(setup), string_of(setup), 0
         each = setup.motion.each()
         self.strokes = len(each)  # of its own motion
@@ -73,7 +77,9 @@ class Standing:
             steps = round(BETWEEN_S / self.step_s)
             self.string.pull(np.full(steps, self.at_turns), np.full(steps, self.hangs_n))
         self._before = copy.deepcopy(self.string), commands
-        simulated = sampled(self.setup, commands, self.string, self.seed + self.number)
+        simulated = sampled(self.setup, commands, self.string, self.seed + self.number, self._zeros)
+        if not self.zeroed and not self._zeros:
+            self._zeros = {name: float(true[0]) for name, true in simulated.truth.items()}
         self.number += 1
         self.at_turns, self.hangs_n = float(commands.motor_turns[-1]), float(commands.load_n[-1])
         return simulated

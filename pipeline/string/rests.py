@@ -21,8 +21,9 @@ Rest = tuple[int, int]  # its first sample, and the first after it
 class Rests:
     """The rests of one run in their order: before its first stroke, and after each.
 
-    `levels_mm` is what each rest reads more than the nominal model. `turns` and `load_n` are those of the first and of
-    the last rest. `range_turns` is the range of the whole motion. `strokes` is how many strokes the run holds.
+    `levels_mm` is what each rest reads more than the nominal model, `turns` and `load_n` are where it rests, `after` is
+    the stroke that it follows, 0 before the first. `range_turns` is the range of the whole motion. `strokes` is how
+    many strokes the run holds.
     """
 
     run: Run
@@ -30,8 +31,9 @@ class Rests:
     started_utc: str
     span_s: tuple[float, float]
     strokes: int
-    turns: tuple[float, float]
-    load_n: tuple[float, float]
+    after: tuple[int, ...]
+    turns: tuple[float, ...]
+    load_n: tuple[float, ...]
     levels_mm: tuple[float, ...]
     range_turns: float
     noise_mm: float
@@ -40,12 +42,12 @@ class Rests:
     def of(cls, recorded: Recorded) -> "Rests":
         """The rests of a run of a string."""
         rests, reach = rests_of(recorded), recorded.rows.extremes("motor_turns")
-        ends = rests[0], rests[-1]
-        turns, load_n = ([_middle(recorded, name, rest) for rest in ends] for name in ("motor_turns", "load_n"))
+        turns, load_n = (tuple(_middle(recorded, name, rest) for rest in rests) for name in ("motor_turns", "load_n"))
         levels_mm = tuple(recorded.level_mm(*rest) for rest in rests)
+        later = recorded.strokes[(recorded.strokes["phase"] == "rest") & (recorded.strokes["stroke"] > 0)]
         return cls(
             recorded.run, recorded.folder, recorded.started_utc, recorded.span_s, int(recorded.strokes["stroke"].max()),
-            (turns[0], turns[1]), (load_n[0], load_n[1]), levels_mm, float(np.ptp(reach)), noise_mm(recorded),
+            (0, *later["stroke"].astype(int)), turns, load_n, levels_mm, float(np.ptp(reach)), noise_mm(recorded),
         )  # fmt: skip
 
 

@@ -11,11 +11,11 @@ from itertools import pairwise
 import numpy as np
 
 from .history import Recorded, in_order, tare_mm
+from .recovered import alike, but_for, recovered_mm
 from .rests import Rests
 
 FLOORS = 6.0  # noise floors that a jump is larger than
 STROKES = 3.0  # times the usual change of the rest from stroke to stroke, that it is larger than too
-SAME_TWIST, SAME_LOAD = 0.05, 0.05  # of the range of twist, and of the load, within which two rests compare
 LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
 
 
@@ -23,7 +23,8 @@ LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
 class Jump:
     """A run's rest that reads otherwise than the one before it: `jump_mm` more, with a noise floor of `floor_mm`.
 
-    `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs.
+    `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs. `recovered_mm` of it the
+    string took back in the break: the zero was moved by the rest.
     """
 
     before: str
@@ -32,6 +33,7 @@ class Jump:
     floor_mm: float
     unrecorded: int = 0
     taken_off: bool = False  # by `tare: run` in the run's run.yaml
+    recovered_mm: float = 0.0
 
     @property
     def entry(self) -> dict[str, str | float]:
@@ -42,6 +44,11 @@ class Jump:
     def may_be_wear(self) -> bool:
         """Whether strokes that nobody recorded may have made the change."""
         return self.unrecorded > 0 and not self.taken_off
+
+    @property
+    def moved_mm(self) -> float:
+        """By how much the zero was moved."""
+        return self.jump_mm - self.recovered_mm
 
     @property
     def sentence(self) -> str:
@@ -60,7 +67,7 @@ class Jump:
         if self.taken_off:
             return (
                 f"{self.sentence} run.yaml of {self.run} says `tare: run`: so this jump is taken off the displacement "
-                "before the tables and models are made."
+                f"before the tables and models are made{but_for(self.recovered_mm)}."
             )
         return (
             f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
@@ -90,15 +97,16 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
     """What to add to the displacement of each run of one string, which are in order.
 
     The first run's own tare holds for the others. A run whose run.yaml says `tare: run`, and one of those `moved`, is
-    set by its own rest to what the string read at the end of the run before, and those after it go with it. Where that
-    rest does not compare, it is set to the model's value.
+    set by its own rest to what the string read at the end of the run before and what it took back since, and those
+    after it go with it. Where that rest does not compare, it is set to the model's value.
     """
     offsets = [tare_mm(runs[0])]
     for before, after in pairwise(runs):
         offset = offsets[-1]
         if after.run.tare == "run" or after.run.run in moved:
-            change = change_mm(Rests.of(before), Rests.of(after))
-            offset = tare_mm(after) if change is None else offset - change
+            rests = Rests.of(before), Rests.of(after)
+            change = change_mm(*rests)
+            offset = tare_mm(after) if change is None else offset - change + recovered_mm(*rests)
         offsets.append(offset)
     return offsets
 
@@ -111,15 +119,14 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     floor_mm = max(before.noise_mm, after.noise_mm, LEAST_FLOOR_MM)
     if abs(change) <= max(FLOORS * floor_mm, STROKES * _usual_mm(before, after)):
         return None
-    return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded, after.run.tare == "run")
+    taken_off, recovered = after.run.tare == "run", recovered_mm(before, after)
+    return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded, taken_off, recovered)
 
 
 def change_mm(before: Rests, after: Rests) -> float | None:
     """By how much a run's first rest reads more than the last rest of the run before, both against the model."""
-    load_n = before.load_n[1], after.load_n[0]
-    if abs(after.turns[0] - before.turns[1]) > SAME_TWIST * before.range_turns:
-        return None
-    if abs(load_n[1] - load_n[0]) > SAME_LOAD * max(map(abs, load_n)):
+    turns, load_n = [before.turns[-1], after.turns[0]], [before.load_n[-1], after.load_n[0]]
+    if not alike(turns, load_n, before.range_turns):
         return None
     return after.levels_mm[0] - before.levels_mm[-1]
 

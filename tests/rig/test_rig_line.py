@@ -15,6 +15,7 @@ from pipeline.rig.options import command, free_name
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
 from pipeline.run.folder import read_run
+from pipeline.wire import read_recording
 
 ROOT = Path(__file__).parents[2]
 
@@ -76,10 +77,9 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
 
 
 def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_and_capture_says_its_zero(tmp_path):
-    """The sensor of the example starts at 0 in each recording: nothing but the main job's log said so."""
-    rig = start(
-        tmp_path / "port", "--pace", "inf", "--recordings", "3", "--standing", "--strokes", "14", folder=tmp_path
-    )
+    """A sensor that starts at 0 in each recording: nothing but the main job's log said so."""
+    options = ["--pace", "inf", "--recordings", "3", "--standing", "--zeroed", "--strokes", "14"]
+    rig = start(tmp_path / "port", *options, folder=tmp_path)
 
     def called(line):
         words = [sys.executable, *shlex.split(line)[1:]]
@@ -116,6 +116,33 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
     finally:
         rig.kill()
         rig.communicate()
+
+
+def test_a_rig_that_stays_powered_keeps_its_zero_and_asks_for_no_tare(tmp_path):
+    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2", "--standing", "--strokes", "4")
+    try:
+        said = [rig.stdout.readline() for _ in range(4)]
+        assert "its displacement sensor keeps its zero from recording to recording, so no run needs --tare" in said[3]
+        for name in ("a-1", "a-2"):
+            words = [sys.executable, "-m", "pipeline.capture", str(tmp_path / "port"), str(tmp_path / name)]
+            subprocess.run(words, cwd=ROOT, timeout=300, capture_output=True, check=True)
+        later, _ = rig.communicate(timeout=300)
+        assert " --like raw/" in later and "--tare" not in later
+    finally:
+        rig.kill()
+        rig.communicate()
+    one, two = (
+        read_recording((tmp_path / name / "recording.frames").read_bytes()).channels["displacement_mm"]
+        for name in ("a-1", "a-2")
+    )
+    ends, begins = float(one[-20:].mean()), float(two[:20].mean())
+    assert abs(begins - ends) < 0.2 * abs(ends), "it goes on where it was"
+
+
+def test_a_rig_whose_string_is_always_new_has_no_zero_to_keep(tmp_path):
+    rig = start(tmp_path / "port", "--zeroed")
+    said = rig.communicate(timeout=300)[1]
+    assert rig.returncode == 2 and "--zeroed is for --standing" in said
 
 
 def test_at_a_pace_the_rig_says_how_many_samples_a_second_come(tmp_path):
