@@ -28,6 +28,7 @@ from .run.samples import check, questions
 from .run.tolerances_given import read_back, tolerance_questions
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
+from .string.same_string import others_recorded, tares
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 
@@ -180,8 +181,10 @@ def main() -> None:
     content = with_string_id(arguments_to_content(arguments), out)
     folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
     recorded = has_recording(folder)
-    print(f"{folder} is there; {following(folder, recorded, arguments.like)}")
-    print(read_back(parse_run(content, folder / "run.yaml")))
+    run = parse_run(content, folder / "run.yaml")
+    others = others_recorded(folder, run, arguments.like)
+    print(f"{folder} is there; {following(folder, recorded, others)}")
+    print(read_back(run) + (f"\n{tares(run, others)}" if others else ""))
     if "tolerance" not in content:
         print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")
     for sentence in advice_on(folder) if recorded else []:

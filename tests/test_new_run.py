@@ -153,7 +153,8 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
     monkeypatch.chdir(tmp_path)
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
     assert status == 0 and "make its reports with: snakemake --cores 2, or ask only what the simulator" in said
-    assert f"leaves out: python -m pipeline.diagnose {folder.with_name('a-02')} --out reports/mine" in said
+    both = f"{folder} {folder.with_name('a-02')} --together --out reports/mine/a-02"
+    assert f"leaves out: python -m pipeline.diagnose {both}" in said
     status, said, _ = new("a-03", "--string-id", "s1")
     folder = folder.with_name("a-03")
     assert (
@@ -161,7 +162,8 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
         and f"python -m pipeline.capture PORT {folder} " in said
         and "; then make its reports with: " in said
     )
-    assert f"python -m pipeline.diagnose {folder} --out reports/mine" in said
+    runs = " ".join(str(folder.with_name(f"a-0{number}")) for number in (1, 2, 3))
+    assert f"python -m pipeline.diagnose {runs} --together --out reports/mine/a-03" in said
 
 
 def made_like(tmp_path, monkeypatch, capsys, *more):

@@ -35,15 +35,20 @@ def tell(info: CaptureJson, folder: Path) -> None:
     except BadInput as error:
         print(f"{error} Until then nothing can use this run.")
     else:
-        tell_zero(folder)
+        tell_of_its_string(folder, info)
 
 
-def tell_zero(folder: Path) -> None:
-    """Say whether the sensor's zero moved since the run of the same string before."""
+def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
+    """Say whether the sensor's zero moved since the run of the same string before, and what comes next."""
     from ..string.jumps_beside import advice_on  # it needs pandas, for which no rig should wait
+    from ..string.next_steps import next_steps
 
     for sentence in advice_on(folder):
         print(f"{folder}: {sentence}")
+    if info["exit_status"] != "fault" and info["samples"]["received"]:
+        hello = info.get("hello")
+        whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
+        print("\n".join(next_steps(folder, whole)))
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

@@ -58,6 +58,7 @@ class Progress:
         """What the line says, the most important first."""
         passed_s = time.monotonic() - self._began_s
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
+        rigs_own = f"{clock(recorded_s)} by the rig's clock"
         other_pace = passed_s > PACE_AFTER_S and abs(recorded_s - passed_s) > PACE_DIFFERS * passed_s
         of = f" of {self.hello.strokes}" if self.hello.strokes else ""
         # as they come, which for a rig at another pace is not its own rate
@@ -66,10 +67,11 @@ class Progress:
         left_s, lost = self.left.at(passed_s), f"{self.lost} frames lost"
         readings = [f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now]
         return [
-            f"{clock(recorded_s)} recorded{f' in {clock(passed_s)}' if other_pace else ''}",
+            f"{clock(passed_s)} passed" if other_pace else f"{clock(recorded_s)} recorded",
             f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} strokes done",
             *([f"about {clock(left_s)} left"] if left_s is not None else []),
             *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off
+            *([rigs_own] if other_pace else []),
             f"{self.samples} samples",
             f"{rate_hz:.0f} samples/s{own if other_pace else ''}",
             *([f"{free_bytes / 1e9:.1f} GB free"] if free_bytes else []),

@@ -1,6 +1,7 @@
 """One recording from its port to its commit, and who may ask for its end."""
 
 import math
+import os
 import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
@@ -49,6 +50,11 @@ class Asked:
         self.times += 1
 
 
+def how_to_end() -> str:
+    """What a person does to end a recording; one that was started in the background hears no Ctrl-C."""
+    return f"recording; Ctrl-C or kill {os.getpid()} ends it, and what came is kept"
+
+
 def plain(text: str) -> str:
     """A device's text without what a terminal would obey."""
     return "".join(character if character.isprintable() else "?" for character in text)
@@ -65,6 +71,7 @@ def capture_lines(
             beginning = await_header(port, name, columns)
             until_committed.enter_context(end_request.listening())
             log = Log(folder, LINES)
+            print(how_to_end(), flush=True)
             try:
                 began = datetime.now(UTC)
                 outcome = follow(port, log, end_request, columns, beginning, longest_s)
@@ -110,6 +117,7 @@ def capture(
                 raise KeyboardInterrupt
             until_committed.enter_context(end_request.listening())
             log = Log(folder)
+            print(how_to_end(), flush=True)
             try:
                 log.append(beginning)
                 began = datetime.now(UTC)

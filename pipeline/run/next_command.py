@@ -1,6 +1,7 @@
-"""The command that comes next for a run folder that was just made."""
+"""The command that comes next for a run folder that was just made or recorded."""
 
 import shlex
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import INSTALLED, command
@@ -8,16 +9,16 @@ from ..ground.command import INSTALLED, command
 MAIN = "snakemake --cores 2"
 
 
-def following(folder: Path, recorded: bool, like: Path | None = None) -> str:
+def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> str:
     """What is done next with a run folder: the main job, which is in the checkout, finds runs in raw/ alone.
 
-    A run that is `like` another of the same string is diagnosed together with it.
+    A run is diagnosed together with the `others` of the same string, so that what is learnt holds for all of them.
     """
-    own = shlex.quote(str(folder))
-    diagnose = f"{command('diagnose')} {own} --out reports/mine"
-    if like:
-        out = shlex.quote(str(Path("reports/mine") / folder.name))
-        diagnose = f"{command('diagnose')} {shlex.quote(str(like))} {own} --together --out {out}"
+    diagnose = f"{command('diagnose')} {' '.join(shlex.quote(str(run)) for run in (*others, folder))}"
+    if others:
+        diagnose = f"{diagnose} --together --out {shlex.quote(str(Path('reports/mine') / folder.name))}"
+    else:
+        diagnose = f"{diagnose} --out reports/mine"
     alone = f"or ask only what the simulator leaves out: {diagnose}"
     in_raw = not INSTALLED and folder.parent.resolve() == Path("raw").resolve()
     if not recorded:

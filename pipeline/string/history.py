@@ -84,7 +84,7 @@ def _strokes_before(recorded: Dated) -> int | None:
     return string.strokes_before if string and "strokes_before" in string.model_fields_set else None
 
 
-def _natural(name: str) -> list[tuple[int, str]]:
+def natural(name: str) -> list[tuple[int, str]]:
     """A name as its numbers and its words, so that run 10 comes after run 2."""
     return [(int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", name)]
 
@@ -96,7 +96,7 @@ def in_order(runs: list[OneRun]) -> list[OneRun]:
     as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
     names, 2 before 10.
     """
-    by_name = sorted(runs, key=lambda recorded: _natural(recorded.run.run))
+    by_name = sorted(runs, key=lambda recorded: natural(recorded.run.run))
     if all(recorded.started_utc for recorded in runs):
         return sorted(by_name, key=lambda recorded: recorded.started_utc)
     spans = sorted(recorded.span_s for recorded in runs)

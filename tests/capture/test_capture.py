@@ -209,15 +209,17 @@ def test_a_device_that_falls_silent_leaves_a_fault_and_all_that_came(line, tmp_p
     assert said["frames"]["sent"] == said["frames"]["received"] + said["frames"]["lost"]
 
 
-def test_ctrl_c_ends_a_recording_in_good_order(rig, tmp_path):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ctrl_c_or_kill_ends_a_recording_in_good_order(rig, tmp_path, number):
     folder = tmp_path / "run-1"
     capture = start("pipeline.capture", rig("--pace", "2"), folder)
     while not (folder / "recording.frames").exists() or (folder / "recording.frames").stat().st_size < 1500:
         assert capture.poll() is None, capture.stdout.read()
         time.sleep(0.02)
-    capture.send_signal(signal.SIGINT)
+    capture.send_signal(number)
     said, _ = capture.communicate(timeout=20)
     assert capture.returncode == 0, said
+    assert f"recording; Ctrl-C or kill {capture.pid} ends it, and what came is kept" in said
     assert "samples/s" in said and "aborted means ended before the rig was done; what was recorded is used" in said
     assert said.count("run.yaml") == said.count("python -m pipeline.new_run") == 1 and "run.yaml: is missing" in said
     recording = read_recording((folder / "recording.frames").read_bytes())

@@ -100,11 +100,16 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
         called(said[1].partition("by: ")[2])
         first = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-1")
         assert "zero jumps" not in first and "14 of 14 strokes done" in first
+        assert "Next: ask how long the string lasts by: python -m pipeline.lifespan raw/example-1 --out" in first
         assert json.loads((tmp_path / "raw/example-1/capture.json").read_text())["hello"]["strokes"] == 14
         called("python -m pipeline.new_run example-2 --like raw/example-1")
         second = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-2")
         assert "raw/example-2: The zero jumps between two runs of one string" in second
         assert "write `tare: run` in run.yaml of example-2" in second
+        both = "raw/example-1 raw/example-2"
+        alone = f"python -m pipeline.diagnose {both} --together --out reports/mine/example-2\n"
+        assert f"or ask only what the simulator leaves out: {alone}Next: ask how long" in second
+        assert second.endswith(f"by: python -m pipeline.lifespan {both} --out reports/mine\n")
         assert rig.stdout.readline() == "rig: recording 1 is recorded\n" and "example-2 --like" in rig.stdout.readline()
         assert rig.stdout.readline() == "rig: recording 2 is recorded\n"
         third = rig.stdout.readline().partition("before recording 3 describe it by: ")[2]

@@ -1,0 +1,27 @@
+"""What comes next when a run was recorded: what the simulator leaves out, and the string's next run or its life."""
+
+import shlex
+from pathlib import Path
+
+from ..ground.command import command
+from ..run.folder import read_run
+from ..run.next_command import following
+from .same_string import next_name, others_recorded
+
+LIFE = 12  # strokes from which a forecast of a string's life is made; a test holds it to that program's own number
+
+
+def next_steps(folder: Path, strokes: int) -> list[str]:
+    """Two lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput."""
+    run = read_run(folder)
+    others = others_recorded(folder, run)
+    lines = [f"Next: {following(folder, recorded=True, others=others)}"]
+    if run.string is None:
+        return lines
+    if others or strokes >= LIFE:
+        runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
+        lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")
+    else:
+        again = f"{command('new_run')} {next_name(folder)} --like {shlex.quote(str(folder))}"
+        lines.append(f"Next: for another recording of this string: {again}, then record into it")
+    return lines

@@ -1,0 +1,85 @@
+"""The runs of one string: which belong together, what they say of their zero, and what comes next."""
+
+import json
+from pathlib import Path
+
+import pytest
+from made_recording import content
+from stages.nine_strokes import string
+
+from pipeline.lifespan.strokes_left import LEAST_STROKES
+from pipeline.run.folder import read_run
+from pipeline.string.next_steps import LIFE, next_steps
+from pipeline.string.same_string import next_name, others_recorded, tares
+
+
+def made(place: Path, name: str, tare: str | None = None, id_: str = "a", recording: str = "recording.csv") -> Path:
+    folder = place / name
+    folder.mkdir(parents=True)
+    (folder / "run.yaml").write_text(json.dumps(content(name, string=string(id=id_), tare=tare)))
+    if recording:
+        (folder / recording).touch()
+    return folder
+
+
+@pytest.fixture
+def runs(tmp_path: Path) -> list[Path]:
+    """Three recorded runs of one string, and beside them three that are not to be named."""
+    made(tmp_path, "b-1", id_="b")
+    made(tmp_path, "a-4", recording="")
+    made(tmp_path, "a-5", recording="recording.frames")  # unfinished
+    return [made(tmp_path, "a-2"), made(tmp_path, "a-10", "run"), made(tmp_path, "a-1")]
+
+
+def test_all_recorded_runs_of_a_string_are_named_and_no_other(runs: list[Path]) -> None:
+    two, ten, one = runs
+    assert others_recorded(two, read_run(two)) == [one, ten]
+    elsewhere = made(two.parent / "there", "a-9")
+    assert others_recorded(two, read_run(two), like=elsewhere) == [one, elsewhere, ten]
+    assert others_recorded(two, read_run(two), like=one) == [one, ten]
+
+
+def test_what_comes_next_names_all_runs_of_the_string(runs: list[Path]) -> None:
+    two, ten, one = runs
+    diagnose, life = next_steps(ten, 9)
+    assert diagnose.endswith(f"pipeline.diagnose {one} {two} {ten} --together --out reports/mine/a-10")
+    assert (
+        life
+        == f"Next: ask how long the string lasts by: python -m pipeline.lifespan {one} {two} {ten} --out reports/mine"
+    )
+
+
+def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: list[Path]) -> None:
+    alone = runs[0].parent / "b-1"
+    diagnose, again = next_steps(alone, 9)
+    assert diagnose.endswith(f"python -m pipeline.diagnose {alone} --out reports/mine")
+    described = f"python -m pipeline.new_run b-2 --like {alone}"
+    assert again == f"Next: for another recording of this string: {described}, then record into it"
+    assert "pipeline.lifespan" in next_steps(alone, LIFE)[1] and LIFE == LEAST_STROKES
+
+
+def test_a_rig_without_a_string_has_no_life(tmp_path: Path) -> None:
+    folder = tmp_path / "c-1"
+    folder.mkdir()
+    (folder / "run.yaml").write_text(json.dumps({"run": "c-1", "actuator": "moving_mass", "rig": {"mass_kg": 1.0}}))
+    (line,) = next_steps(folder, 99)
+    assert line.endswith(f"pipeline.diagnose {folder} --out reports/mine")
+
+
+@pytest.mark.parametrize(
+    ("name", "following"), [("a-1", "a-3"), ("lot-07", "lot-08"), ("lot", "lot-2"), ("9", "10"), ("a-99", "a-100")]
+)
+def test_the_next_run_has_the_next_free_number(tmp_path: Path, name: str, following: str) -> None:
+    (tmp_path / "a-2").mkdir()
+    assert next_name(tmp_path / name) == following
+
+
+def test_what_the_runs_say_of_their_zero_is_told(runs: list[Path]) -> None:
+    two, ten, one = runs
+    said = tares(read_run(two), [one, ten])
+    assert "`tare: string` in a-1; `tare: run` in a-10; a-2 has `tare: string`" in said
+    assert "If it was set to zero since, as that of a-10 was, write `tare: run` there." in said
+    assert tares(read_run(two), [one]).endswith("If it was set to zero since, write `tare: run` there.")
+    assert "a-10 has `tare: run`: its sensor was set to zero since the run before." in tares(read_run(ten), [one, two])
+    many = [made(two.parent / "more", f"m-{number}") for number in range(1, 8)]
+    assert "`tare: string` in m-4, m-5, m-6, m-7 and 3 more;" in tares(read_run(two), many)
