@@ -7,13 +7,15 @@ last recorded stroke than errors could be learnt, is answered, flagged (`inside`
 """
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 
 from .export.asked import MAPS
 from .export.asked import answers as saved_answers
+from .export.source import Beside
+from .export.source import opened as opened_model
 from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
@@ -22,71 +24,39 @@ from .ground.given_table import opened
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import about, usual
-from .models.parts.box import COLUMNS
-from .models.parts.conditions import Conditions
 from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
-from .models.parts.question_table import question_table, refuse_cells
-from .models.parts.settings import shown
-from .models.parts.unanswered import reasons
+from .models.parts.questions import ASKED, EITHER, by_known, read_questions
+from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
 from .string.jump_notes import NAME, read_jumps
 
-ASKED = ("stroke", "direction")  # every question must tell
-WAYS = (1, -1)
-MOST_STROKE = 10**9  # that a question may be about: any number that a person means
 MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
 
 
-def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, str]:
-    """Questions as points with the dataset's columns, and which of twist and contraction they tell.
-
-    What does not vary in the dataset need not be told. Raises BadInput naming the column.
-    """
-    questions = question_table(path, list(dataset.columns))
-    known = [name for name in MAPS if name in questions.columns]
-    if len(known) != 1:
-        given = (
-            f"are {', '.join(map(repr, questions.columns))}: {'both' if known else 'neither'} of {' and '.join(MAPS)}"
-        )
-        raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
-    if questions.empty:
-        raise BadInput(path, "rows", "there are none", "write one question a line")
-    points = pd.DataFrame(index=range(len(questions)))
-    for name in dataset.columns:
-        if name in questions.columns:
-            refuse_cells(path, questions[name], dataset[name], numeric=name in (*COLUMNS, *ASKED))
-            points[name] = questions[name].to_numpy()
-        elif name == GIVEN[known[0]]:
-            points[name] = np.nan
-        elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
-            points[name] = dataset[name].median()  # what little it varies is its cell's noise
-        elif name in (*COLUMNS, "actuator", "string") and dataset[name].nunique(dropna=False) > 1:
-            raise BadInput(path, name, "is missing, and varies in the recordings", "add the column")
-        else:
-            points[name] = dataset[name].iloc[0]
-    strange = sorted(set(points["actuator"].astype(str)) - set(dataset["actuator"]))
-    if strange:
-        given = f"is {shown(strange[0])}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
-        raise BadInput(path, "actuator", given, "ask a dataset of that actuator")
-    strokes = points["stroke"].to_numpy(float)
-    if not (((strokes == np.floor(strokes)) & (strokes >= 1.0) & (strokes <= MOST_STROKE)).all()):
-        raise BadInput(path, "stroke", "is no whole number from 1 somewhere", "the first stroke of a new string is 1")
-    points["stroke"] = strokes.astype(np.int64)
-    if not points["direction"].isin(WAYS).all():
-        raise BadInput(path, "direction", "is neither 1 nor -1 somewhere", "1 is winding, -1 unwinding")
-    return points, known[0]
-
-
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
-    """Value, low and high in the answer's unit, and whether the question lies inside."""
+    """Value, low and high in the answer's unit, whether the question lies inside, and why not."""
     interval, wanted = getattr(intervals, MAPS[known])(points, level), GIVEN[known]
-    return interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
+    why = reasons(intervals, points, wanted, interval["inside"].to_numpy(bool))
+    answered = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
+    return answered.assign(why=why)
 
 
-def beside_questions(points: pd.DataFrame, known: str, answered: pd.DataFrame) -> pd.DataFrame:
-    """What was asked beside its answer; of the other columns, such as the load, those in which the questions differ."""
-    others = [name for name in points if name not in (known, GIVEN[known], *ASKED) and points[name].nunique() > 1]
-    return pd.concat([points[[known, *ASKED, *others]], answered], axis=1)
+def beside_questions(points: pd.DataFrame, answer: Callable[[pd.DataFrame, str], pd.DataFrame]) -> pd.DataFrame:
+    """What was asked beside its answer; of the other columns, such as the load, those in which the questions differ.
+
+    Where some rows ask for the twist and others for the contraction, the column `asked_for` says which.
+    """
+    others = [name for name in points if name not in (*EITHER, *ASKED) and points[name].nunique() > 1]
+    tables = {}
+    for known, rows, questions in by_known(points):
+        tables[known] = pd.concat([questions[[known, *ASKED, *others]], answer(questions, known)], axis=1)
+        tables[known].index = rows
+    if len(tables) == 1:
+        return next(iter(tables.values()))
+    whole = pd.concat([table.assign(asked_for=GIVEN[known]) for known, table in tables.items()]).sort_index()
+    first = ["asked_for", *EITHER, *ASKED, *others]
+    last = ["inside", "why"]
+    return whole[[*first, *(name for name in whole if name not in (*first, *last)), *last]]
 
 
 @program
@@ -125,30 +95,28 @@ def main() -> None:
     dataset = opened(arguments.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
-    points, known = read_questions(arguments.questions, dataset)
+    points = read_questions(arguments.questions, dataset)
     if arguments.saved:
-        answered, why_not = saved_answers(arguments.saved, points, known, arguments.dataset)
-        table = beside_questions(points, known, answered)
-        write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
-        held_back = int((~table["inside"]).sum())
-        print(f"{len(table)} answers of {arguments.saved} in {arguments.out}, without intervals", end="")
-        print(f"; its export does not answer {held_back} of them" if held_back else "")
-        print("".join(f"  {reason}\n" for reason in why_not), end="")
-        return
-    intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
-    try:
-        with fitting(arguments.model):
-            intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
-            table = beside_questions(points, known, answers(intervals, points, known, arguments.level))
-    except TooFew as error:
-        raise BadInput(
-            arguments.dataset, "points", str(error), "record more strokes, or more samples a stroke"
-        ) from None
+        strings = points["string"].unique()
+        beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
+        source = opened_model(arguments.saved, None, beside)
+        table = beside_questions(points, lambda part, known: saved_answers(source, part, known, arguments.saved))
+        by, less = f"by {arguments.saved}, without intervals", "that its export does not give"
+    else:
+        intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
+        try:
+            with fitting(arguments.model):
+                intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
+                table = beside_questions(points, lambda part, known: answers(intervals, part, known, arguments.level))
+        except TooFew as error:
+            mend = "record more strokes, or more samples a stroke"
+            raise BadInput(arguments.dataset, "points", str(error), mend) from None
+        by, less = f"by a {arguments.model} fitted anew to {arguments.dataset}", "without an interval"
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())
-    print(f"{len(table)} answers in {arguments.out}", end="")
-    print(f", {outside} of them without an interval: outside what was recorded, or too far ahead" if outside else "")
-    for reason in reasons(intervals, points, GIVEN[known], table["inside"].to_numpy(bool)):
+    print(f"{len(table)} answer{'s' * (len(table) > 1)} in {arguments.out}, {by}", end="")
+    print(f"; {outside} of them {less}. The column `why` says it; row 1 is the first question:" if outside else "")
+    for reason in first_of(table["why"].tolist()):
         print(f"  {reason}")
 
 

@@ -40,10 +40,12 @@ def test_answers_come_with_intervals_and_what_lies_outside_is_flagged(dataset: P
     done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *lines, "3,1,90\n"]), "--model", "polynomial")
     assert done.returncode == 0, done.stderr
     assert "1 of them without an interval" in done.stdout
-    assert re.search(r"^  row 4: motor_turns 90: recorded are -?[\d.]+ to [\d.]+ turns$", done.stdout, re.MULTILINE)
-    assert done.stdout.count("row ") == 1
+    reason = r"twist 90 turns is above [\d.]+, the most that was recorded"
+    assert re.search(rf"^  row 4: {reason}$", done.stdout, re.MULTILINE) and done.stdout.count("  row ") == 1
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert table["inside"].tolist() == [True, True, True, False]
+    assert table.columns[-2:].tolist() == ["inside", "why"] and table["why"].isna().tolist() == [True] * 3 + [False]
+    assert re.fullmatch(reason, table["why"][3])
     np.testing.assert_allclose(table["displacement_mm"][:3], known["displacement_mm"], atol=0.2)
     width = table["displacement_mm_high"] - table["displacement_mm_low"]
     assert (width[:3] > 0.03).all() and (width[:3] < 1.0).all() and np.isinf(width[3])
@@ -55,7 +57,9 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
     for level in ("0.8", "0.95"):
         done = ask(dataset, text, "--model", "polynomial", "--level", level)
         assert done.returncode == 0 and "1 of them without an interval" in done.stdout
-        assert "  row 3: stroke 12: 6 strokes were recorded, and 2 further ones have intervals\n" in done.stdout
+        assert "  row 3: stroke 12 is 6 after 6, the last recorded; errors were measured up to 2 strokes ahead\n" in (
+            done.stdout
+        )
         table = pd.read_csv(dataset.with_name("answers.csv"))
         widths[level] = table["motor_turns_high"] - table["motor_turns_low"]
         assert widths[level][1] >= widths[level][0] and np.isinf(widths[level][2])
@@ -67,7 +71,13 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
     ("text", "field"),
     [
         ("stroke,direction\n1,1\n", "columns"),
-        ("stroke,direction,motor_turns,displacement_mm\n1,1,3,4\n", "columns"),
+        ("stroke,direction,motor_turns,displacement_mm\n1,1,3,\n1,1,3,4\n", "row 2"),
+        ("stroke,direction,motor_turns,displacement_mm\n1,1,3,\n1,1,,\n", "row 2"),
+        ("stroke,direction,motor_turns,phase\n1,1,3,winding\n1,1,3,hold\n", "phase"),
+        ("stroke,direction,motor_turns,phase\n1,-1,3,winding\n", "phase"),
+        ("stroke,direction,motor_turns,time_s\n1,1,3,600\n", "time_s"),
+        ('stroke,direction,motor_turns\n1,1,"3,5"\n', "motor_turns"),
+        ("stroke,direction,motor_turns\n1,winding,3\n", "direction"),
         ("stroke;direction;motor_turns\n1;1;3\n", "columns"),
         ("stroke,direction,motor_turns\n", "rows"),
         ("stroke,motor_turns\n1,3\n", "direction"),
@@ -151,7 +161,7 @@ def test_a_load_that_varies_as_a_load_cell_is_noisy_need_not_be_told(dataset: Pa
     questions.write_text("stroke,direction,motor_turns\n2.0,1,3\n")
     noisy = pd.read_parquet(dataset)
     noisy["load_n"] += np.random.default_rng(0).normal(0.0, 0.1, len(noisy))
-    points, _ = read_questions(questions, noisy)
+    points = read_questions(questions, noisy)
     assert points["load_n"].item() == pytest.approx(20.0, abs=0.02) and points["stroke"].item() == 2
 
 
@@ -188,7 +198,10 @@ def test_the_help_says_which_model_answers_where_none_is_named(dataset: Path) ->
 def test_of_many_questions_outside_the_first_have_their_reason(dataset: Path) -> None:
     done = ask(dataset, "stroke,direction,motor_turns\n" + "40,1,90\n" * 8, "--model", "polynomial")
     assert "8 of them without an interval" in done.stdout and done.stdout.count("  row ") == 5
-    assert re.search(r"row 5: motor_turns 90: recorded are .* turns; stroke 40: 6 strokes were recorded", done.stdout)
+    assert "  and 3 more, each with its reason in the column `why`\n" in done.stdout
+    both = r"twist 90 turns is above [\d.]+, the most that was recorded; stroke 40 is 34 after 6, the last recorded; "
+    assert re.search(rf"row 5: {both}", done.stdout)
+    assert pd.read_csv(dataset.with_name("answers.csv"))["why"].str.match(both).all()
 
 
 @pytest.mark.parametrize("name", ["spline", "polynomial"])
@@ -202,16 +215,18 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n12,1,9\n13,1,9\n2,1,90\n"
     done = ask(dataset, text, "--saved", str(file))
     assert done.returncode == 0, done.stderr
-    assert "without intervals; its export does not answer 2 of them\n" in done.stdout
+    assert "without intervals; 2 of them that its export does not give." in done.stdout
     table = pd.read_csv(dataset.with_name("answers.csv"))
-    assert table.columns.tolist() == ["motor_turns", "stroke", "direction", "displacement_mm", "inside"]
+    assert table.columns.tolist() == ["motor_turns", "stroke", "direction", "displacement_mm", "inside", "why"]
     source = opened(file, None, Beside(dataset=dataset))
     queries = np.array([[9, 2, 1], [14, 5, -1], [9, 12, 1]], float)
     meant = source.model.forward(source.inputs.points("motor_turns", queries))
     np.testing.assert_allclose(table["displacement_mm"][:3], meant, rtol=1e-5)
     assert table["inside"].tolist() == [True, True, True, False, False]
-    assert "  row 4: stroke 13: the export takes 1 to 12\n" in done.stdout
-    assert re.search(r"  row 5: motor_turns 90(\.0)?: the export takes -?[\d.]+ to [\d.]+ turns\n", done.stdout)
+    assert "  row 4: stroke 13 is above 12, the most that the export takes (TSA_BAD_STROKE)\n" in done.stdout
+    assert table["why"][3] == "stroke 13 is above 12, the most that the export takes (TSA_BAD_STROKE)"
+    words = r"twist 90 turns is above [\d.]+, the most that the export takes \(TSA_BAD_MOTOR_TURNS\)"
+    assert re.fullmatch(words, table["why"][4]) and table["why"][:3].isna().all()
 
 
 def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: Path) -> None:
@@ -242,8 +257,58 @@ def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, sa
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert first.max() - ends["max"] > 0.3 and first.min() - ends["min"] > 0.3, "strokes differ by what they reach"
     assert table["inside"].tolist() == [True, False, False]
-    if saved:
-        assert done.stdout.count("no twist in its range gives") == done.stdout.count("(TSA_HELD)") == 2
-    else:
-        assert done.stdout.count("no twist that was recorded gives") == 2
-        assert f"row 2: no twist that was recorded gives {asked[1]:g} mm in this state" in done.stdout
+    assert table["why"].str.startswith("HELD at ").tolist()[1:] == [True, True] and table["why"].isna()[0]
+    assert table["why"].str.endswith(" (TSA_HELD)").tolist()[1:] == [saved, saved]
+    least_mm, most_mm = (float(number) for number in re.findall(r"give (-?[\d.]+) to ([\d.]+) mm", table["why"][1])[0])
+    assert asked[1] > most_mm > ends["max"] - 0.1 and least_mm == pytest.approx(ends["min"], abs=0.1)
+    held = [float(re.findall(r"HELD at ([-\d.]+) turns", words)[0]) for words in table["why"][1:]]
+    np.testing.assert_allclose(table["motor_turns"][1:], held, rtol=1e-3)
+
+
+@pytest.mark.parametrize("is_saved", [False, True], ids=["anew", "saved"])
+def test_rows_that_ask_for_twist_and_rows_that_ask_for_contraction_may_stand_in_one_file(
+    dataset: Path, is_saved: bool
+) -> None:
+    """Such a file was refused as telling both, though each of its rows told one."""
+    points = pd.read_parquet(dataset)
+    file = dataset.parent / "polynomial" / "mixed-0.model"
+    file.parent.mkdir(exist_ok=True)
+    model = make_model("polynomial")
+    model.fit(points, 0)
+    model.save(file)
+    words = ("--saved", str(file)) if is_saved else ("--model", "polynomial")
+    rows = ["3,1,9,", "3,-1,,5", "3,1,90,", "3,1,14,"]
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns,displacement_mm", *rows]) + "\n", *words)
+    assert done.returncode == 0, done.stderr
+    mixed = pd.read_csv(dataset.with_name("answers.csv"))
+    assert mixed["asked_for"].tolist() == ["displacement_mm", "motor_turns", "displacement_mm", "displacement_mm"]
+    assert mixed["direction"].tolist() == [1, -1, 1, 1] and mixed["inside"].tolist() == [True, True, False, True]
+    assert mixed["why"].notna().tolist() == [False, False, True, False] and mixed.columns[-1] == "why"
+    for name, places in (("motor_turns", [0, 2, 3]), ("displacement_mm", [1])):
+        alone = [",".join(filter(None, rows[place].split(","))) for place in places]
+        assert ask(dataset, "\n".join([f"stroke,direction,{name}", *alone]) + "\n", *words).returncode == 0
+        single = pd.read_csv(dataset.with_name("answers.csv"))
+        for column in single:
+            pairs = zip(single[column], mixed[column][places], strict=True)
+            assert all(alone == beside or (alone != alone and beside != beside) for alone, beside in pairs), column
+
+
+def test_a_question_of_another_load_than_the_one_that_is_baked_in_is_no_answer_of_the_export(dataset: Path) -> None:
+    """It was answered by what the model makes of that load, as inside, where the header has no field for a load."""
+    points = pd.read_parquet(dataset)
+    file = dataset.parent / "spline" / "load-0.model"
+    file.parent.mkdir(exist_ok=True)
+    model = make_model("spline")
+    model.fit(points, 0)
+    model.save(file)
+    done = ask(dataset, "stroke,direction,motor_turns,load_n\n3,1,9,20\n3,1,9,45\n", "--saved", str(file))
+    assert done.returncode == 0, done.stderr
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table["inside"].tolist() == [True, False] and table["why"][1] == "load 45 N: the export has 20 baked in"
+
+
+def test_a_limit_that_is_named_is_itself_inside(dataset: Path) -> None:
+    done = ask(dataset, "stroke,direction,motor_turns\n3,1,90\n3,1,-90\n", "--model", "polynomial")
+    limits = re.findall(r"is (?:above|below) (-?[\d.]+),", done.stdout)
+    done = ask(dataset, "stroke,direction,motor_turns\n" + "".join(f"3,1,{end}\n" for end in limits))
+    assert len(limits) == 2 and "without an interval" not in done.stdout, done.stdout

@@ -8,43 +8,55 @@ from numpy.typing import NDArray
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
-from ..models.parts.reach import unreached
-from ..models.parts.unanswered import first_rows, ranged
-from .inputs import ANSWER, Field
+from ..models.interface import about
+from ..models.parts.beyond import beyond, held, with_unit
+from ..models.parts.reach import reached_mm, unreached
+from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source
-from .source import Beside, opened
 
 NEAR = 1e-6  # of the range: a twist that was brought to its end
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 
 
-def answers(file: Path, points: pd.DataFrame, known: str, dataset: Path) -> tuple[pd.DataFrame, list[str]]:
-    """The value of each question, in the answer's unit, and `inside`: whether the export would answer it; and why not.
+def answers(source: Source, points: pd.DataFrame, known: str, file: Path) -> pd.DataFrame:
+    """The value of each question, in the answer's unit, `inside`: whether the export would answer it; and `why` not.
 
-    `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. A
-    sentence for each of the first questions that the export does not answer. Raises BadInput for a file that holds no
-    model which can be exported.
+    `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
+    BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
-    source = opened(file, None, Beside(dataset=dataset))
     value = np.asarray(getattr(source.model, MAPS[known])(points), float)
-    masks = {field: _outside(source, field, points, file) for field in source.inputs.columns(known)}
-    held = _held(source, points, value) if known == "displacement_mm" else np.zeros(len(points), bool)
-    inside = ~np.any([*masks.values(), held], axis=0)
-    reasons = []
-    for row in first_rows(inside):
-        wrong = [field for field, mask in masks.items() if mask[row]]
-        why = [_reason(source, field, points.iloc[row]) for field in wrong]
-        nowhere = f"no twist in its range gives {points[known].iloc[row]:g} mm in this state (TSA_HELD)"
-        reasons.append(f"row {row + 1}: {'; '.join(why) or nowhere}")
-    return pd.DataFrame({ANSWER[known]: value, "inside": inside}), reasons
+    why = np.full(len(points), "", object)
+    for field in source.inputs.columns(known):
+        for row in np.flatnonzero(_outside(source, field, points, file)):
+            reason = _reason(source, field, points[field.name].iloc[row])
+            why[row] += f"{'; ' if why[row] else ''}{reason} (TSA_BAD_{field.name.upper()})"
+    for name, baked in _baked(source).items():
+        other = np.abs(points[name].to_numpy(float) - baked) > (WIDE / 2.0 if name == "load_n" else SAME) * abs(baked)
+        for row in np.flatnonzero(other):
+            reason = f"{with_unit(name, float(points[name].iloc[row]))}: the export has {baked:.4g} baked in"
+            why[row] += f"{'; ' if why[row] else ''}{reason}"
+    if known == "displacement_mm":
+        turns = source.inputs.motor_turns
+        rows = np.flatnonzero(_held(source, points, value) & (why == ""))
+        value[rows] = np.clip(value[rows], *turns)
+        reached = reached_mm(source.model, points.iloc[rows], turns) if len(rows) else ((), ())
+        for row, least_mm, most_mm in zip(rows, *reached, strict=True):
+            why[row] = f"{held(value[row], float(least_mm), float(most_mm))} (TSA_HELD)"
+    return pd.DataFrame({ANSWER[known]: value, "inside": why == "", "why": why})
 
 
-def _reason(source: Source, field: Field, question: pd.Series) -> str:
+def _reason(source: Source, field: Field, value: object) -> str:
     """What is wrong with one number of a question."""
-    takes = ranged(field.low, field.high, field.unit)
     if field.name == "material":
-        takes = ", ".join(source.inputs.materials)
-    return f"{field.name} {question[field.name]}: the export takes {takes}"
+        return f"material {value} is none that the export takes: {', '.join(source.inputs.materials)}"
+    return beyond(field.name, float(value), field.low, field.high, "the export takes")  # type: ignore[arg-type]
+
+
+def _baked(source: Source) -> dict[str, float]:
+    """What the export has baked in and a question may tell otherwise; a calibrated string's dimensions are its own."""
+    if not about(source.name).each_string_apart:
+        return source.inputs.baked
+    return {name: value for name, value in source.inputs.baked.items() if name == "load_n"}
 
 
 def _outside(source: Source, field: Field, points: pd.DataFrame, file: Path) -> NDArray[np.bool_]:

@@ -166,4 +166,4 @@ def test_where_no_error_could_be_learnt_there_is_no_interval() -> None:
     answered = intervals.forward(points[:5], 0.9)
     assert not answered["inside"].any() and np.isinf(answered["high"]).all()
     (sentence,) = reasons(intervals, points[:1], "displacement_mm", np.zeros(1, bool))
-    assert sentence == "row 1: how large an error is here could not be learnt"
+    assert sentence == "how large an error is here could not be learnt"

@@ -127,10 +127,15 @@ class Intervals:
         far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
         wrong = self.box.outside(points, GIVEN[wanted]) | {"stroke": far, "string": last.isna().to_numpy()}
         if wanted == "motor_turns":
-            turns = self.box.low["motor_turns"], self.box.high["motor_turns"]
             room = self.quantile("displacement_mm", self.ahead("displacement_mm"), SURELY)
-            wrong["reach"] = unreached(self.model, points, turns, room * self.scatter["displacement_mm"].size.max())
+            room_mm = room * self.scatter["displacement_mm"].size.max()
+            wrong["reach"] = unreached(self.model, points, self.turns, room_mm)
         return {name: mask for name, mask in wrong.items() if mask.any()}
+
+    @property
+    def turns(self) -> tuple[float, float]:
+        """The range of recorded twists, with its room, in turns."""
+        return self.box.low["motor_turns"], self.box.high["motor_turns"]
 
     def last_recorded(self, points: pd.DataFrame) -> pd.Series:
         """The last recorded stroke of each question's string, NaN where none was; of shape (points,)."""
@@ -149,6 +154,8 @@ class Intervals:
         half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
         outside = self.outside(points, wanted)
         inside = np.isfinite(half) & ~np.any(list(outside.values()), axis=0) if outside else np.isfinite(half)
+        if "reach" in outside:
+            value = np.where(outside["reach"], np.clip(value, *self.turns), value)  # held at the end of the range
         half = np.where(inside, half, np.inf)
         return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
 

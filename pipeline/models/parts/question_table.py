@@ -5,16 +5,24 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from ...formats.text import read_text
-from ...ground.complaint import key_name, meant
+from ...ground.complaint import key_name, meant, short
 from ...ground.errors import BadInput
 from ...ground.text_file import TextFile
+from ...ground.units import unit_of
 
 IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the mend
-    "file.delimiter": ("columns", "part the columns by commas"),
+    "file.delimiter": ("columns", "part the columns by commas, and write numbers with a point: 3.5"),
     "file.encoding": ("file", "save it as CSV in UTF-8"),
 }
+WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
+
+
+def first_row(mask: NDArray[np.bool_]) -> str:
+    """What the first row of a mask is called; row 1 stands below the header. Shape (rows,), without unit."""
+    return f"row {int(np.argmax(mask)) + 1}"
 
 
 def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
@@ -24,24 +32,47 @@ def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
     except BadInput as error:
         if "holds no samples" in error.problem:
             raise BadInput(path, "rows", "there are none", "write a header, and one question a line") from None
-        field, mend = IN_WORDS.get(error.field, (error.field, "give a csv with a header, one question a line"))
+        mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
+        field, mend = IN_WORDS.get(error.field, (error.field, mend))
         raise BadInput(path, field, error.problem, mend) from None
     for name in cells.columns:
         if name not in known:
-            raise BadInput(path, key_name(name), "is not a column that is read", meant(name, known))
+            raise BadInput(path, key_name(name), "is not a column that is read", _meant(name, known))
     twice = cells.columns[cells.columns.duplicated()]
     if len(twice):
         raise BadInput(path, twice[0], "is a column twice", "keep one")
     return cells
 
 
-def refuse_cells(path: Path, cells: pd.Series, recorded: pd.Series, numeric: bool) -> None:
+def refuse_cells(path: Path, cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty: bool = False) -> None:
     """Raise BadInput for a column with words, an infinite number, or a gap where the recorded ones have none."""
     name = str(cells.name)
-    empty = cells.isna()
-    if empty.any() and recorded.notna().all():
-        raise BadInput(path, name, f"is empty in row {int(np.argmax(empty)) + 1}", "fill it in")
+    empty = cells.isna().to_numpy()
+    if empty.any() and recorded.notna().all() and not may_be_empty:
+        raise BadInput(path, name, f"is empty in {first_row(empty)}", "fill it in, or take the row out")
     if numeric and cells.dtype.kind not in "iuf":
-        raise BadInput(path, name, "is not a number everywhere", "correct it")
+        wrong = ~empty & pd.to_numeric(cells, errors="coerce").isna().to_numpy()
+        wrong = wrong if wrong.any() else ~empty  # such as True, which pandas takes for 1
+        row = int(np.argmax(wrong))
+        cell = str(cells.iloc[row])
+        mend = "write a point for the decimal comma" if _has_comma(cell) else WORDS.get(name, "write a number alone")
+        raise BadInput(path, name, f"is {short(cell)} in row {row + 1}, no number", mend)
     if numeric and np.isinf(cells.to_numpy(np.float64)).any():
-        raise BadInput(path, name, "is not a number everywhere: one is without end", "correct it")
+        endless = np.isinf(cells.to_numpy(np.float64))
+        raise BadInput(path, name, f"is without end in {first_row(endless)}", "write a number")
+
+
+def _meant(name: str, known: Collection[str]) -> str:
+    """The column that a misspelt one is nearest to, with its unit; or all of them."""
+    near = next((column for column in known if repr(column) in meant(name, known)), "")
+    unit = unit_of(near) if near else "1"
+    return meant(name, known) + ("" if unit == "1" else f" It is in {unit}")
+
+
+def _has_comma(cell: str) -> bool:
+    """Whether a cell is a number but for its decimal comma."""
+    try:
+        float(cell.replace(",", ".", 1))
+    except ValueError:
+        return False
+    return "," in cell

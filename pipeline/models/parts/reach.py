@@ -4,7 +4,18 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from ...ground.kinematics import Array
 from ..interface import Model
+
+
+def reached_mm(model: Model, points: pd.DataFrame, turns: tuple[float, float]) -> tuple[Array, Array]:
+    """The least and the largest contraction that a model gives between two twists, in mm.
+
+    Each has the shape (points,); twists in turns. Contraction rises with twist but for a flat beginning, so the ends
+    of the range tell.
+    """
+    ends = [model.forward(points.assign(motor_turns=end, displacement_mm=np.nan)) for end in turns]
+    return np.minimum(*ends), np.maximum(*ends)
 
 
 def unreached(
@@ -12,9 +23,8 @@ def unreached(
 ) -> NDArray[np.bool_]:
     """Whether each question's contraction lies more than `room_mm` beyond what the model gives between two twists.
 
-    `points` tell the contraction in mm, `turns` the two twists in turns. Contraction rises with twist but for a flat
-    beginning, so the ends of the range tell. The mask has the shape (points,).
+    `points` tell the contraction in mm, `turns` the two twists in turns. The mask has the shape (points,).
     """
-    ends = [model.forward(points.assign(motor_turns=end, displacement_mm=np.nan)) for end in turns]
+    least_mm, most_mm = reached_mm(model, points, turns)
     asked_mm = points["displacement_mm"].to_numpy(float)
-    return np.asarray((asked_mm < np.minimum(*ends) - room_mm) | (asked_mm > np.maximum(*ends) + room_mm), bool)
+    return np.asarray((asked_mm < least_mm - room_mm) | (asked_mm > most_mm + room_mm), bool)

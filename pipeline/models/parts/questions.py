@@ -1,0 +1,110 @@
+"""Questions as points of a dataset: each row tells the twist or the contraction, and is asked for the other."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from ...ground.command import command
+from ...ground.errors import BadInput
+from ...ground.units import unit_of
+from .box import COLUMNS
+from .conditions import Conditions
+from .question_table import first_row, question_table, refuse_cells
+from .settings import shown
+
+ASKED = ("stroke", "direction")  # every question must tell
+WAYS = {1: "winding", -1: "unwinding"}
+MOST_STROKE = 10**9  # that a question may be about: any number that a person means
+EITHER = ("motor_turns", "displacement_mm")  # one of which a question tells, to be answered the other
+LABELS = ("actuator", "string", "material", "phase")  # columns of words that are read
+
+
+def read_questions(path: Path, dataset: pd.DataFrame) -> pd.DataFrame:
+    """Questions as points with the dataset's columns, in each of which the wanted one of twist and contraction is NaN.
+
+    What does not vary in the dataset need not be told. Raises BadInput naming the column, and the row.
+    """
+    questions = question_table(path, [name for name in (*COLUMNS, *LABELS) if name in dataset])
+    known = [name for name in EITHER if name in questions.columns]
+    if not known:
+        given = f"are {', '.join(map(repr, questions.columns))}: neither of {' and '.join(EITHER)}"
+        raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
+    if questions.empty:
+        raise BadInput(path, "rows", "there are none", "write one question a line")
+    points = pd.DataFrame(index=range(len(questions)))
+    for name in dataset.columns:
+        if name in questions.columns:
+            may_be_empty = len(known) == len(EITHER) and name in EITHER
+            numeric = name in (*COLUMNS, *ASKED)
+            refuse_cells(path, questions[name], dataset[name], numeric, may_be_empty)
+            points[name] = questions[name].to_numpy()
+        elif name in EITHER:
+            points[name] = np.nan
+        elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
+            points[name] = dataset[name].median()  # what little it varies is its cell's noise
+        elif name in (*COLUMNS, "actuator", "string") and dataset[name].nunique(dropna=False) > 1:
+            raise BadInput(
+                path, name, "is missing, and varies in the recordings", f"add the column: {_which(dataset[name])}"
+            )
+        else:
+            points[name] = dataset[name].iloc[0]
+    _refuse_rows(path, questions, points, dataset)
+    points["stroke"] = points["stroke"].astype(np.int64)
+    return points
+
+
+def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:
+    """Of twist and contraction each that some rows tell, with those rows' places and the rows, numbered anew.
+
+    Places have the shape (rows,), without unit.
+    """
+    for name in EITHER:
+        rows = np.flatnonzero(points[name].notna())
+        if len(rows):
+            yield name, rows, points.iloc[rows].reset_index(drop=True)
+
+
+def _refuse_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset: pd.DataFrame) -> None:
+    """Raise BadInput for the first row that asks nothing, asks two things, or asks what has no sense."""
+    given_by = [points[name].notna().to_numpy() for name in EITHER]
+    both, neither = " and ".join(EITHER), " nor ".join(EITHER)
+    if (given_by[0] & given_by[1]).any():
+        problem = f"tells both {both}"
+        raise BadInput(
+            path, first_row(given_by[0] & given_by[1]), problem, "leave the cell empty that is to be answered"
+        )
+    if not (given_by[0] | given_by[1]).all():
+        mend = "fill in the one that is known; the other is answered"
+        raise BadInput(path, first_row(~(given_by[0] | given_by[1])), f"tells neither {neither}", mend)
+    strange = ~points["actuator"].astype(str).isin(set(dataset["actuator"])).to_numpy()
+    if strange.any():
+        actuator = points["actuator"].astype(str)[strange].iloc[0]
+        given = f"is {shown(actuator)}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
+        raise BadInput(path, "actuator", given, "ask a dataset of that actuator")
+    strokes = points["stroke"].to_numpy(float)
+    strange = ~((strokes == np.floor(strokes)) & (strokes >= 1.0) & (strokes <= MOST_STROKE))
+    if strange.any():
+        problem = f"is {strokes[strange][0]:g} in {first_row(strange)}, no whole number from 1"
+        raise BadInput(path, "stroke", problem, "the first stroke of a new string is 1")
+    strange = ~points["direction"].isin(WAYS).to_numpy()
+    if strange.any():
+        problem = f"is {points['direction'][strange].iloc[0]:g} in {first_row(strange)}, neither 1 nor -1"
+        raise BadInput(path, "direction", problem, "1 is winding, -1 unwinding")
+    if "phase" in questions:
+        strange = (points["phase"].astype(str) != points["direction"].map(WAYS)).to_numpy()
+        if strange.any():
+            problem = f"is {shown(str(points['phase'][strange].iloc[0]))} in {first_row(strange)}"
+            holds = f"what a hold or a rest adds: {command('simulate')} --motion"
+            mend = f"leave the column out: a question is of a motor that turns; {holds}"
+            raise BadInput(path, "phase", problem, mend)
+
+
+def _which(recorded: pd.Series) -> str:
+    """What a column holds in the recordings, for whoever is to fill it in."""
+    if recorded.dtype.kind in "iuf":
+        unit = unit_of(str(recorded.name)).replace("1", "")
+        return f"recorded are {recorded.min():.4g} to {recorded.max():.4g} {unit}".rstrip()
+    return f"recorded are {', '.join(map(str, sorted(set(recorded))[:5]))}"
