@@ -67,9 +67,12 @@ def reachable(*modules: str) -> list[Path]:
     A module that finds others so says of what packages, under FOUND_BY_NAME.
     """
     paths: set[Path] = set()
-    waiting = list(modules)
+    waiting, seen = list(modules), set[str]()
     while waiting:
         module = waiting.pop()
+        if module in seen:
+            continue
+        seen.add(module)
         if module.endswith(".*"):
             files = [path for path in HOUSE.joinpath(*module.split(".")[1:-1]).rglob("*") if path.suffix in SOURCES]
             paths.update(path for path in files if path.suffix != ".py")

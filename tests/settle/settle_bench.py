@@ -1,20 +1,20 @@
 """A loop on a synthetic rig whose tie one run can decide: friction or backlash, told apart by the load alone."""
 
 import json
-import os
 import shutil
 import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import yaml
-from scripted_rig import synthetic_rig
+from ready import Program, start
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMITS = "{turns: [0, 21], turns_per_s: 9, load_n: [8, 45], seconds: 300}"
+PROGRAMS = ("pipeline.new_run", *(f"pipeline.{program}.__main__" for program in ("capture", "rig", "settle")))
+IMPORTS = (*PROGRAMS, "settle.undrawn")
 SIZES = {"radius-mm": 0.4, "length-mm": 400, "stiffness-n-per-mm": 15, "torsion-zone-mm": 150, "separator-mm": 8}
 
 
@@ -30,16 +30,20 @@ def set_up(folder: Path) -> None:
 @contextmanager
 def rig(place: Path, *options: object) -> Iterator[str]:
     """A standing rig at the link `port` in a folder."""
-    with synthetic_rig(place / "port", place / "rig.yaml", "--standing", *options):
+    at_work = program(place, "rig", "rig.yaml", "--link", "port", "--standing", *options)
+    try:
+        while not (place / "port").is_symlink():
+            assert at_work.poll() is None, at_work.communicate()[0]
+            time.sleep(0.01)
         yield "port"
+    finally:
+        at_work.terminate()
+        at_work.communicate()
 
 
-def program(place: Path, module: str, *words: object) -> subprocess.Popen:
+def program(place: Path, module: str, *words: object) -> Program:
     """A program of ours in a folder, without a terminal and not waited for."""
-    command = [sys.executable, "-m", f"pipeline.{module}", *map(str, words)]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}  # the folder is not the checkout
-    said = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
-    return subprocess.Popen(command, cwd=place, env=environment, stdin=subprocess.DEVNULL, **said)
+    return start(f"pipeline.{module}", *words, cwd=place, imports=IMPORTS)
 
 
 def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:
@@ -90,13 +94,13 @@ def auto(place: Path, *words: object, limits: str = LIMITS) -> subprocess.Comple
     return ended(place, "settle", *fixed, *words)
 
 
-def started(place: Path, *words: object) -> subprocess.Popen:
+def started(place: Path, *words: object) -> Program:
     """The loop, unattended and not waited for."""
     fixed = ["raw/poor-1", "--port", "port", "--out", "out", "--approve", "auto", "--limits", LIMITS]
     return program(place, "settle", *fixed, *words)
 
 
-def until(one: subprocess.Popen, there: Path, least: int = 1) -> None:
+def until(one: Program, there: Path, least: int = 1) -> None:
     """Wait until a file has so many bytes."""
     while not there.is_file() or there.stat().st_size < least:
         assert one.poll() is None, one.stdout.read() if one.stdout else ""
