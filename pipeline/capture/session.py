@@ -21,6 +21,7 @@ from .log import LINES, NAME, Log, check_folder
 from .motion import load, strokes_of
 from .port import Port
 from .printed import await_header, follow
+from .screen import Screen
 from .stream import record
 
 CLOCK = "time_s"
@@ -71,7 +72,7 @@ def capture_lines(
             beginning = await_header(port, name, columns)
             until_committed.enter_context(end_request.listening())
             log = Log(folder, LINES)
-            print(how_to_end(), flush=True)
+            Screen().say(how_to_end())
             try:
                 began = datetime.now(UTC)
                 outcome = follow(port, log, end_request, columns, beginning, longest_s)
@@ -117,7 +118,7 @@ def capture(
                 raise KeyboardInterrupt
             until_committed.enter_context(end_request.listening())
             log = Log(folder)
-            print(how_to_end(), flush=True)
+            Screen().say(how_to_end())
             try:
                 log.append(beginning)
                 began = datetime.now(UTC)

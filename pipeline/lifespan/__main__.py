@@ -4,16 +4,14 @@ A forecast needs 12 complete strokes of a string, in one run or in several that 
 answer says how far the limits are now.
 """
 
-import json
 from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..ground.progress import clear, steps
-from . import as_json, figure, sentences
+from . import sentences, written
 from .from_folders import others_beside, strings
 from .health import Health
 from .questions import Answer, model_error, stroke_loss
@@ -52,13 +50,12 @@ def main() -> int:
     scratch = next(folder for folder in (arguments.out, *arguments.out.absolute().parents) if folder.is_dir())
     for string_health in steps(strings(arguments.run_dir, scratch), "string"):
         answers = ask(string_health, arguments.loss, arguments.drift_mm)
-        content = as_json.lifespan(string_health, answers, arguments.level)
-        write_text(arguments.out / string_health.string / "lifespan.json", json.dumps(content, indent=1) + "\n")
-        figure.page(string_health, answers, arguments.level, arguments.out / string_health.string / "lifespan.png")
+        lines = written.write(string_health, answers, arguments.level, arguments.out)
         clear()
         if others := others_beside(string_health.string, arguments.run_dir):
-            print(sentences.not_given(string_health.string, others))
+            print(sentences.not_given(string_health.string, arguments.run_dir, others, arguments.out))
         print(sentences.sentences(string_health, answers, arguments.level))
+        print("".join(f"  {line}\n" for line in lines), end="")
     return 0
 
 

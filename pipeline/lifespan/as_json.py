@@ -104,6 +104,7 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
             {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
             for jump in health.jumps
         ],
+        "tares": health.tares,
         "starts_anew": health.anew,
         "level": level,
         "first": earliest.question if earliest else None,

@@ -33,5 +33,7 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
 def others_beside(string: str, folders: list[Path]) -> list[Path]:
     """Runs of a string that lie beside the given ones and were not given: their strokes are missing in what is said."""
     given = {folder.resolve() for folder in folders}
-    places = sorted({folder.parent for folder in given})
-    return [run for place in places for run in runs_naming(place, {string}, given) if has_recording(run)]
+    places = {folder.resolve().parent: (folder if folder.name else folder.resolve()).parent for folder in folders}
+    return [
+        run for place in sorted(places.values()) for run in runs_naming(place, {string}, given) if has_recording(run)
+    ]

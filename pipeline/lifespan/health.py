@@ -12,7 +12,9 @@ from ..ground.rows import Rows
 from ..run.description import STRING_ACTUATORS
 from ..run.samples import geometry
 from ..string.history import Recorded, in_order
-from ..string.zero import Jump, jumps, offsets_mm
+from ..string.rests import Rests
+from ..string.tare_notes import tare_notes
+from ..string.zero import Jump, jumps_among, offsets_mm
 from .changed_string import runs_anew
 from .indicators import REFERENCE, curves, ends_mm, loop, model_errors
 from .readings import Found, found
@@ -28,7 +30,8 @@ class Health:
 
     `string` is its name, `left_out` the complete strokes that wind over another range than most of the first three,
     `jumps` what the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no
-    wear. `anew` are the runs that begin as the string began, and may be of another one.
+    wear. `anew` are the runs that begin as the string began, and may be of another one. `tares` says what a person
+    should know of `tare: run` where no jump is seen.
     """
 
     string: str
@@ -37,6 +40,7 @@ class Health:
     left_out: list[int]
     jumps: list[Jump] = field(default_factory=list)
     anew: list[str] = field(default_factory=list)
+    tares: list[str] = field(default_factory=list)
 
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
@@ -77,7 +81,8 @@ def health(runs: list[Recorded]) -> Health:
             raise BadInput(recorded.run.run, "actuator", problem, mend)
     runs = in_order(runs)
     refuse_copies(runs)
-    seen = jumps(runs)
+    rests = [Rests.of(recorded) for recorded in runs] if len(runs) > 1 else []
+    seen, tares = jumps_among(rests), [note for _, note in tare_notes(rests)]
     strokes = numbered(runs, seen)
     if not strokes:
         mend = "record whole strokes: a winding and the unwinding after it"
@@ -100,4 +105,5 @@ def health(runs: list[Recorded]) -> Health:
         rows.append({"run": place.run, "stroke": place.number, **ends_and_loop, **stiffness(stroke.moving)})
         tables.append(curves(stroke, low, high))
     table = pd.DataFrame([row | error for row, error in zip(rows, model_errors(tables), strict=True)])
-    return Health(first.run.string_id, [recorded.run.run for recorded in runs], table, left_out, seen, runs_anew(table))
+    names = [recorded.run.run for recorded in runs]
+    return Health(first.run.string_id, names, table, left_out, seen, runs_anew(table), tares)

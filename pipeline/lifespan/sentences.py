@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from ..ground.command import command, program_name
+from ..string.recovered import SHOWN_MM
 from ..string.zero import Jump
 from .advice import advice
 from .claims_held import measured
@@ -16,7 +17,6 @@ from .questions import Answer
 from .stroke_counts import at_least, at_most, strokes
 from .strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
 
-SHOWN = 6  # runs that are named
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
     f"{of_100(sudden(1.0))} until the strokes seen have doubled, and of {of_100(sudden(HORIZON))} within "
@@ -28,6 +28,12 @@ SYNTHETIC = (
     f"do more strokes in one, by `--strokes 24` of {command('rig')}."
 )
 LAST = 3  # strokes that tell how far a limit is
+
+
+def beside(value: float, limit: float) -> str:
+    """A number with two digits, or with as many more as tell it from the limit: 1.03 beside 1."""
+    texts = (f"{value:.{digits}g}" for digits in range(2, 7))
+    return next((text for text in texts if float(text) != float(f"{limit:.6g}")), f"{value:.2g}")
 
 
 def few(count: int) -> bool:
@@ -44,11 +50,12 @@ def so_far(answer: Answer) -> str:
     last = answer.values[-min(after, LAST) :]
     of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
     if answer.unit != "1":
-        return f"So far: the model is off by {middle:.2g} {answer.unit} (median of {of})."
+        return f"So far: the model is off by {beside(middle, answer.limit)} {answer.unit} (median of {of})."
     against = f"{of} against the first {REFERENCE}"
     if middle <= 0.0:
         return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
-    return f"So far: {100.0 * middle:.2g} % of the stroke is lost ({against})."
+    lost = beside(100.0 * middle, 100.0 * answer.limit)
+    return f"So far: {lost} % of the stroke is lost ({against})."
 
 
 def seen(health: Health) -> list[str]:
@@ -61,8 +68,8 @@ def seen(health: Health) -> list[str]:
     needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
     return [
         f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
-        f"  Record {more} or more further strokes of this very string as a new run with the same --string-id "
-        f"({health.string}), then name all runs of it in this command.",
+        f"  Record {more} or more further strokes of this very string as a new run ({program_name('new_run')} --like "
+        "its first run), then name all runs of it in this command.",
         f"  {SYNTHETIC}",
     ]
 
@@ -107,16 +114,20 @@ def answered(answer: Answer, level: float, enough: bool) -> list[str]:
 def zero(jump: Jump) -> str:
     """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
     if jump.taken_off:
-        return f"{jump.run} has `tare: run`: the {abs(jump.jump_mm):.2g} mm by which its zero was moved are taken off."
+        back = f"{jump.recovered_mm:.2g} mm that the string took back in the break stay in"
+        back = f" The {back}." if jump.recovered_mm >= SHOWN_MM else ""
+        moved = f"the {abs(jump.moved_mm):.2g} mm by which its zero was moved are taken off"
+        return f"{jump.run} has `tare: run`: {moved}.{back}"
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
     return f"{jump.advice} {done}."
 
 
-def not_given(string: str, folders: list[Path]) -> str:
-    """What is said where other runs of a string lie beside those that were given."""
-    runs = " ".join(shlex.quote(str(folder)) for folder in folders[:SHOWN]) + " …" * (len(folders) > SHOWN)
-    beside = f"{len(folders)} more run{'s' * (len(folders) > 1)} of the string {string} beside, not given"
-    return f"Beware: {beside}. Strokes are counted as if there were none of them; name all runs of a string: {runs}"
+def not_given(string: str, given: list[Path], others: list[Path], out: Path) -> str:
+    """What is said where other runs of a string lie beside those that were given, with the command for all of them."""
+    count = f"{len(others)} more run{'s' * (len(others) > 1)} of the string {string} beside, not given"
+    every = " ".join(shlex.quote(str(folder)) for folder in (*given, *others))
+    again = f"all of them: {command('lifespan')} {every} --out {shlex.quote(str(out))}"
+    return f"Beware: {count}. Strokes are counted as if there were none of them; {again}"
 
 
 def young(run: str) -> str:
@@ -137,6 +148,7 @@ def sentences(health: Health, answers: list[Answer], level: float) -> str:
         )
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
+    lines += [f"  {note}" for note in health.tares]
     enough = not few(len(health.strokes))
     lines += [line for answer in answers for line in answered(answer, level, enough)]
     if any(len(answer.left.when) for answer in answers):

@@ -48,7 +48,9 @@ def tares(run: Run, others: list[Path]) -> str:
         return f"The zero, by run.yaml: {each}; {own}."
     likely = f", as that of {by_tare['run'][-1]} was" if "run" in by_tare else ""
     own = f"{run.run} has `tare: string`: its sensor still has the zero of the run before"
-    return f"The zero, by run.yaml: {each}; {own}. If it was set to zero since{likely}, write `tare: run` there."
+    return (
+        f"The zero, by run.yaml: {each}; {own}. If it was set to zero since{likely}, add `tare: run` to its run.yaml."
+    )
 
 
 def _listed(names: list[str]) -> str:

@@ -29,6 +29,9 @@ BARE = (
     "import pipeline.rig.__main__; import pipeline.capture.__main__ as program; program.main()"
 )
 
+# what differs from run to run, or belongs to no fault
+UNSAID = "recorded, | passed, |^scripted rig, |^recording; Ctrl-C|^reads |run.yaml: is missing"
+
 
 @dataclass(frozen=True)
 class Row:
@@ -120,11 +123,7 @@ class Bench:
         for rig in self.rigs:
             text = text.replace(rig.name, "PORT")
         text = text.replace(f"{self.folder}/raw", "raw").replace(f"{self.folder}/", "")
-        lines = [
-            line
-            for line in text.splitlines()
-            if line and not re.search("recorded(, | in )|^scripted rig, |^reads |run.yaml: is missing", line)
-        ]
+        lines = [line for line in text.splitlines() if line and not re.search(UNSAID, line)]
         return " / ".join(line.removeprefix("error: ") for line in lines)
 
 

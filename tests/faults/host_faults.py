@@ -133,7 +133,7 @@ def disk_full(bench: Bench) -> Row:
 
 def disk_full_at_the_end(bench: Bench) -> Row:
     """The disk is full when capture.json is to be written."""
-    said = frames(5)
+    said = frames(12)
     size = len(b"".join(said))
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run(), limit=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))

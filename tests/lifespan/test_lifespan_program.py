@@ -22,7 +22,7 @@ from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.questions import Answer, first, model_error, stroke_loss
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
-from pipeline.lifespan.sentences import UNFORESEEN, sentence, so_far
+from pipeline.lifespan.sentences import UNFORESEEN, beside, sentence, so_far
 from pipeline.lifespan.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
 from pipeline.rig import __main__ as rig
 
@@ -158,7 +158,8 @@ def test_too_few_strokes_are_said_and_no_error(tmp_path):
     assert ran.returncode == 0 and ran.stdout.splitlines()[0] == (
         "a-1: no forecast yet: 5 strokes seen; at least 12 are needed, 7 more than there are."
     )
-    assert "new run with the same --string-id (a-1), then name all runs" in ran.stdout and "--strokes 24" in ran.stdout
+    again = "as a new run (pipeline.new_run --like its first run), then name all runs"
+    assert again in ran.stdout and "--strokes 24" in ran.stdout
     assert re.search(
         r"So far: [0-9.]+ % of the stroke is lost \(.*\)\.\n  until .* lost: no forecast yet\.", ran.stdout
     )
@@ -235,6 +236,15 @@ def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
     assert "(5 % pass it sooner, 5 % later)" in said and np.mean(np.sort(when) < 10.0) < 0.05
     alone = Left(when=np.concatenate([when[:100], np.full(100, np.inf)]), horizon=120.0).span(0.9)
     assert np.mean(when[:100] <= alone.low) * 100 / 200 == 0.10
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "said"),
+    [(1.031, 1.0, "1.03"), (0.9961, 1.0, "0.996"), (0.84, 1.0, "0.84"), (10.04, 10.0, "10.04"), (1.0, 1.0, "1")],
+)
+def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, said):
+    """ "The model is off by 1 mm" stood beside a limit of 1 mm that was "passed already"."""
+    assert beside(value, limit) == said
 
 
 def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():

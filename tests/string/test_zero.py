@@ -242,8 +242,26 @@ def test_where_a_jump_is_said_the_tare_is_not_said_again() -> None:
 def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Path) -> None:
     one, two = folders(tmp_path / "raw", 0.0)
     text = program("lifespan", one, "--out", tmp_path / "life")
-    assert "1 more run of the string a beside, not given" in text and f"name all runs of a string: {two}" in text
-    assert "not given" not in program("lifespan", one, two, "--out", tmp_path / "life")
+    assert "1 more run of the string a beside, not given" in text
+    life = tmp_path / "life"
+    assert f"all of them: python -m pipeline.lifespan {one} {two} --out {life}" in text and "replaces" not in text
+    path = life / "a" / "lifespan.json"
+    assert f"  Written: {path} and {path.with_name('lifespan.png')}.\n" in text
+    text = program("lifespan", one, two, "--out", life)
+    assert "not given" not in text and "This replaces the answer that was there, from a-1.\n" in text
+    assert "replaces" not in program("lifespan", one, two, "--out", life), "an answer from the same runs"
+    lacks = program("lifespan", two, "--out", life)
+    assert "This replaces the answer that was there, from a-1, a-2, and lacks a-1." in lacks
+    path.write_text("[1]")
+    assert "replaces" not in program("lifespan", two, "--out", life)
+
+
+def test_lifespan_says_a_tare_that_is_smaller_than_a_jump(tmp_path: Path) -> None:
+    text = program("lifespan", *folders(tmp_path / "raw", 0.05, "run"), "--out", tmp_path / "life")
+    assert "  run.yaml of a-2 says `tare: run`: at rest it reads 0.0" in text and "and that is taken off" in text
+    (told,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["tares"]
+    assert told in text
+    assert "`tare" not in program("lifespan", *folders(tmp_path / "plain", 0.05), "--out", tmp_path / "life")
 
 
 def test_of_many_runs_of_a_string_the_last_ones_before_the_new_one_are_read(tmp_path: Path) -> None:

@@ -1,0 +1,38 @@
+"""The files of one string's answer: lifespan.json and lifespan.png, and which older answer they take the place of."""
+
+import json
+from pathlib import Path
+
+from ..ground.errors import BadInput
+from ..ground.files import write_text
+from ..ground.regular_file import read_regular
+from . import as_json, figure
+from .health import Health
+from .questions import Answer
+
+LARGEST = 10_000_000  # bytes of a lifespan.json
+SHOWN = 6  # runs that are named
+
+
+def write(health: Health, answers: list[Answer], level: float, out: Path) -> list[str]:
+    """Write both into the string's folder in `out`; says where they are and what they replace."""
+    path, picture = (out / health.string / name for name in ("lifespan.json", "lifespan.png"))
+    before = runs_of(path)
+    write_text(path, json.dumps(as_json.lifespan(health, answers, level), indent=1) + "\n")
+    figure.page(health, answers, level, picture)
+    lines = [f"Written: {path} and {picture}."]
+    if before and set(before) != set(health.runs):
+        made_of = ", ".join(before[:SHOWN]) + (f" and {len(before) - SHOWN} more" if len(before) > SHOWN else "")
+        lacks = sorted(set(before) - set(health.runs))
+        why = f", and lacks {', '.join(lacks[:SHOWN])}" if lacks else ""
+        lines.append(f"This replaces the answer that was there, from {made_of}{why}.")
+    return lines
+
+
+def runs_of(path: Path) -> list[str]:
+    """The runs that an older answer was made from; none where there is none that can be read."""
+    try:
+        runs = json.loads(read_regular(path, LARGEST))["runs"] if path.is_file() else []
+    except (BadInput, OSError, ValueError, KeyError, TypeError, RecursionError):
+        return []
+    return [str(run) for run in runs] if isinstance(runs, list) else []
