@@ -54,8 +54,8 @@ class Progress:
                 self.left.ends(passed_s)
         return True
 
-    def parts(self, free_bytes: int = 0) -> list[str]:
-        """What the line says, the most important first."""
+    def parts(self, free_bytes: int = 0, last: bool = False) -> list[str]:
+        """What the line says, the most important first; the `last` one foretells nothing."""
         passed_s = time.monotonic() - self._began_s
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
         rigs_own = f"{clock(recorded_s)} by the rig's clock"
@@ -69,7 +69,7 @@ class Progress:
         return [
             f"{clock(passed_s)} passed" if other_pace else f"{clock(recorded_s)} recorded",
             f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} strokes done",
-            *([f"about {clock(left_s)} left"] if left_s is not None else []),
+            *([f"about {clock(left_s)} left"] if left_s is not None and not last else []),
             *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off
             *([rigs_own] if other_pace else []),
             f"{self.samples} samples",
@@ -80,7 +80,7 @@ class Progress:
     def show(self, free_bytes: int = 0, last: bool = False) -> None:
         """Renew the line, if it is time for it; the last one stays."""
         if last:
-            self.screen.close(self.parts())
+            self.screen.close(self.parts(last=True))
         elif self.screen.due:
             self.screen.show(self.parts(free_bytes))
         now_s = time.monotonic()

@@ -54,7 +54,7 @@ def main() -> int:
         clear()
         if others := others_beside(string_health.string, arguments.run_dir):
             print(sentences.not_given(string_health.string, arguments.run_dir, others, arguments.out))
-        print(sentences.sentences(string_health, answers, arguments.level))
+        print(sentences.sentences(string_health, answers, arguments.level, bool(others)))
         print("".join(f"  {line}\n" for line in lines), end="")
     return 0
 

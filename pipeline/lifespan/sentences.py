@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 
 from ..ground.command import command, program_name
-from ..string.recovered import SHOWN_MM
 from ..string.zero import Jump
 from .advice import advice
 from .claims_held import measured
@@ -58,14 +57,19 @@ def so_far(answer: Answer) -> str:
     return f"So far: {lost} % of the stroke is lost ({against})."
 
 
-def seen(health: Health) -> list[str]:
-    """How many strokes were seen; where they are too few, how many are needed and how to get them."""
+def seen(health: Health, beside: bool = False) -> list[str]:
+    """How many strokes were seen; where they are too few, how many are needed and how to get them.
+
+    `beside`: whether other runs of the string are there and were not given.
+    """
     table = health.strokes
     strokes_seen = f"{strokes(len(table))} seen"
     if not few(len(table)):
         return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
     more = LEAST_STROKES - len(table)
     needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
+    if beside:
+        return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
     return [
         f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
         f"  Record {more} or more further strokes of this very string as a new run ({program_name('new_run')} --like "
@@ -115,7 +119,7 @@ def zero(jump: Jump) -> str:
     """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
     if jump.taken_off:
         back = f"{jump.recovered_mm:.2g} mm that the string took back in the break stay in"
-        back = f" The {back}." if jump.recovered_mm >= SHOWN_MM else ""
+        back = f" The {back}." if jump.recovered_mm else ""
         moved = f"the {abs(jump.moved_mm):.2g} mm by which its zero was moved are taken off"
         return f"{jump.run} has `tare: run`: {moved}.{back}"
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
@@ -139,9 +143,9 @@ def young(run: str) -> str:
     )
 
 
-def sentences(health: Health, answers: list[Answer], level: float) -> str:
-    """All answers in words, a few lines."""
-    lines = seen(health)
+def sentences(health: Health, answers: list[Answer], level: float, beside: bool = False) -> str:
+    """All answers in words, a few lines; `beside` as `seen` takes it."""
+    lines = seen(health, beside)
     if health.left_out:
         lines.append(
             f"  {len(health.left_out)} strokes wind over another range than most of the first three and are left out."

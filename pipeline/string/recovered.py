@@ -11,7 +11,7 @@ import numpy as np
 from .rests import Rests
 
 EITHER_SIDE = 2  # strokes of each run that tell how much the rest changes from stroke to stroke
-SHOWN_MM = 0.001  # the least that is said
+LEAST_FLOORS = 0.5  # noise floors: less than so much the rests of a few seconds cannot tell
 SAME_TWIST, SAME_LOAD = 0.05, 0.05  # of the range of twist, and of the load, within which two rests compare
 
 
@@ -30,13 +30,14 @@ def recovered_mm(before: Rests, after: Rests) -> float:
         return 0.0
     usual_mm = 0.5 * ((last[0] - last[-1]) + (first[1] - first[-1])) / EITHER_SIDE
     lost_mm = before.levels_mm[0] - before.levels_mm[-1]
-    return float(np.clip(first[0] - first[1] - usual_mm, 0.0, max(lost_mm, 0.0)))
+    taken_mm = min(first[0] - first[1] - usual_mm, lost_mm)
+    return float(taken_mm) if taken_mm > LEAST_FLOORS * max(before.noise_mm, after.noise_mm) else 0.0
 
 
 def but_for(recovered: float) -> str:
     """What is said, after what is taken off, of what is left in."""
     back = f"the {recovered:.2g} mm that the string took back in the break and lost again with its first stroke"
-    return f", but for {back}" if recovered >= SHOWN_MM else ""
+    return f", but for {back}" if recovered else ""
 
 
 def _regular(before: Rests, after: Rests) -> bool:

@@ -106,6 +106,13 @@ def test_every_time_but_the_rigs_own_is_the_persons(monkeypatch, passed_s, other
     assert ("0:10 by the rig's clock" in parts) is other
 
 
+def test_the_last_line_foretells_no_time():
+    shown = Progress(HELLO)
+    shown.left.starts(1.0)
+    shown.left.ends(9.0)
+    assert [any(part.endswith(" left") for part in shown.parts(last=last)) for last in (False, True)] == [True, False]
+
+
 @pytest.mark.parametrize(("lost", "place"), [(0, -1), (3, 0)])
 def test_readings_come_before_frames_of_which_none_was_lost(lost, place):
     """On a terminal of 80 columns what a person wants to see live was cut off for a 0."""

@@ -243,6 +243,8 @@ def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Pat
     one, two = folders(tmp_path / "raw", 0.0)
     text = program("lifespan", one, "--out", tmp_path / "life")
     assert "1 more run of the string a beside, not given" in text
+    assert "4 strokes seen; at least 12 are needed, 8 more than there are. Name the runs beside as well.\n" in text
+    assert "Record 8" not in text
     life = tmp_path / "life"
     assert f"all of them: python -m pipeline.lifespan {one} {two} --out {life}" in text and "replaces" not in text
     path = life / "a" / "lifespan.json"
