@@ -2,7 +2,7 @@
  * A 1 kHz control loop around an exported model. On a controller replace the three functions below; on a PC it prints
  * a few lines and ends. Its targets go past the model's range on purpose, to show what a refusal is:
  *     python -m pipeline.export processed/synthetic/spline/within-0.model --format c
- *     cc -I . examples/control_loop.c -lm && ./a.out
+ *     cc -I reports/synthetic/spline examples/control_loop.c -lm && ./a.out
  */
 #include "tsa.h"
 

@@ -2,8 +2,9 @@
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
 (`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, or further ahead of the
-last recorded stroke than errors could be learnt, is answered, flagged (`inside` false) and given infinite bounds. With
-`--saved` a model that was fitted before answers, as its export does and without intervals.
+last recorded stroke than errors could be learnt, is answered, flagged (`inside` false, its reason in `why`) and given
+infinite bounds. With `--saved` a model that was fitted before answers, as its export does and without intervals. No
+question tells how long the string has stood: holds and rests are asked of `simulate --motion`.
 """
 
 import sys
@@ -14,6 +15,7 @@ import pandas as pd
 
 from .export.asked import MAPS
 from .export.asked import answers as saved_answers
+from .export.interface import names as exported
 from .export.source import Beside
 from .export.source import opened as opened_model
 from .ground import schemas
@@ -26,6 +28,7 @@ from .ground.parser import Parser
 from .models.interface import about, usual
 from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
 from .models.parts.questions import ASKED, EITHER, by_known, read_questions
+from .models.parts.saved_files import datasets, listed
 from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
 from .string.jump_notes import NAME, read_jumps
@@ -63,12 +66,13 @@ def beside_questions(points: pd.DataFrame, answer: Callable[[pd.DataFrame, str],
 def main() -> None:
     """Write the answers to a csv of questions."""
     parser = Parser(prog=command("predict"), description=__doc__)
+    parser.ending = listed(exported())
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
     parser.add_argument(
         "questions",
         type=Path,
-        help="csv: motor_turns or displacement_mm; stroke; direction, 1 winding or -1 unwinding; and what differs "
-        "among the recordings, such as load_n",
+        help="csv: motor_turns or displacement_mm, each row one of them; stroke; direction, 1 winding or -1 unwinding; "
+        "and what differs among the recordings, such as load_n",
     )
     parser.add_argument(
         "--model",
@@ -92,7 +96,8 @@ def main() -> None:
         raise BadInput("--model", arguments.model, problem, f"choose another, such as {usual()}")
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
     file_to_write(arguments.out, reads=reads)
-    dataset = opened(arguments.dataset, schemas.DATASET, "name processed/<material>/dataset.parquet")
+    near = ", ".join(map(str, datasets())) or "processed/<material>/dataset.parquet, which the main job makes"
+    dataset = opened(arguments.dataset, schemas.DATASET, f"name {near}")
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
     points = read_questions(arguments.questions, dataset)

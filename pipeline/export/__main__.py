@@ -1,6 +1,7 @@
 """Export a fitted model: a C99 header without dependencies, or two ONNX graphs."""
 
 import argparse
+import os
 import re
 import shlex
 import sys
@@ -13,8 +14,11 @@ from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write, folder_to_write
 from ..ground.parser import Parser
+from ..models.parts.saved_files import listed
 from ..stages.train import SPLITS
 from .c_header import header
+from .facts import facts
+from .interface import names
 from .source import Beside, opened
 
 LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
@@ -23,10 +27,14 @@ LONGEST = 31  # characters of a name's beginning, which C compilers must tell ap
 def arguments(words: list[str]) -> argparse.Namespace:
     """The command line."""
     parser = Parser(prog=command("export"), description=__doc__)
+    parser.ending = listed(names())
     parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
     parser.add_argument("--format", required=True, choices=("c", "onnx"))
     parser.add_argument(
-        "--out", type=Path, help="the header's file, or the folder of header or graphs; default: the current folder"
+        "--out",
+        type=Path,
+        help="the header's file, or the folder of header or graphs; default: reports/<material>/<model>, "
+        "or, of a model that lies elsewhere, its own folder",
     )
     parser.add_argument("--name", default="tsa", help="what every name in the export begins with")
     parser.add_argument("--model", help="the model's name; otherwise its folder's")
@@ -34,6 +42,14 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
     parser.add_argument("--string", help="which of a calibrated model's strings")
     return parser.parse_args(words)
+
+
+def usual_folder(file: Path) -> Path:
+    """Where an export of a model goes that is told no place: into the reports of its material, else beside it."""
+    folder = Path(os.path.abspath(file)).parent
+    if folder.parents[1:2] and folder.parents[1].name == "processed":
+        folder = folder.parents[1].parent / "reports" / folder.parent.name / folder.name
+    return Path(os.path.relpath(folder)) if folder.is_relative_to(Path.cwd()) else folder
 
 
 HEADERS = (".h", ".c")  # what an existing file must end in to be replaced
@@ -75,17 +91,17 @@ def main() -> None:
         )
     if options.format == "c":
         if options.out is None or options.out.is_dir():
-            options.out = (options.out or Path()) / f"{options.name}.h"
+            options.out = (options.out or usual_folder(options.file)) / f"{options.name}.h"
         _header_to_write(options.out, [options.file, *([options.dataset] if options.dataset else [])])
     else:
-        folder_to_write(options.out or Path())
+        options.out = folder_to_write(options.out or usual_folder(options.file))
     source = opened(options.file, options.model, Beside(options.dataset, options.split, options.string))
     if options.format == "c":
         out = options.out
         with writable(options.file):
             text = header(source, options.name)
         write_text(out, text)
-        print(f"{out}: {out.stat().st_size} bytes of text")
+        print(f"{out}: {out.stat().st_size} bytes of text. {facts(source)['fit']}")
         print(_in_python(options.file))
         return
     from .onnx_model import graphs  # a header needs no onnx
@@ -93,10 +109,11 @@ def main() -> None:
     with writable(options.file):
         made = graphs(source, options.name)
     for way, graph in made.items():
-        out = (options.out or Path()) / f"{options.name}.{way}.onnx"
+        out = options.out / f"{options.name}.{way}.onnx"
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")
+    print(facts(source)["fit"])
     print(_in_python(options.file))
 
 

@@ -54,9 +54,9 @@ def _reason(source: Source, field: Field, value: object) -> str:
 
 def _baked(source: Source) -> dict[str, float]:
     """What the export has baked in and a question may tell otherwise; a calibrated string's dimensions are its own."""
-    if not about(source.name).each_string_apart:
-        return source.inputs.baked
-    return {name: value for name, value in source.inputs.baked.items() if name == "load_n"}
+    apart = about(source.name).each_string_apart
+    kept = {name: value for name, value in source.inputs.baked.items() if name not in source.inputs.unread}
+    return {name: value for name, value in kept.items() if name == "load_n" or not apart}
 
 
 def _outside(source: Source, field: Field, points: pd.DataFrame, file: Path) -> NDArray[np.bool_]:

@@ -1,10 +1,14 @@
 """A fitted model as one C99 header: its ranges and refusals around the functions of the model."""
 
+import textwrap
+
 from ..models.parts.box import COLUMNS
 from .c_text import Body, function, real, renamed
+from .facts import facts
 from .inputs import MEANING, Field, Inputs
 from .interface import Source, exporter
 
+LINE = 110  # characters of a line of the first comment
 CODES = (*COLUMNS, "material")  # the same numbers in every header, whichever fields it has
 
 MATHS = """\
@@ -75,8 +79,9 @@ def header(source: Source, name: str) -> str:
 
 
 def _comment(source: Source, made: Body) -> str:
-    inputs = source.inputs
-    baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items()]
+    inputs, known = source.inputs, facts(source)
+    baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items() if field not in inputs.unread]
+    unread = [f"{name}, {low:.4g} to {high:.4g}" for name, (low, high) in inputs.unread.items()]
     assumed = [f"{field} is {assumption}." for field, assumption in inputs.assumed.items()]
     lines = [
         f"A twisted string actuator's kinematics, the fitted model {source.name}: twist to contraction and back.",
@@ -91,11 +96,19 @@ def _comment(source: Source, made: Body) -> str:
         "the answer is then that end of the range.",
         *made.usage,
         "",
-        f"Strokes to {inputs.last_stroke} were trained on; beyond, to TSA_STROKE_MAX, the model's law of n goes on.",
-        f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}.",
+        *_wrapped(known["strokes"].replace("Beyond,", "Beyond, to TSA_STROKE_MAX,")),
+        *_wrapped(f"Zero: {known['zero']}"),
+        *_wrapped(f"Fit: {known['fit']}"),
+        *_wrapped(f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}."),
+        *_wrapped(f"Varied in training, and this model does not read it: {'; '.join(unread)}." if unread else ""),
         *assumed,
     ]
     return "/*\n" + "".join(f" * {line}".rstrip() + "\n" for line in lines) + " */\n"
+
+
+def _wrapped(text: str) -> list[str]:
+    """A paragraph as lines of a comment."""
+    return textwrap.wrap(text, LINE, break_long_words=False, break_on_hyphens=False)
 
 
 def _math(name: str, arguments: str = "x", double: str = "(double)x", single: str = "(float)x") -> str:
@@ -118,6 +131,7 @@ def _ranges(inputs: Inputs) -> str:
             if field.name == "stroke" and end == "MAX":
                 line = f"#ifndef TSA_STROKE_MAX\n{line}#endif\n"
             lines.append(line)
+    lines.append(f"#define TSA_STROKE_TRAINED {inputs.last_stroke} /* the last one; beyond, by the law of n */\n")
     lines += [f"#define TSA_MATERIAL_{_word(name)} {number}\n" for number, name in enumerate(inputs.materials)]
     return "".join(lines) + "\n"
 

@@ -1,6 +1,6 @@
 """What an exported model is asked with: its fields, the range of each, and what is constant and so baked in."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import pandas as pd
@@ -52,6 +52,7 @@ class Inputs:
     baked: dict[str, float]  # measured columns that are constant
     materials: tuple[str, ...]
     last_stroke: int  # of the training points
+    unread: dict[str, tuple[float, float]] = field(default_factory=dict)  # ranges of what varied and is not read
 
     @classmethod
     def of(cls, box: Box, reads: tuple[str, ...], conditions: tuple[str, ...], materials: tuple[str, ...]) -> "Inputs":
@@ -60,18 +61,20 @@ class Inputs:
         Materials are empty where the model does not tell them apart. Raises ValueError for points of strings with
         and without separator in one model.
         """
-        fields, baked = [], {}
+        fields, baked, unread = [], {}, {}
         for name in MEASURED:
             if name not in box.low:
                 if name in conditions:
                     raise ValueError("strings with and without separator in one model")
                 continue
             low, high = box.low[name], box.high[name]
-            least = WIDE if name == "load_n" else SAME
-            if name in conditions or (name in reads and high - low > least * max(abs(low), abs(high))):
+            varies = high - low > (WIDE if name == "load_n" else SAME) * max(abs(low), abs(high))
+            if name in conditions or (name in reads and varies):
                 fields.append(Field(name, low, high))
             else:
                 baked[name] = (low + high) / 2.0
+                if varies:
+                    unread[name] = low, high
         new, last = round(box.low["stroke"]), round(box.high["stroke"])
         ways = [way for way in (-1, 1) if box.low["direction"] <= way <= box.high["direction"]]
         first = [Field("stroke", new, BEYOND * last, True), Field("direction", ways[0], ways[-1], True)]
@@ -84,6 +87,7 @@ class Inputs:
             baked,
             materials,
             last,
+            unread,
         )
 
     @property
@@ -105,7 +109,7 @@ class Inputs:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the fields, in their order."""
-        return tuple(field.name for field in self.fields)
+        return tuple(known.name for known in self.fields)
 
     def columns(self, given: str) -> tuple[Field, ...]:
         """The columns of a query: twist or contraction, as `given` says, then the fields."""
@@ -116,7 +120,7 @@ class Inputs:
 
         Each column in its field's unit.
         """
-        names = [field.name for field in self.columns(given)]
+        names = [known.name for known in self.columns(given)]
         points = pd.DataFrame(dict(zip(names, np.asarray(queries, float).T, strict=True)))
         points = points.assign(**{ANSWER[given]: np.nan, "actuator": "twisted_pair" if self.pair else "separator"})
         points = points.assign(**{name: self.baked.get(name, np.nan) for name in MEASURED if name not in points})

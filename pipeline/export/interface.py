@@ -15,12 +15,16 @@ FOLDER = Path(__file__).parent / "exporters"
 
 @dataclass(frozen=True)
 class Source:
-    """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero."""
+    """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero.
+
+    `zeroed` says of each string in which run its zero was taken, as far as the dataset is there.
+    """
 
     name: str
     model: Any
     inputs: Inputs
     zero_mm: float = 0.0
+    zeroed: tuple[str, ...] = ()
 
 
 class Exporter(Protocol):

@@ -8,6 +8,7 @@ from numpy.typing import DTypeLike
 
 from ..ground.errors import BadInput
 from ..ground.units import unit_of
+from .facts import facts
 from .graph import Graph
 from .inputs import ANSWER
 from .interface import Exporter, Source, exporter
@@ -57,5 +58,6 @@ def _graph(source: Source, held: OnnxExporter, name: str, given: str) -> onnx.Mo
         "baked": json.dumps(source.inputs.baked),
         "assumed": json.dumps(source.inputs.assumed),
         "last_stroke_trained": str(source.inputs.last_stroke),
+        **facts(source),
     }
     return graph.model(name, len(fields), value, inside, metadata)

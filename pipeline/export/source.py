@@ -13,7 +13,9 @@ from ..ground.given_table import opened as opened_table
 from ..models.interface import Model, StringsApart, about, make_model
 from ..models.parts.box import Box
 from ..models.parts.saved import read_bytes
+from ..models.parts.saved_files import in_words
 from ..stages.train import SPLITS, divided
+from .facts import zeroed_runs
 from .inputs import Inputs
 from .interface import Source, exporter, names
 
@@ -37,9 +39,13 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     name = name or Path(os.path.realpath(file)).parent.name
     if name not in names():
         known = ", ".join(names())
-        raise BadInput(file, "model", f'"{name}" cannot be exported', f"choose one of {known}, or say --model NAME")
+        models = in_words(file.parent.parent, names())
+        mend = f"choose one of {known}, or say --model NAME" + (f"; fitted are {models}" if models else "")
+        raise BadInput(file, "model", f'"{name}" cannot be exported', mend)
     if not file.is_file():
-        raise BadInput(file, "model", "is not a file", "train it first, or mend the path")
+        models = in_words(file.parent.parent, names())
+        mend = f"name one of {models}" if models else "train it first (the main job does), or mend the path"
+        raise BadInput(file, "model", "is not a file", mend)
     if not read_bytes(file):
         raise BadInput(file, "model", "is empty: its split had too few strokes", "take another split's model")
     try:
@@ -66,7 +72,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         inputs = Inputs.of(box, exporter(name).READS, *varying)
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
-    return Source(name, model, inputs, zero_mm)
+    return Source(name, model, inputs, zero_mm, zeroed_runs(_dataset(file, beside)))
 
 
 def _try(source: Source) -> None:
@@ -77,9 +83,14 @@ def _try(source: Source) -> None:
             raise ValueError("an answer is not a number")
 
 
+def _dataset(file: Path, beside: Beside) -> Path:
+    """The dataset that a model was fitted to: the one that is named, or where the pipeline puts it."""
+    return beside.dataset or file.resolve().parent.parent / "dataset.parquet"
+
+
 def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tuple[Box, float]:
     """The box of a model that keeps none: that of its training points; and the zero of a string of its own, in mm."""
-    path = beside.dataset or file.resolve().parent.parent / "dataset.parquet"
+    path = _dataset(file, beside)
     split = beside.split or file.name.split("-")[0]
     if not path.is_file():
         raise BadInput(file, "ranges", f"a {name} keeps none and there is no {path}", "say --dataset FILE")

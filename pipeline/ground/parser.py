@@ -11,9 +11,17 @@ LONGEST = 40  # characters of a word that are compared
 
 
 class Parser(argparse.ArgumentParser):
-    """An argument parser whose complaints name the option that a misspelt one may mean."""
+    """An argument parser whose complaints name the option that a misspelt one may mean.
+
+    Its help ends with the lines of `ending`, as they are: argparse would part paths at their hyphens.
+    """
 
     _words: Sequence[str] = ()
+    ending = ""
+
+    def format_help(self) -> str:
+        """As argparse does, then the ending."""
+        return super().format_help() + (f"\n{self.ending}\n" if self.ending else "")
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """As argparse does; the words are kept for a complaint."""

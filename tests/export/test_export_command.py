@@ -4,7 +4,7 @@ import json
 import re
 import subprocess
 import sys
-from contextlib import redirect_stderr
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
@@ -15,6 +15,7 @@ import onnx
 import onnxruntime
 import pandas as pd
 import pytest
+import yaml
 from compiled import ROOT
 from made_models import saved
 from models.made_dataset import STRING, made_dataset, pair_dataset
@@ -24,8 +25,8 @@ from pipeline.export.c_header import header
 from pipeline.export.source import Beside, opened
 from pipeline.ground import schemas
 from pipeline.ground.errors import program
-from pipeline.ground.kinematics import usual_stiffness
-from pipeline.models.interface import make_model
+from pipeline.ground.kinematics import point_contraction_mm, usual_stiffness
+from pipeline.models.interface import make_model, settings_of
 from pipeline.models.parts.saved import read_json, write_bytes, write_json
 
 
@@ -35,15 +36,16 @@ class Done:
 
     returncode: int
     stderr: str
+    stdout: str
 
 
 def export(*words: object) -> Done:
     """Run the command in this process: an interpreter for each would take a minute."""
-    with pytest.MonkeyPatch.context() as patch, redirect_stderr(StringIO()) as said:
+    with pytest.MonkeyPatch.context() as patch, redirect_stderr(StringIO()) as said, redirect_stdout(StringIO()) as out:
         patch.setattr(sys, "argv", ["export", *map(str, words)])
         with pytest.raises(SystemExit) as left:
             program(main)()
-    return Done(int(left.value.code or 0), said.getvalue())
+    return Done(int(left.value.code or 0), said.getvalue(), out.getvalue())
 
 
 @pytest.fixture(scope="module")
@@ -79,7 +81,7 @@ def test_a_stiffness_that_nobody_measured_is_said_to_be_assumed(tmp_path: Path, 
 
 def test_it_writes_a_header(folder: Path, tmp_path: Path) -> None:
     model = folder / "spline" / "within-0.model"
-    command = [sys.executable, "-m", "pipeline.export", str(model), "--format", "c", "--name", "arm"]
+    command = [sys.executable, "-m", "pipeline.export", str(model), "--format", "c", "--name", "arm", "--out", "arm.h"]
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env={"PYTHONPATH": str(ROOT)})
     assert done.returncode == 0, done.stderr
     text = (tmp_path / "arm.h").read_text()
@@ -202,4 +204,86 @@ def test_a_header_goes_into_a_folder_that_is_there_and_graphs_into_no_file(folde
 def test_the_help_says_where_an_export_goes_that_is_told_no_place(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         arguments(["--help"])
-    assert "default: the current folder" in " ".join(capsys.readouterr().out.split())
+    words = "default: reports/<material>/<model>, or, of a model that lies elsewhere, its own folder"
+    assert words in " ".join(capsys.readouterr().out.split())
+
+
+def test_an_export_that_is_told_no_place_lies_beside_the_reports_and_says_where(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It lay in the folder that the command was started in: in a checkout beside the README, for git to find."""
+    monkeypatch.chdir(tmp_path)
+    content = (folder / "spline" / "within-0.model").read_bytes()
+    for place, out in (("processed/nylon/spline", "reports/nylon/spline"), ("mine/spline", "mine/spline")):
+        model = tmp_path / place / "within-0.model"
+        model.parent.mkdir(parents=True)
+        model.write_bytes(content)
+        for form, name in (("c", "tsa.h"), ("onnx", "tsa.forward.onnx")):
+            done = export(f"{place}/within-0.model", "--format", form)
+            assert done.returncode == 0 and f"{out}/{name}: " in done.stdout, done.stderr
+            assert (tmp_path / out / name).is_file()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine", "processed", "reports"]
+
+
+def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small_fit(
+    folder: Path, tmp_path: Path
+) -> None:
+    done = {name: export(saved(name, "one", tmp_path / name), "--format", "c") for name in ("spline", "cinn")}
+    texts = {name: (tmp_path / name / name / "tsa.h").read_text() for name in done}
+    said = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
+    small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
+    assert small in said["cinn"] and small in done["cinn"].stdout
+    assert "Made with the usual settings of this model." in said["spline"] and "Small fit" not in said["spline"]
+    zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
+    for text in said.values():
+        assert f"{zero_mm:.3f} mm at 0 turns" in text and "of string made-01 in run " in text and "tare: run" in text
+        assert "Errors further than 3 strokes ahead were never measured" in text
+        assert "#define TSA_STROKE_TRAINED 6 " in text
+    model = tmp_path / "cinn" / "cinn" / "within-0.model"
+    assert export(model, "--format", "onnx", "--out", tmp_path).returncode == 0
+    for way in ("forward", "inverse"):
+        held = {prop.key: prop.value for prop in onnx.load(tmp_path / f"tsa.{way}.onnx").metadata_props}
+        assert held["fit"].startswith(small) and f"{zero_mm:.3f} mm" in held["zero"] and "3 strokes" in held["strokes"]
+
+
+def test_the_settings_that_no_mark_is_put_on_are_those_of_the_default_configuration() -> None:
+    plans = yaml.safe_load((ROOT / "pipeline" / "config" / "default.yaml").read_text())["models"]
+    for name, plan in plans.items():
+        settings = settings_of(name)
+        assert settings is None or settings(**plan["settings"]) == settings(), name
+
+
+def test_a_load_that_a_model_does_not_read_is_not_called_constant(tmp_path: Path) -> None:
+    points = made_dataset(60, 6)
+    points.loc[points["stroke"] % 2 == 0, "load_n"] = 30.0
+    file = tmp_path / "inn" / "within-0.model"
+    file.parent.mkdir()
+    model = make_model("inn", blocks=2, width=4, layers=1, epochs=1)
+    model.fit(points, 0)
+    model.save(file)
+    schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
+    assert export(file, "--format", "c").returncode == 0
+    text = " ".join((file.parent / "tsa.h").read_text().replace("\n *", " ").split())
+    constant = re.findall(r"Constant in training, and baked in: (.*?)\. ", text)[0]
+    assert "load_n" not in constant and "radius_mm" in constant
+    assert re.search(r"Varied in training, and this model does not read it: load_n, 19.* to 30\.", text)
+
+
+def test_who_names_no_fitted_model_is_told_which_there_are(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("spline", "calibrated"):
+        (tmp_path / "processed" / "nylon" / name).mkdir(parents=True)
+        content = (folder / name / "within-0.model").read_bytes()
+        (tmp_path / "processed" / "nylon" / name / "within-0.model").write_bytes(content)
+    (tmp_path / "processed" / "nylon" / "mlp").mkdir()
+    write_bytes(tmp_path / "processed" / "nylon" / "mlp" / "within-0.model", b"")  # its split had too few strokes
+    monkeypatch.chdir(tmp_path)
+    paths = "processed/nylon/spline/within-0.model, processed/nylon/calibrated/within-0.model."
+    for wrong in ("processed/nylon/spline/within-9.model", "processed/nilon/spline/within-0.model"):
+        assert export(wrong, "--format", "c").stderr.endswith(f"is not a file. Mend: name one of {paths}\n")
+    assert f"fitted are {paths}" in export("processed/nylon/splne/within-0.model", "--format", "c").stderr
+    with pytest.raises(SystemExit):
+        arguments(["--help"])
+    ending = capsys.readouterr().out.splitlines()[-2:]
+    assert ending == ["fitted models here:", "  processed/nylon/spline/within-0.model, and of calibrated"]

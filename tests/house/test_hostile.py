@@ -89,7 +89,7 @@ def test_a_damaged_model_is_refused_and_one_that_is_sealed_again_exported_or_ref
     for number in range(round(HURTS * share)):
         resealed = number % 2 == 0  # as if written so: what the check sum cannot see
         path.write_bytes(hurt := seal.sealed(damaged(inside, rng)) if resealed else damaged(whole, rng))
-        code, complaint = ended("pipeline.export.__main__", [str(path), "--format", "c"], tmp_path)
+        code, complaint = ended("pipeline.export.__main__", [str(path), "--format", "c", "--out", "tsa.h"], tmp_path)
         clean(code, complaint)
         assert resealed or hurt == whole or code == 2
         if code == 0:

@@ -1,0 +1,86 @@
+"""What whoever loads an export must know of it and its numbers cannot say: the zero, the strokes ahead, the fit.
+
+The header's first comment and the graphs' metadata hold the same sentences.
+"""
+
+import math
+from pathlib import Path
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+from pydantic import JsonValue
+
+from ..models.interface import about, settings_of
+from ..models.parts.rolling_origin import AHEAD
+from ..models.parts.settings import values
+from .inputs import Inputs
+from .interface import Source
+
+AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
+MOST_STRINGS = 3  # whose zero is named
+
+
+def facts(source: Source) -> dict[str, str]:
+    """Sentences by what they are of: `zero`, `strokes` and `fit`."""
+    return {"zero": _zero(source), "strokes": _strokes(source.inputs), "fit": _fit(source)}
+
+
+def zeroed_runs(dataset: Path) -> tuple[str, ...]:
+    """Of each string of a dataset the run in whose first rest its sensor's zero was taken; none where it has many.
+
+    None as well where no such dataset is there.
+    """
+    columns = ["string", "run", "stroke"]
+    try:
+        table = pq.read_table(dataset, columns=columns, read_dictionary=columns[:2])  # these alone: it may be large
+        points = table.to_pandas()[columns]
+    except (OSError, pa.ArrowException, KeyError):
+        return ()
+    first = points.sort_values("stroke", kind="stable").groupby("string", observed=True, sort=True)["run"].first()
+    return tuple(f"{string} in run {run}" for string, run in first.items()) if len(first) <= MOST_STRINGS else ()
+
+
+def _zero(source: Source) -> str:
+    """What contraction 0 is, and of which runs."""
+    inputs, baked = source.inputs, source.inputs.baked
+    if inputs.pair:
+        value = "0 mm at 0 turns"
+    elif {"torsion_zone_mm", "separator_mm"} <= set(baked) and not about(source.name).each_string_apart:
+        value = f"{math.hypot(baked['torsion_zone_mm'], baked['separator_mm']) - baked['torsion_zone_mm']:.3f} mm"
+        value += " at 0 turns"
+    else:
+        value = "sqrt(d^2 + b^2) - d at 0 turns, d being torsion_zone_mm and b separator_mm as measured"
+    law = "the equation of a twisted pair" if inputs.pair else "eq. 4"
+    runs = f" Taken so, of string {', of string '.join(source.zeroed)}." if source.zeroed else ""
+    return (
+        f"On the rest before a new string's first stroke, displacement_mm is what {law} gives at that twist: {value}. "
+        f"Set your sensor's zero so, once a string, and never in between: what later rests read is wear.{runs} "
+        "A run that says `tare: run` was set anew, to where the string had rested before it."
+    )
+
+
+def _strokes(inputs: Inputs) -> str:
+    """How far ahead of the training strokes an error was ever measured."""
+    return (
+        f"Strokes to {inputs.last_stroke} were trained on. Beyond, the model's law of n goes on. Errors further than "
+        f"{AHEAD} strokes ahead were never measured; up to there at most, pipeline.predict gives intervals."
+    )
+
+
+def _fit(source: Source) -> str:
+    """Whether the model's own settings are the usual ones, and where they are not, whether it is a small fit."""
+    settings = settings_of(source.name)
+    if settings is None:
+        return "This model has no settings, so it is no small fit."
+    mine, usual = values(source.model.settings), values(settings())
+    apart = [name for name in usual if mine[name] != usual[name]]
+    words = ", ".join(f"{name} {mine[name]} instead of {usual[name]}" for name in apart)
+    if not apart:
+        return "Made with the usual settings of this model."
+    small = any(name in AMOUNTS and _less(mine[name], usual[name]) for name in apart)
+    return f"{'Small fit, not a result' if small else 'Settings of your own'}: {words}."
+
+
+def _less(mine: JsonValue, usual: JsonValue) -> bool:
+    """Whether a setting asks for less than is usual."""
+    return isinstance(mine, int | float) and isinstance(usual, int | float) and mine < usual

@@ -1,0 +1,56 @@
+"""Which fitted models lie in a project, for whoever is to name one."""
+
+from collections.abc import Collection
+from pathlib import Path
+
+from ...ground import seal
+from ..interface import usual
+
+PROCESSED = Path("processed")  # of the folder that a program is started in
+FIRST = "within-0.model"  # of a model's files the one that is shown
+MOST_MATERIALS = 5  # that a help lists
+
+
+def fitted(material: Path, names: Collection[str]) -> list[Path]:
+    """Of each model of the names that was fitted to a material one file, the usual model's first.
+
+    A file of a split with too few strokes holds no model.
+    """
+    files = []
+    for name in sorted(names, key=lambda name: (name != usual(), name)):
+        held = [file for file in sorted((material / name).glob("*-*.model")) if _holds(file)]
+        files += sorted(held, key=lambda file: file.name != FIRST)[:1]
+    return files
+
+
+def in_words(material: Path, names: Collection[str]) -> str:
+    """The fitted models of a material, or where it has none those of all materials; empty where none is there."""
+    files = fitted(material, names) or [file for folder in _materials() for file in fitted(folder, names)]
+    return ", ".join(map(str, files))
+
+
+def listed(names: Collection[str]) -> str:
+    """Lines that say which fitted models lie in `processed/`: of each material a path, and which others there are."""
+    lines = []
+    for material in _materials():
+        files = fitted(material, names)
+        others = ", ".join(file.parent.name for file in files[1:])
+        lines += [f"  {files[0]}{f', and of {others}' if others else ''}"] if files else []
+    if not lines:
+        return "fitted models: none is here yet; the main job makes processed/<material>/<model>/<split>-<seed>.model"
+    more = [f"  and of {len(lines) - MOST_MATERIALS} materials more"] if len(lines) > MOST_MATERIALS else []
+    return "\n".join(["fitted models here:", *lines[:MOST_MATERIALS], *more])
+
+
+def datasets() -> list[Path]:
+    """The materials' datasets in `processed/`."""
+    return [path for folder in _materials() if (path := folder / "dataset.parquet").is_file()]
+
+
+def _materials() -> list[Path]:
+    return sorted(folder for folder in PROCESSED.glob("*") if folder.is_dir())
+
+
+def _holds(file: Path) -> bool:
+    """Whether a file holds a model."""
+    return file.is_file() and file.stat().st_size > len(seal.sealed(b""))
