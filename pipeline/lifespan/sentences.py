@@ -29,7 +29,7 @@ SYNTHETIC = (
 LAST = 3  # strokes that tell how far a limit is
 
 
-def beside(value: float, limit: float) -> str:
+def beside_limit(value: float, limit: float) -> str:
     """A number with two digits, or with as many more as tell it from the limit: 1.03 beside 1."""
     texts = (f"{value:.{digits}g}" for digits in range(2, 7))
     return next((text for text in texts if float(text) != float(f"{limit:.6g}")), f"{value:.2g}")
@@ -49,11 +49,11 @@ def so_far(answer: Answer) -> str:
     last = answer.values[-min(after, LAST) :]
     of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
     if answer.unit != "1":
-        return f"So far: the model is off by {beside(middle, answer.limit)} {answer.unit} (median of {of})."
+        return f"So far: the model is off by {beside_limit(middle, answer.limit)} {answer.unit} (median of {of})."
     against = f"{of} against the first {REFERENCE}"
     if middle <= 0.0:
         return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
-    lost = beside(100.0 * middle, 100.0 * answer.limit)
+    lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
     return f"So far: {lost} % of the stroke is lost ({against})."
 
 

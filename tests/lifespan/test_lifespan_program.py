@@ -22,7 +22,7 @@ from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.questions import Answer, first, model_error, stroke_loss
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
-from pipeline.lifespan.sentences import UNFORESEEN, beside, sentence, so_far
+from pipeline.lifespan.sentences import UNFORESEEN, beside_limit, sentence, so_far
 from pipeline.lifespan.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
 from pipeline.rig import __main__ as rig
 
@@ -244,7 +244,7 @@ def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
 )
 def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, said):
     """ "The model is off by 1 mm" stood beside a limit of 1 mm that was "passed already"."""
-    assert beside(value, limit) == said
+    assert beside_limit(value, limit) == said
 
 
 def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
