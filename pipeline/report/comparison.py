@@ -12,7 +12,7 @@ from . import paper
 from .agreement import agreement
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
-from .strokes_there import missing_of, tabled, there_of
+from .strokes_there import missing_of, shown_of, tabled, there_of
 from .titles import titles_of
 
 NOTES = """\
@@ -83,10 +83,9 @@ def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> 
     """Text of comparison.md of one material."""
     whole = metrics[metrics["angle_band"] == "all"]
     strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
-    strokes, missing = (
-        [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)],
-        missing_of(strokes_there, paper.STROKES),
-    )
+    strokes = [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)]
+    which = [shown_of(strokes_there, paper.STROKES), missing_of(strokes_there, paper.STROKES)]
+    missing = " ".join(filter(None, which))
     apart = why_apart(whole, material)
     why = [apart, ""] if apart else []
     text = [f"# {plain(material)}: our errors beside the paper's", "", *why, NOTES, *([missing, ""] if missing else [])]

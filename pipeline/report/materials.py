@@ -6,7 +6,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from . import paper
-from .strokes_there import NOT_SHOWN
+from .strokes_there import NOT_SHOWN, SHOWN
 from .table_forms import from_markdown
 from .web.page import Text, link, paragraph, picture, together
 from .web.table import table
@@ -19,7 +19,7 @@ FIGURES = {
     " network with a small error, and where θ had to pass through that output, the inverse magnifies it.",
 }
 PAGES = {
-    "models.html": "every model by stroke, direction and angle, beside the floor",
+    "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",
     "comparison.html": "beside the paper's numbers, with the spread over the seeds, and later strokes",
 }
 
@@ -33,7 +33,7 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
         for suffix in ("csv", "tex", "md")
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
-    below = " ".join(line for line in notes if line.startswith(NOT_SHOWN))
+    below = " ".join(line for line in notes if line.startswith((SHOWN, NOT_SHOWN)))
     files_line = Markup('\n<p class="soft">{} The same as {}.</p>').format(below, files)
     return table(head, rows, words, (0, 1)) + files_line
 

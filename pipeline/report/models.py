@@ -11,12 +11,12 @@ from ..ground.errors import program
 from ..ground.files import write_text
 from . import paper
 from .comparison import line
+from .fitted import FLOORS, lines_on_files
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .sidecar import Column, describe
 from .titles import titles_of
 
-FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
 SPLITS = {"within": "within strokes", "later": "later strokes"}
 WHERE = ["stroke", "phase", "angle_band"]
@@ -163,7 +163,8 @@ def main() -> None:
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    write_page(arguments.out, page(table_numbers, material), mark)
+    text = "\n".join([page(table_numbers, material), *lines_on_files(metrics, material)])
+    write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)
 

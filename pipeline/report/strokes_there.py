@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 NOT_SHOWN = "Not shown"
+SHOWN = "Shown are"
 
 
 def there_of(strokes: Iterable[str | int]) -> list[int]:
@@ -42,3 +43,14 @@ def missing_of(strokes: Sequence[int], wanted: Sequence[int]) -> str:
     missing = ", ".join(f"n={stroke}" for stroke in wanted if stroke not in strokes)
     known = f"stroke{'s' * (len(strokes) > 1)} {ranges(strokes)}"
     return f"{NOT_SHOWN}: {missing}. The material has {known}." if missing else ""
+
+
+def shown_of(strokes: Sequence[int], wanted: Sequence[int]) -> str:
+    """A sentence on which of the strokes a table shows, why these, and where all are; empty where it shows all."""
+    tabled_strokes = tabled(strokes, wanted)
+    if len(tabled_strokes) >= len(strokes):
+        return ""
+    named = ", ".join(f"n={stroke}" for stroke in tabled_strokes)
+    reason = "the paper's rows" if set(tabled_strokes) <= set(wanted) else "spread over them, as none of the paper's is"
+    whole = f"{len(strokes)} strokes, {ranges(strokes)}"
+    return f"{SHOWN} {named} of the {whole}: {reason}. All strokes are rows of reports/metrics.csv, column stroke."

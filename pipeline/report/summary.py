@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from .diagnoses import verdicts
+from .fitted import lines_at_end
 from .plain_markdown import spoken
 
 PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
@@ -15,7 +16,7 @@ WHOLE = {
 
 
 def of_material(folder: Path, paths: set[Path]) -> list[str]:
-    """Both tables of a material and where its other pages are; nothing of what was not asked for."""
+    """Both tables of a material, its other pages and its fitted models; nothing of what was not asked for."""
     text = [
         spoken((folder / name).read_text(encoding="utf-8"))
         for name in ("table_1.md", "table_2.md")
@@ -25,7 +26,7 @@ def of_material(folder: Path, paths: set[Path]) -> list[str]:
     if figures:
         text.append(f"figures: {', '.join(figures)}")
     text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in paths]
-    return text
+    return text + lines_at_end(folder.name, paths)
 
 
 def summary(made: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:

@@ -16,7 +16,7 @@ from .made_by import MadeBy, sentence, warning
 from .marks import add_mark, mark_from
 from .plain_markdown import note
 from .sidecar import Column, describe
-from .strokes_there import missing_of, tabled, there_of
+from .strokes_there import missing_of, shown_of, tabled, there_of
 from .table_forms import Row, to_csv, to_latex, to_markdown
 from .titles import titles_of
 
@@ -55,7 +55,8 @@ def columns(number: int) -> list[Column]:
     """What the columns of the csv hold."""
     unit = {1: "mm", 2: "turns of the motor"}[number]
     words = [
-        "the model's title", "n: the stroke's number since the string was new",
+        "the model's title",
+        "n: the stroke's number since the string was new; shown are the paper's three, reports/metrics.csv has all",
         *(f"{metric} of the {paper.MAPS[number]} error on held-out winding points in {unit}, median over the seeds;"
           " empty where the material has no such stroke" for metric in ("mean of the size", "largest size", "RMSE")),
     ]  # fmt: skip
@@ -75,13 +76,14 @@ def write(
     """Write one table in all three forms; csv keeps the paper's strokes, the others show those that are there."""
     material, stem = str(metrics["material"].iloc[0]), folder / f"table_{number}"
     strokes = there_of(shown(metrics, number)["stroke"])
-    missing, printed = missing_of(strokes, paper.STROKES), rows(metrics, number, titles, tabled(strokes, paper.STROKES))
+    printed = rows(metrics, number, titles, tabled(strokes, paper.STROKES))
+    which = [words for words in (shown_of(strokes, paper.STROKES), missing_of(strokes, paper.STROKES)) if words]
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
-    notes = (missing, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
+    notes = (*which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
     write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))
     label = f"tab:{material}-{paper.MAPS[number]}"
     apart = (*left_out.beneath("tex", gone), *jumps.beneath("tex", jumped))
-    notes = (f"Material {material}. {missing}".strip(), *apart, sentence(mark))
+    notes = (" ".join([f"Material {material}.", *which]), *apart, sentence(mark))
     write_text(stem.with_suffix(".tex"), to_latex(number, printed, label, warning(mark), notes))
     title = f"Table {'I' * number}: {paper.TITLES[number].lower()}, {material}"
     describe(stem.with_suffix(".csv"), title, columns(number), mark)

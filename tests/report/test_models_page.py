@@ -4,6 +4,7 @@ import csv
 import io
 import sys
 from itertools import pairwise
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -11,6 +12,7 @@ import pytest
 
 from pipeline.ground import schemas
 from pipeline.report.drawing import STYLE
+from pipeline.report.fitted import lines_at_end, lines_on_files
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.models import columns, main, numbers, page, sentences
@@ -150,3 +152,31 @@ def test_no_label_of_the_leaks_figure_touches_the_panel_beside_it():
             apart = right.yaxis.label.get_window_extent().x0 - left.get_window_extent().x1
             assert apart > 0.15 * figure.dpi, apart
     plt.close(figure)
+
+
+def test_the_page_names_the_file_of_every_fit_and_how_it_is_used():
+    """No page named a .model file, and two commands need one."""
+    forward = FORWARD | {"spline": [0.05]}
+    metrics = made_metrics(forward)
+    metrics = metrics[~((metrics["model"] == "mlp") & (metrics["split"] == "later"))]
+    text = "\n".join(lines_on_files(metrics, "nylon"))
+    assert "`python -m pipeline.export processed/nylon/spline/within-0.model --format c`" in text
+    assert "`python -m pipeline.predict processed/nylon/dataset.parquet questions.csv --saved proc" in text
+    inn = ", ".join(f"`within-{seed}.model`" for seed in range(3))
+    assert f"| `processed/nylon/inn/` | {inn} | {inn.replace('within', 'later')} |" in text
+    assert f"| `processed/nylon/mlp/` | {inn} |  |" in text and "floor" not in text
+    assert "processed/nylon/calibrated/within-0.model --format c" in "\n".join(
+        lines_on_files(metrics[metrics["model"] == "calibrated"], "nylon")
+    )
+    assert lines_on_files(metrics[metrics["model"] == "floor"], "nylon") == []
+
+
+def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model():
+    made = [Path(f"processed/nylon/{name}/within-0.model") for name in ("spline", "cinn", "diagnosed")]
+    assert lines_at_end("nylon", [*made, Path("processed/silk/mlp/within-0.model")]) == [
+        "to a controller: python -m pipeline.export processed/nylon/spline/within-0.model --format c",
+        "to ask it: python -m pipeline.predict processed/nylon/dataset.parquet questions.csv"
+        " --saved processed/nylon/spline/within-0.model --out reports/mine/answers.csv",
+        "fitted too: cinn",
+    ]
+    assert lines_at_end("nylon", [Path("processed/nylon/spline/later-0.model")]) == []

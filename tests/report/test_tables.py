@@ -9,6 +9,7 @@ from pipeline.ground import schemas
 from pipeline.report import paper
 from pipeline.report.comparison import comparison
 from pipeline.report.made_by import MadeBy
+from pipeline.report.materials import html_table
 from pipeline.report.table_forms import from_markdown, to_csv, to_latex, to_markdown
 from pipeline.report.tables import rows, write
 
@@ -131,6 +132,21 @@ def test_eight_strokes_give_no_empty_row_where_a_person_reads(tmp_path):
     assert (tmp_path / "table_1.csv").read_text().count("n=9,,,\n") == 3
     compared = comparison(made_metrics(strokes=range(1, 9)), "m", TITLES)
     assert "| n=9 |" not in compared.split("## Forward, later")[0] and "The material has strokes 1 to 8." in compared
+
+
+def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_path):
+    write(made_metrics(strokes=range(1, 13)), 1, TITLES, SMALL, tmp_path)
+    words = "Shown are n=1, n=5, n=9 of the 12 strokes, 1 to 12: the paper's rows. All strokes are rows of reports"
+    for text in ((tmp_path / "table_1.md").read_text(), (tmp_path / "table_1.tex").read_text()):
+        assert words in text
+    assert words in comparison(made_metrics(strokes=range(1, 13)), "m", TITLES)
+    columns = json.loads((tmp_path / "table_1.csv-metadata.json").read_text())["tableSchema"]["columns"]
+    assert "shown are the paper's three, reports/metrics.csv has all" in columns[1]["dc:description"]
+    for number in (1, 2):
+        write(made_metrics(strokes=range(1, 13)), number, TITLES, SMALL, tmp_path)
+    assert html_table(tmp_path, 1, "").count("Shown are n=1, n=5, n=9 of the 12 strokes") == 1
+    write(made_metrics(), 1, TITLES, SMALL, tmp_path)
+    assert "Shown are" not in (tmp_path / "table_1.md").read_text()
 
 
 def test_comparison_shows_the_paper_beside_ours_with_the_spread():

@@ -1,0 +1,66 @@
+"""Where the fitted models of a material lie, and how they are used: for whoever wants to ask or export one."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import pandas as pd
+
+from .comparison import line
+
+FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
+SPLITS = ("within", "later")
+USUAL = "spline"  # the one to take where it is there: the page on models says why
+ALONE = "diagnosed"  # needs the whole motion: it is neither exported nor asked
+
+
+def chosen_of(models: Iterable[str]) -> str:
+    """Which of some models to take where nobody says which; empty where there is none."""
+    known = sorted(set(models) - {ALONE})
+    return USUAL if USUAL in known else known[0] if known else ""
+
+
+def uses(material: str, model: str) -> tuple[str, str]:
+    """The commands that export a model and that ask it, of the split `within`."""
+    file = f"processed/{material}/{model}/within-0.model"
+    ask = f"python -m pipeline.predict processed/{material}/dataset.parquet questions.csv --saved {file}"
+    return f"python -m pipeline.export {file} --format c", f"{ask} --out reports/mine/answers.csv"
+
+
+def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
+    """Lines of Markdown: the commands, and the file of every fit that metrics are of."""
+    fits = metrics.loc[~metrics["model"].isin(FLOORS), ["model", "split", "seed"]].drop_duplicates()
+    chosen = chosen_of(fits["model"])
+    if not chosen:
+        return []
+    heads = ["folder", *(f"files of the split `{split}`" for split in SPLITS)]
+    lines = [line(heads), line(["---"] * len(heads))]
+    for model, mine in fits.groupby("model", sort=True):
+        seeds = {split: sorted(set(mine.loc[mine["split"] == split, "seed"])) for split in SPLITS}
+        cells = [", ".join(f"`{split}-{seed}.model`" for seed in seeds[split]) for split in SPLITS]
+        lines.append(line([f"`processed/{material}/{model}/`", *cells]))
+    export, ask = uses(material, chosen)
+    text = [
+        "## Where the fitted models lie",
+        "",
+        "`within-0` was fitted to three of four blocks of every stroke, `later-0` without the last quarter of the",
+        f"strokes; a larger number is another seed. To use a model take `within-0`. `{ALONE}` needs the whole",
+        "motion: it is neither exported nor asked.",
+        "",
+        f"- On a controller (or `--format onnx`): `{export}`",
+        f"- Questions in a table: `{ask}`. Without `--saved` a model is fitted anew, and its answers have intervals.",
+        "",
+    ]
+    return [*text, *lines, ""]
+
+
+def lines_at_end(material: str, made: Iterable[Path]) -> list[str]:
+    """Lines for the end of the main job, of the fitted models among the files that it made."""
+    models = {path.parent.name for path in made if path.suffix == ".model" and path.parent.parent.name == material}
+    chosen = chosen_of(
+        model for model in models if f"processed/{material}/{model}/within-0.model" in set(map(str, made))
+    )
+    if not chosen:
+        return []
+    export, ask = uses(material, chosen)
+    others = ", ".join(sorted(models - {chosen, ALONE}))
+    return [f"to a controller: {export}", f"to ask it: {ask}", *([f"fitted too: {others}"] if others else [])]
