@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
 from ..run.folder import read_run
@@ -48,7 +49,8 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     if info["exit_status"] != "fault" and info["samples"]["received"]:
         hello = info.get("hello")
         whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
-        print("\n".join(next_steps(folder, whole)))
+        anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
+        print("\n".join(next_steps(folder, whole, anew)))
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

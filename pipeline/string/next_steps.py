@@ -11,8 +11,11 @@ from .same_string import next_name, others_recorded
 LIFE = 12  # strokes from which a forecast of a string's life is made; a test holds it to that program's own number
 
 
-def next_steps(folder: Path, strokes: int) -> list[str]:
-    """Two lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput."""
+def next_steps(folder: Path, strokes: int, anew: bool = False) -> list[str]:
+    """Two lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput.
+
+    `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none.
+    """
     run = read_run(folder)
     others = others_recorded(folder, run)
     lines = [f"Next: {following(folder, recorded=True, others=others)}"]
@@ -21,6 +24,9 @@ def next_steps(folder: Path, strokes: int) -> list[str]:
     if others or strokes >= LIFE:
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")
+    elif anew:
+        own = "describe it under a name and a --string-id of its own"
+        lines.append(f"Next: this rig's next recording is of another string: {own} (rig --standing keeps one string)")
     else:
         again = f"{command('new_run')} {next_name(folder)} --like {shlex.quote(str(folder))}"
         lines.append(f"Next: for another recording of this string: {again}, then record into it")

@@ -67,7 +67,11 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
         assert "every recording has 5 strokes; --strokes N is for another number" in strokes
         for name in ("example-1", "example-2"):
             words = ["--", str(tmp_path / "port"), str(tmp_path / name)]
-            subprocess.run([sys.executable, "-m", "pipeline.capture", *words], cwd=ROOT, timeout=300)
+            described = [sys.executable, *shlex.split(command(read_setup("small"), name))[1:], "--out", str(tmp_path)]
+            subprocess.run(described, cwd=ROOT, timeout=300, check=True, capture_output=True)
+            capture = [sys.executable, "-m", "pipeline.capture", *words]
+            said = subprocess.run(capture, cwd=ROOT, timeout=300, capture_output=True, text=True, check=True).stdout
+            assert "Next: this rig's next recording is of another string" in said and "--like" not in said
             assert json.loads((tmp_path / name / "capture.json").read_text())["hello"]["strokes"] == 5
         said, _ = rig.communicate(timeout=300)
         assert said.count("recording 2 will be of another string than recording 1") == 1 and "recording 3" not in said

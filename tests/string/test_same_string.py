@@ -55,6 +55,7 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
     assert diagnose.endswith(f"python -m pipeline.diagnose {alone} --out reports/mine")
     described = f"python -m pipeline.new_run b-2 --like {alone}"
     assert again == f"Next: for another recording of this string: {described}, then record into it"
+    assert "next recording is of another string" in next_steps(alone, 9, anew=True)[1]
     assert "pipeline.lifespan" in next_steps(alone, LIFE)[1] and LIFE == LEAST_STROKES
 
 
