@@ -44,12 +44,14 @@ def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float
     return answered.assign(why=why)
 
 
-def beside_questions(points: pd.DataFrame, answer: Callable[[pd.DataFrame, str], pd.DataFrame]) -> pd.DataFrame:
-    """What was asked beside its answer; of the other columns, such as the load, those in which the questions differ.
+def beside_questions(
+    points: pd.DataFrame, columns: list[str], answer: Callable[[pd.DataFrame, str], pd.DataFrame]
+) -> pd.DataFrame:
+    """What was asked beside its answer; of the other columns, such as the load, those that the questions tell.
 
     Where some rows ask for the twist and others for the contraction, the column `asked_for` says which.
     """
-    others = [name for name in points if name not in (*EITHER, *ASKED) and points[name].nunique() > 1]
+    others = [name for name in points if name not in (*EITHER, *ASKED) and name in columns]
     tables = {}
     for known, rows, questions in by_known(points):
         tables[known] = pd.concat([questions[[known, *ASKED, *others]], answer(questions, known)], axis=1)
@@ -100,19 +102,23 @@ def main() -> None:
     dataset = opened(arguments.dataset, schemas.DATASET, f"name {near}")
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
-    points = read_questions(arguments.questions, dataset)
+    points, columns = read_questions(arguments.questions, dataset)
     if arguments.saved:
         strings = points["string"].unique()
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
-        table = beside_questions(points, lambda part, known: saved_answers(source, part, known, arguments.saved))
+        table = beside_questions(
+            points, columns, lambda part, known: saved_answers(source, part, known, arguments.saved)
+        )
         by, less = f"by {arguments.saved}, without intervals", "that its export does not give"
     else:
         intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
         try:
             with fitting(arguments.model):
                 intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
-                table = beside_questions(points, lambda part, known: answers(intervals, part, known, arguments.level))
+                table = beside_questions(
+                    points, columns, lambda part, known: answers(intervals, part, known, arguments.level)
+                )
         except TooFew as error:
             mend = "record more strokes, or more samples a stroke"
             raise BadInput(arguments.dataset, "points", str(error), mend) from None
@@ -120,7 +126,7 @@ def main() -> None:
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum())
     print(f"{len(table)} answer{'s' * (len(table) > 1)} in {arguments.out}, {by}", end="")
-    print(f"; {outside} of them {less}. The column `why` says it; row 1 is the first question:" if outside else "")
+    print(f"; {outside} of them {less}. The column `why` says why; row 1 is the first question:" if outside else "")
     for reason in first_of(table["why"].tolist()):
         print(f"  {reason}")
 

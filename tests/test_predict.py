@@ -142,6 +142,9 @@ def test_answers_say_of_which_load_they_are(dataset: Path) -> None:
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert table.columns[:4].tolist() == ["motor_turns", "stroke", "direction", "load_n"]
     assert table["load_n"].tolist() == [20, 30]
+    done = ask(path, "stroke,direction,motor_turns,load_n\n1,1,9,30\n", "--model", "polynomial")
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table["load_n"].tolist() == [30] and "string" not in table, "one question differs from no other"
 
 
 def test_help_says_what_directions_are_and_that_the_model_is_fitted_anew(dataset: Path) -> None:
@@ -161,7 +164,7 @@ def test_a_load_that_varies_as_a_load_cell_is_noisy_need_not_be_told(dataset: Pa
     questions.write_text("stroke,direction,motor_turns\n2.0,1,3\n")
     noisy = pd.read_parquet(dataset)
     noisy["load_n"] += np.random.default_rng(0).normal(0.0, 0.1, len(noisy))
-    points = read_questions(questions, noisy)
+    points, _ = read_questions(questions, noisy)
     assert points["load_n"].item() == pytest.approx(20.0, abs=0.02) and points["stroke"].item() == 2
 
 

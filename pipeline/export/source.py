@@ -36,6 +36,9 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
 
     Raises BadInput where the file holds no such model, or a model that cannot be exported.
     """
+    if file.is_dir():
+        models = in_words(file.parent, names()) or "processed/<material>/<model>/within-0.model"
+        raise BadInput(file, "model", "is a folder", f"name a file in it, such as {models}")
     name = name or Path(os.path.realpath(file)).parent.name
     if name not in names():
         known = ", ".join(names())

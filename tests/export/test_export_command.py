@@ -282,6 +282,10 @@ def test_who_names_no_fitted_model_is_told_which_there_are(
     paths = "processed/nylon/spline/within-0.model, processed/nylon/calibrated/within-0.model."
     for wrong in ("processed/nylon/spline/within-9.model", "processed/nilon/spline/within-0.model"):
         assert export(wrong, "--format", "c").stderr.endswith(f"is not a file. Mend: name one of {paths}\n")
+    assert (
+        "is a folder. Mend: name a file in it, such as processed"
+        in export("processed/nylon/spline", "--format", "c").stderr
+    )
     assert f"fitted are {paths}" in export("processed/nylon/splne/within-0.model", "--format", "c").stderr
     with pytest.raises(SystemExit):
         arguments(["--help"])

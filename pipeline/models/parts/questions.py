@@ -22,10 +22,11 @@ EITHER = ("motor_turns", "displacement_mm")  # one of which a question tells, to
 LABELS = ("actuator", "string", "material", "phase")  # columns of words that are read
 
 
-def read_questions(path: Path, dataset: pd.DataFrame) -> pd.DataFrame:
-    """Questions as points with the dataset's columns, in each of which the wanted one of twist and contraction is NaN.
+def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, list[str]]:
+    """Questions as points with the dataset's columns, and which columns the file has.
 
-    What does not vary in the dataset need not be told. Raises BadInput naming the column, and the row.
+    In each point the wanted one of twist and contraction is NaN. What does not vary in the dataset need not be told.
+    Raises BadInput naming the column, and the row.
     """
     questions = question_table(path, [name for name in (*COLUMNS, *LABELS) if name in dataset])
     known = [name for name in EITHER if name in questions.columns]
@@ -53,7 +54,7 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> pd.DataFrame:
             points[name] = dataset[name].iloc[0]
     _refuse_rows(path, questions, points, dataset)
     points["stroke"] = points["stroke"].astype(np.int64)
-    return points
+    return points, list(questions.columns)
 
 
 def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:
