@@ -1,9 +1,16 @@
-"""Concealed recordings by another hand (`otherhand.py`), made once a session."""
+"""Concealed recordings by another hand (`otherhand.py`) and the diagnoses that many tests ask for, made once."""
 
+import hashlib
+import zlib
+from contextlib import contextmanager
+
+import once
 import otherhand
 import pytest
 
-from pipeline.diagnosis.engine import make_problem
+from pipeline import diagnose
+from pipeline.diagnosis import figures, in_memory
+from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.run.samples import read_samples
 
@@ -11,17 +18,68 @@ from pipeline.run.samples import read_samples
 @pytest.fixture(scope="session")
 def conceal(tmp_path_factory: pytest.TempPathFactory):
     """Make (once) a run with the given effects: `conceal("creep", kappa=1.5)` → its folder and the truth."""
-    root, made = tmp_path_factory.mktemp("raw"), {}
+    shared = once.place(tmp_path_factory)
 
     def make(*kinds: str, kappa: float = 1.5, seed: int = 7, rich: bool = True, nuisance: str = "plain"):
-        key = (kinds, kappa, seed, rich, nuisance)
-        if key not in made:
-            name = f"run-{len(made)}"
-            truth = otherhand.recording(root, name, [(kind, kappa) for kind in kinds], seed, rich, nuisance)
-            made[key] = (root / name, truth)
-        return made[key]
+        name = f"run-{zlib.crc32(repr((kinds, kappa, seed, rich, nuisance)).encode()) % 10**6}"
+        effects = [(kind, kappa) for kind in kinds]
+        truth = once.made_once(
+            shared, name, lambda: otherhand.recording(shared / "raw", name, effects, seed, rich, nuisance)
+        )
+        return shared / "raw" / name, truth
 
     return make
+
+
+@pytest.fixture(autouse=True)
+def undrawn(request, monkeypatch):
+    """No page of figures is drawn in a test, which takes 2 s, but by what makes the page for those that look at it."""
+    if not request.node.path.name.startswith("test_diagnosis_page"):
+        monkeypatch.setattr(figures, "page", lambda study, content, path: None)
+
+
+def kept(found):
+    """A study as it can be written down: what its simulator remembers of terms may be functions."""
+    found.problem._terms.clear()
+    return found
+
+
+@pytest.fixture(scope="session")
+def remembered(tmp_path_factory):
+    """Within it `diagnose` takes what another test was told of the same recording by the same library."""
+    shared, plain = once.place(tmp_path_factory), diagnose.diagnosed
+
+    @contextmanager
+    def remember():
+        def diagnosed(recorded, without, by, say):
+            def made():
+                content, found = plain(recorded, without, by, say)
+                found.search.linear.let_go()  # of 100 MB, as before it is drawn
+                return content, kept(found)
+
+            assert by is None
+            runs = [(each.run.model_dump_json(), each.samples.to_csv(), each.strokes) for each in recorded]
+            return once.made_once(shared, (hashlib.sha256(repr(runs).encode()).hexdigest(), sorted(without)), made)
+
+        with pytest.MonkeyPatch.context() as patch:
+            for module in (diagnose, in_memory):  # the program may be run anew
+                patch.setattr(module, "diagnosed", diagnosed)
+            yield
+
+    return remember
+
+
+@pytest.fixture(scope="session")
+def studied(conceal, tmp_path_factory):
+    """What the engine finds in a recording of `conceal`, and its run: to each who asks a study of his own."""
+    shared = once.place(tmp_path_factory)
+
+    def find(*kinds: str):
+        run, samples = read_samples(conceal(*kinds)[0])
+        found = once.made_once(shared, ("study", kinds), lambda: kept(study(make_problem([RecordedRun(run, samples)]))))
+        return found, run, samples
+
+    return find
 
 
 @pytest.fixture(scope="session")

@@ -22,6 +22,7 @@ import yaml
 from PIL import Image
 
 from pipeline import diagnose
+from pipeline.diagnosis import figures
 from pipeline.diagnosis.adopt import acts_from
 from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.in_memory import described
@@ -35,6 +36,7 @@ from pipeline.run import strokes
 from pipeline.run.motion import Motion
 from pipeline.run.samples import read_samples
 
+DRAWN = figures.page
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -63,11 +65,13 @@ def command(module: str, *arguments: object) -> Done:
 
 
 @pytest.fixture(scope="module")
-def diagnosed(conceal, tmp_path_factory) -> tuple[Path, dict, Path, dict]:
+def diagnosed(conceal, remembered, tmp_path_factory) -> tuple[Path, dict, Path, dict]:
     """A run with creep, its truth, its diagnosis' folder and content."""
     folder, truth = conceal("creep")
     out = tmp_path_factory.mktemp("out")
-    done = command("pipeline.diagnose", folder, "--out", out)
+    with remembered(), pytest.MonkeyPatch.context() as patch:
+        patch.setattr(figures, "page", DRAWN)
+        done = command("pipeline.diagnose", folder, "--out", out)
     assert done.returncode == 0, done.stderr
     here = out / folder.name
     return folder, truth, here, json.loads((here / "diagnosis.json").read_text())
@@ -218,7 +222,7 @@ def edited(source: Path, to: Path, samples: pd.DataFrame | None = None, **descri
     return to
 
 
-def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, tmp_path) -> None:
+def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, cuts, tmp_path) -> None:
     good, _ = conceal()
     samples = pd.read_parquet(good / "recording.parquet")
     few = samples[samples["time_s"] < samples["time_s"].iloc[0] + 15.0]
@@ -334,7 +338,7 @@ def test_a_recording_is_cut_into_strokes_once(conceal, cuts, tmp_path) -> None:
     assert len(cuts) == 1
 
 
-def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnosed, cuts, tmp_path) -> None:
+def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnosed, remembered, cuts, tmp_path) -> None:
     """As the main job asks: the recording itself is gone, and what is damaged or was refused is said."""
     folder, _, out, _ = diagnosed
     made = tmp_path / "processed" / folder.name
@@ -344,7 +348,8 @@ def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnose
     (tmp_path / "raw" / folder.name / "recording.parquet").unlink()
     asked = ("pipeline.diagnose", tmp_path / "raw" / folder.name, "--processed", made.parent, "--out")
     cuts.clear()
-    assert command(*asked, tmp_path / "out").returncode == 0 and not cuts
+    with remembered():
+        assert command(*asked, tmp_path / "out").returncode == 0 and not cuts
     for name in ("diagnosis.json", "simulation.yaml"):
         then, again = ((place / folder.name / name).read_text() for place in (out.parent, tmp_path / "out"))
         assert again.replace(str(tmp_path / "out"), str(out.parent)) == then
@@ -356,12 +361,13 @@ def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnose
 
 
 def test_runs_of_one_string_are_cut_once_each_and_told_of_each_others_zeros(
-    strings_runs, cuts, tmp_path, monkeypatch
+    strings_runs, remembered, cuts, tmp_path, monkeypatch
 ) -> None:
     *asked, beside = strings_runs
     verdicts, write_words = [], diagnose.write_words
     monkeypatch.setattr(diagnose, "write_words", lambda *given: verdicts.append(given[3]) or write_words(*given))
-    assert command("pipeline.diagnose", *asked, "--out", tmp_path / "out").returncode == 0
+    with remembered():
+        assert command("pipeline.diagnose", *asked, "--out", tmp_path / "out").returncode == 0
     assert len(cuts) == 3
     assert verdicts == [tmp_path / "out" / run.name for run in asked]  # each is written once, with what it is told
     contents = [json.loads((tmp_path / "out" / run.name / "diagnosis.json").read_text()) for run in asked]
@@ -370,7 +376,8 @@ def test_runs_of_one_string_are_cut_once_each_and_told_of_each_others_zeros(
     text = " ".join((tmp_path / "out" / "b" / "verdict.txt").read_text().split())
     assert "The zero jumps between two runs of one string: at rest b reads" in text
     cuts.clear()
-    assert command("pipeline.diagnose", asked[1], "--out", tmp_path / "alone").returncode == 0
+    with remembered():
+        assert command("pipeline.diagnose", asked[1], "--out", tmp_path / "alone").returncode == 0
     assert len(cuts) == 3  # its own, and each run's beside it
     assert (tmp_path / "alone" / "b" / "diagnosis.json").read_bytes() == (
         tmp_path / "out" / "b" / "diagnosis.json"
@@ -378,14 +385,16 @@ def test_runs_of_one_string_are_cut_once_each_and_told_of_each_others_zeros(
     assert beside.is_dir()
 
 
-def test_a_verdict_that_waits_for_others_is_written_also_where_they_die(strings_runs, tmp_path, monkeypatch) -> None:
+def test_a_verdict_that_waits_for_others_is_written_also_where_they_die(
+    strings_runs, remembered, tmp_path, monkeypatch
+) -> None:
     def dies(work, items, *rest, **_):
         yield work(items[0], *rest)
         assert not (tmp_path / "out" / "a" / "verdict.txt").exists()
         raise BrokenProcessPool
 
     monkeypatch.setattr(diagnose, "each_alone", dies)
-    with pytest.raises(BrokenProcessPool):
+    with pytest.raises(BrokenProcessPool), remembered():
         command("pipeline.diagnose", *strings_runs[:2], "--out", tmp_path / "out")
     assert (tmp_path / "out" / "a" / "verdict.txt").read_text().startswith("a: parameters")
 

@@ -26,10 +26,9 @@ from pipeline.systems import systems
 
 
 @pytest.fixture(scope="module")
-def drawn(conceal, tmp_path_factory, request):
+def drawn(studied, tmp_path_factory, request):
     """The page of a run with creep, or with what the parameter says, and its diagnosis. Tests leave both alone."""
-    run, samples = read_samples(conceal(*getattr(request, "param", ("creep",)))[0])
-    found = study(make_problem([RecordedRun(run, samples)]))
+    found, run, _ = studied(*getattr(request, "param", ("creep",)))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())
     kept, draw, page = [], figures.drawn, tmp_path_factory.mktemp("drawn") / "page"
     with pytest.MonkeyPatch.context() as patch:

@@ -53,8 +53,11 @@ def test_noise_from_sample_to_sample_counts_no_slower_structure(rig):
     assert quick(made, state, unseen) == pytest.approx(0.01, rel=0.15)
 
 
-def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physics_has_to_reach(conceal, tmp_path):
-    words = diagnose([conceal("friction_hysteresis")[0]], tmp_path / "out", Options(without=frozenset(DIRECTED)))
+def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physics_has_to_reach(
+    conceal, remembered, tmp_path
+):
+    with remembered():
+        words = diagnose([conceal("friction_hysteresis")[0]], tmp_path / "out", Options(without=frozenset(DIRECTED)))
     content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
     held = content["fit"]["heldout"]
     assert held["without_physics_mm"] < 0.67 * held["explained_mm"]
@@ -67,7 +70,8 @@ def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physi
     assert level in said and "it follows the direction of motion" in said
 
 
-def test_a_recording_that_is_explained_to_its_noise_asks_no_regression(conceal, tmp_path):
-    diagnose([conceal("creep")[0]], tmp_path / "out")
+def test_a_recording_that_is_explained_to_its_noise_asks_no_regression(conceal, remembered, tmp_path):
+    with remembered():
+        diagnose([conceal("creep")[0]], tmp_path / "out")
     content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
     assert "without_physics_mm" not in content["fit"]["heldout"] and "left_of_unseen" not in content["evidence"]

@@ -15,7 +15,7 @@ TURNS = 0.1  # by which the motor counts from elsewhere, two tolerances
 
 
 @pytest.fixture(scope="module")
-def runs(conceal, tmp_path_factory) -> tuple[Path, Path, Path]:
+def runs(conceal, remembered, tmp_path_factory) -> tuple[Path, Path, Path]:
     """A run, the same one after the motor was switched off and on, and the diagnosis of the first."""
     first, root = conceal("creep")[0], tmp_path_factory.mktemp("raw")
     later = root / "later"
@@ -23,7 +23,8 @@ def runs(conceal, tmp_path_factory) -> tuple[Path, Path, Path]:
     (later / "run.yaml").write_text((first / "run.yaml").read_text().replace(first.name, "later"))
     samples = pd.read_parquet(later / "recording.parquet")
     samples.assign(motor_turns=samples["motor_turns"] + TURNS).to_parquet(later / "recording.parquet")
-    done = programs.run("pipeline.diagnose", first, "--out", root / "out")
+    with remembered():
+        done = programs.run("pipeline.diagnose", first, "--out", root / "out")
     assert done.returncode == 0, done.stderr
     return first, later, root / "out" / first.name / "diagnosis.json"
 

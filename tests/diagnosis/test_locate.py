@@ -8,11 +8,9 @@ import pytest
 
 from pipeline.diagnosis import locate
 from pipeline.diagnosis.covered import pauses
-from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.diagnosis.words.details import details_text
-from pipeline.run.samples import read_samples
 
 
 def test_box_of_a_patch(problem) -> None:
@@ -25,9 +23,8 @@ def test_box_of_a_patch(problem) -> None:
     assert found["motor_turns"][0] >= 0.55 * top
 
 
-def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(conceal) -> None:
-    run, samples = read_samples(conceal("creep")[0])
-    found = study(make_problem([RecordedRun(run, samples)]))
+def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(studied) -> None:
+    found, run, samples = studied("creep")
     silent = tuple(replace(act, coefficients=(0.0,) * len(act.coefficients)) for act in found.best.acts)
     found = replace(found, best=replace(found.best, acts=silent), state=replace(found.state, acts=silent))
     content = diagnosis(found, found.problem, None, [run], None, frozenset())

@@ -6,12 +6,9 @@ import numpy as np
 import pytest
 
 from pipeline.diagnosis.aspects import MARKS, SIGNS, by_aspect, chief
-from pipeline.diagnosis.engine import make_problem, study
 from pipeline.diagnosis.evidence import explanations
 from pipeline.diagnosis.judge import Weighed, judge
-from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.words.reasons import SAID, reason, why
-from pipeline.run.samples import read_samples
 
 NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "wear")]
 
@@ -74,9 +71,8 @@ def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_like
         assert why({"probability": share, "because": because}, {"probability": 0.6}) == ""
 
 
-def test_a_diagnosis_keeps_the_reasons_against_each_explanation_that_was_weighed(conceal) -> None:
-    run, samples = read_samples(conceal("creep")[0])
-    shown = explanations(study(make_problem([RecordedRun(run, samples)])), "mm")
+def test_a_diagnosis_keeps_the_reasons_against_each_explanation_that_was_weighed(studied) -> None:
+    shown = explanations(studied("creep")[0], "mm")
     reasons = [one["because"] for one in shown if one["ids"] and one["standing"] != "named"]
     assert reasons and any(reasons) and all(len(each or []) <= 2 for each in reasons)
     assert all(part["log_odds"] < 0.0 for each in reasons for part in each or [])

@@ -24,11 +24,12 @@ def diagnosed(folders, out: Path, *words: object) -> Path:
 
 
 @pytest.fixture(scope="module")
-def unexplained(conceal, tmp_path_factory) -> tuple[Path, Path]:
+def unexplained(conceal, remembered, tmp_path_factory) -> tuple[Path, Path]:
     """A run with friction, and its diagnosis by a library that has nothing like it."""
     folder = conceal("friction_hysteresis")[0]
     lacking = [word for id_ in DIRECTED for word in ("--without", id_)]
-    return folder, diagnosed([folder], tmp_path_factory.mktemp("out"), *lacking)
+    with remembered():
+        return folder, diagnosed([folder], tmp_path_factory.mktemp("out"), *lacking)
 
 
 def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple[pd.DataFrame, str]:

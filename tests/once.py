@@ -1,0 +1,34 @@
+"""What tests make once for all their processes: a recording, a diagnosis."""
+
+import fcntl
+import os
+import pickle
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+SHARED = "shared"
+
+
+def place(factory: pytest.TempPathFactory) -> Path:
+    """A folder that the processes of one session of tests share."""
+    base = factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / SHARED
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+def made_once(shared: Path, key: object, make: Callable[[], Any]) -> Any:
+    """What `make` gives, made by the first who asks for a key in a shared folder; each who asks gets a copy."""
+    path = shared / f"made-{zlib.crc32(repr(key).encode()):08x}"
+    with open(path.with_suffix(".lock"), "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not path.exists():
+            path.with_suffix(".part").write_bytes(pickle.dumps((repr(key), make())))
+            path.with_suffix(".part").rename(path)
+    known, value = pickle.loads(path.read_bytes())
+    assert known == repr(key), "two keys have one name"
+    return value
