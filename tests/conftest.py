@@ -1,9 +1,11 @@
 """Fixtures that every test can use."""
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import once
 import pandas as pd
 import pytest
 import yaml
@@ -24,6 +26,12 @@ FIRST = ("workflow", "rigs", "diagnosis", "faults", "proof", "export", "models",
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Put the files of those folders first; a file's tests stay together and in order."""
     items.sort(key=lambda item: FIRST.index(item.path.parent.name) if item.path.parent.name in FIRST else len(FIRST))
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """At the end of all processes, which the one without a worker's name sees last, remove what they shared."""
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        once.forget(session.config._tmp_path_factory.getbasetemp())
 
 
 @pytest.fixture

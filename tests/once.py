@@ -21,6 +21,12 @@ def place(factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def forget(base: Path) -> None:
+    """Remove what a session made in its base folder: studies of 100 MB, which pytest would keep for three sessions."""
+    for path in (base / SHARED).glob("made-*"):
+        path.unlink()
+
+
 def made_once(shared: Path, key: object, make: Callable[[], Any]) -> Any:
     """What `make` gives, made by the first who asks for a key in a shared folder; each who asks gets a copy."""
     path = shared / f"made-{zlib.crc32(repr(key).encode()):08x}"
