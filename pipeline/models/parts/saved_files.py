@@ -37,7 +37,7 @@ def listed(names: Collection[str]) -> str:
         others = ", ".join(file.parent.name for file in files[1:])
         lines += [f"  {files[0]}{f', and of {others}' if others else ''}"] if files else []
     if not lines:
-        return "fitted models: none is here yet; the main job makes processed/<material>/<model>/<split>-<seed>.model"
+        return "fitted models: none here yet; the main job makes processed/<material>/<model>/<split>-<seed>.model"
     more = [f"  and of {len(lines) - MOST_MATERIALS} materials more"] if len(lines) > MOST_MATERIALS else []
     return "\n".join(["fitted models here:", *lines[:MOST_MATERIALS], *more])
 
