@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
 
 LISTED = 1000  # so many places are kept; all are counted
+LIKELY = ("time_ms", "motor_turns", "displacement_mm", "load_n", "temperature_c", "motor_current_a")
 GREETINGS = 5  # so many lines of text are kept
 REMEMBERED = 50  # so many lines that can be headers
 TEXT = re.compile(rb"\s*[A-Za-z\[<>*=!-]")
@@ -147,7 +148,7 @@ class Lines:
     def problem(self) -> tuple[str, str]:
         """Why no line is read, and the mend."""
         count, between, line = self.wrong
-        named = "--columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)"
+        named = f"--columns {','.join(LIKELY[: max(3, count)])} (time_s where it prints seconds)"
         mend = f"name them in the order in which the rig prints them, as many as a line has numbers, such as {named}"
         if not count:
             return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
@@ -155,7 +156,8 @@ class Lines:
             return "the rig has named other columns since", "reset it, or end the run and begin another"
         columns = self.columns or next((header for header, _ in reversed(self.headers) if is_known(header)), ())
         if not columns:
-            return f"no line names the columns of lines of {count} numbers like {line!r}", mend
+            problem = f"no line names the columns of lines of {count} numbers like {line!r}"
+            return f"{problem}; names that were printed before the port was open are lost", mend
         if between == "," and count > len(columns):
             mend = "if these are decimal commas, print decimal points or put ; between the numbers; else " + mend
         return f"lines like {line!r} have {count} numbers, and the columns are {', '.join(columns)}", mend

@@ -168,6 +168,14 @@ def test_the_load_that_a_run_asks_for_is_another_one_than_before():
     assert "another load (10 N)" in page(content(**{f"next_run__{key}": value for key, value in run.items()}))
 
 
+def test_every_other_load_of_a_run_is_said_also_where_they_change_within_it():
+    legs = [{"seconds": 15.0, "motor_turns": 30.0, "load_n": load} for load in (20.0, 40.0, 10.0, 40.0)]
+    title = "one stroke under twice the load; one stroke under half the load"
+    run = {"title": title, "legs": legs, "load": 20.0, "fixed_load": False}
+    text = " ".join(page(content(**{f"next_run__{key}": value for key, value in run.items()})).split())
+    assert "other loads (40 N and 10 N)" in text
+
+
 def test_more_strokes_have_a_row_where_an_effect_is_slow():
     explanation = {"ids": BOTH, "top_mm": 0.11}
     made = content(evidence__expected=EXPECTED | {"strokes": 10, "explanations": [explanation]})

@@ -84,7 +84,8 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
             gap = f"{'-' if falling < rising else '+'}{size(abs(falling - rising), words.unit)}"
             rows.append([name, f"{motion:.4g}", f"{rising:.6g}", f"{falling:.6g}", gap])
     more = len(kinds) - MOST
-    left = [f"{more} more strokes that differ from these are in the file"] if more > 0 else []
+    kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
+    left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
     head = f"on the way, where a loop shows (like strokes stand together; difference: {down} less {up}):"
     return [head, *aligned(rows), *left]
 

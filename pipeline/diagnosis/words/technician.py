@@ -90,6 +90,12 @@ def by_load(run: NextRun, words: Vocabulary, whole: float) -> list[tuple[str, st
     return cut
 
 
+def every_load(run: NextRun, words: Vocabulary) -> list[str]:
+    """Each load that a run asks for, as it is said, in the order in which they come."""
+    forces = [leg.get(words.load) for leg in run["legs"]] if words.load else []
+    return list(dict.fromkeys(_load(force, words) for force in forces if force is not None))
+
+
 def _load(force: float | None, words: Vocabulary) -> str:
     return "" if force is None else quantity(force, words.load_unit)
 

@@ -4,7 +4,7 @@ from ..content import NextRun, Verdict
 from . import effect_table, experiment, parting, worth
 from .make_sure import DETAILS, RUN
 from .quantity import listing, quantity
-from .technician import lasting
+from .technician import every_load, lasting
 from .vocabulary import Vocabulary
 
 
@@ -52,8 +52,7 @@ def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     """What a run asks of the rig: other loads, other speeds."""
     title = experiment.title(run, words)
     usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
-    hung = list(dict.fromkeys(part.load for part in experiment.parts(run, words, 1.0)))
-    hung = [load for load in hung if load not in ("", usual)]
-    loads = f"another load ({listing(hung)})" if hung else "another load"
+    hung = [load for load in every_load(run, words) if load != usual]
+    loads = f"{'other loads' if len(hung) > 1 else 'another load'} ({listing(hung)})" if hung else "another load"
     demands = ["another speed"] * worth.asks_speed(content, words) + [loads] * ("load" in title)
     return f", and ask for {listing(demands)}" if demands else ""
