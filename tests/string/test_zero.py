@@ -174,6 +174,7 @@ def test_lifespan_takes_no_jump_for_wear(tmp_path: Path) -> None:
 def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
     text = program("lifespan", *folders(tmp_path / "said", JUMP_MM, "run"), "--out", tmp_path / "life")
     assert re.search(r"a-2 has `tare: run`: the 0\.5[6-9] mm by which its zero was moved are taken off\.", text)
+    assert "Such a zero is known in part" in text
     assert "The zero jumps" not in text and "write `tare: run`" not in text
 
 
