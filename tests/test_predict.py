@@ -207,14 +207,21 @@ def test_of_many_questions_outside_the_first_have_their_reason(dataset: Path) ->
     assert pd.read_csv(dataset.with_name("answers.csv"))["why"].str.match(both).all()
 
 
+def saved_model(dataset: Path, points: pd.DataFrame, name: str, stem: str) -> Path:
+    """The file of a model of a name, fitted to points, where the pipeline would put it."""
+    file = dataset.parent / name / f"{stem}.model"
+    file.parent.mkdir(exist_ok=True)
+    model = make_model(name)
+    model.fit(points, 0)
+    model.save(file)
+    return file
+
+
 @pytest.mark.parametrize("name", ["spline", "polynomial"])
 def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset: Path, name: str) -> None:
     """Header and `predict` side by side gave slightly other numbers: one was fitted to fewer points."""
     points = pd.read_parquet(dataset)
-    model, file = make_model(name), dataset.parent / name / "within-0.model"
-    file.parent.mkdir(exist_ok=True)
-    model.fit(points[points["block"] % 4 != 0], 0)
-    model.save(file)
+    file = saved_model(dataset, points[points["block"] % 4 != 0], name, "within-0")
     text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n12,1,9\n13,1,9\n2,1,90\n"
     done = ask(dataset, text, "--saved", str(file))
     assert done.returncode == 0, done.stderr
@@ -244,11 +251,7 @@ def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: 
 def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, saved: bool) -> None:
     """The largest recorded twist was answered, as inside and with an interval."""
     points = pd.read_parquet(dataset)
-    file = dataset.parent / "spline" / "reach-0.model"
-    file.parent.mkdir(exist_ok=True)
-    model = make_model("spline")
-    model.fit(points, 0)
-    model.save(file)
+    file = saved_model(dataset, points, "spline", "reach-0")
     ends = points[points["stroke"] == 6].groupby("direction")["displacement_mm"].agg(["min", "max"]).loc[1]
     first = points[points["stroke"] == 1]["displacement_mm"]
     asked = [0.5 * (ends["min"] + ends["max"]), first.max() - 0.01, ends["min"] - 0.01]
@@ -274,11 +277,7 @@ def test_rows_that_ask_for_twist_and_rows_that_ask_for_contraction_may_stand_in_
 ) -> None:
     """Such a file was refused as telling both, though each of its rows told one."""
     points = pd.read_parquet(dataset)
-    file = dataset.parent / "polynomial" / "mixed-0.model"
-    file.parent.mkdir(exist_ok=True)
-    model = make_model("polynomial")
-    model.fit(points, 0)
-    model.save(file)
+    file = saved_model(dataset, points, "polynomial", "mixed-0")
     words = ("--saved", str(file)) if is_saved else ("--model", "polynomial")
     rows = ["3,1,9,", "3,-1,,5", "3,1,90,", "3,1,14,"]
     done = ask(dataset, "\n".join(["stroke,direction,motor_turns,displacement_mm", *rows]) + "\n", *words)
@@ -299,11 +298,7 @@ def test_rows_that_ask_for_twist_and_rows_that_ask_for_contraction_may_stand_in_
 def test_a_question_of_another_load_than_the_one_that_is_baked_in_is_no_answer_of_the_export(dataset: Path) -> None:
     """It was answered by what the model makes of that load, as inside, where the header has no field for a load."""
     points = pd.read_parquet(dataset)
-    file = dataset.parent / "spline" / "load-0.model"
-    file.parent.mkdir(exist_ok=True)
-    model = make_model("spline")
-    model.fit(points, 0)
-    model.save(file)
+    file = saved_model(dataset, points, "spline", "load-0")
     done = ask(dataset, "stroke,direction,motor_turns,load_n\n3,1,9,20\n3,1,9,45\n", "--saved", str(file))
     assert done.returncode == 0, done.stderr
     table = pd.read_csv(dataset.with_name("answers.csv"))

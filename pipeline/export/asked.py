@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.interface import about
-from ..models.parts.beyond import beyond, held, with_unit
+from ..models.parts.beyond import also, beyond, held, with_unit
 from ..models.parts.reach import reached_mm, unreached
 from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source
@@ -29,12 +29,12 @@ def answers(source: Source, points: pd.DataFrame, known: str, file: Path) -> pd.
     for field in source.inputs.columns(known):
         for row in np.flatnonzero(_outside(source, field, points, file)):
             reason = _reason(source, field, points[field.name].iloc[row])
-            why[row] += f"{'; ' if why[row] else ''}{reason} (TSA_BAD_{field.name.upper()})"
+            why[row] = also(why[row], f"{reason} (TSA_BAD_{field.name.upper()})")
     for name, baked in _baked(source).items():
         other = np.abs(points[name].to_numpy(float) - baked) > (WIDE / 2.0 if name == "load_n" else SAME) * abs(baked)
         for row in np.flatnonzero(other):
             reason = f"{with_unit(name, float(points[name].iloc[row]))}: the export has {baked:.4g} baked in"
-            why[row] += f"{'; ' if why[row] else ''}{reason}"
+            why[row] = also(why[row], reason)
     if known == "displacement_mm":
         turns = source.inputs.motor_turns
         rows = np.flatnonzero(_held(source, points, value) & (why == ""))

@@ -122,10 +122,9 @@ def answered(answer: Answer, level: float, enough: bool) -> list[str]:
 def zero(jump: Jump) -> str:
     """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
     if jump.taken_off:
-        back = f"{jump.recovered_mm:.2f} mm that the string took back in the break stay in"
-        back = f" The {back}." if jump.recovered_mm else ""
+        took_back = f" The {jump.recovered_mm:.2f} mm that the string took back in the break stay in."
         moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
-        return f"{jump.run} has `tare: run`: {moved}.{back}"
+        return f"{jump.run} has `tare: run`: {moved}.{took_back if jump.recovered_mm else ''}"
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
     return f"{jump.advice} {done}."
 

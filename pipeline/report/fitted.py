@@ -8,7 +8,7 @@ import pandas as pd
 from .comparison import line
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
-SPLITS = ("within", "later")
+SPLITS = {"within": "within strokes", "later": "later strokes"}
 USUAL = "spline"  # the one to take where it is there: the page on models says why
 ALONE = "diagnosed"  # needs the whole motion: it is neither exported nor asked
 
@@ -55,12 +55,10 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
 
 def lines_at_end(material: str, made: Iterable[Path]) -> list[str]:
     """Lines for the end of the main job, of the fitted models among the files that it made."""
-    models = {path.parent.name for path in made if path.suffix == ".model" and path.parent.parent.name == material}
-    chosen = chosen_of(
-        model for model in models if f"processed/{material}/{model}/within-0.model" in set(map(str, made))
-    )
+    files = [path for path in made if path.suffix == ".model" and path.parent.parent.name == material]
+    chosen = chosen_of(path.parent.name for path in files if path.name == "within-0.model")
     if not chosen:
         return []
     export, ask = uses(material, chosen)
-    others = ", ".join(sorted(models - {chosen, ALONE}))
+    others = ", ".join(sorted({path.parent.name for path in files} - {chosen, ALONE}))
     return [f"to a controller: {export}", f"to ask it: {ask}", *([f"fitted too: {others}"] if others else [])]

@@ -11,14 +11,13 @@ from ..ground.errors import program
 from ..ground.files import write_text
 from . import paper
 from .comparison import line
-from .fitted import FLOORS, lines_on_files
+from .fitted import FLOORS, SPLITS, lines_on_files
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .sidecar import Column, describe
 from .titles import titles_of
 
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
-SPLITS = {"within": "within strokes", "later": "later strokes"}
 WHERE = ["stroke", "phase", "angle_band"]
 PAPER = "inn"  # the model whose defeats are told
 COLUMNS: list[Column] = [

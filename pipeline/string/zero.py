@@ -75,11 +75,6 @@ class Jump:
         )
 
 
-def jumps(runs: list[Recorded]) -> list[Jump]:
-    """The jumps of the zero among runs of one string, in their order."""
-    return jumps_among([Rests.of(recorded) for recorded in runs]) if len(runs) > 1 else []
-
-
 def jumps_among(runs: list[Rests]) -> list[Jump]:
     """The jumps of the zero among runs of one string, of which the rests are known, in their order."""
     runs, jumps_found, done = in_order(runs), [], 0

@@ -15,7 +15,7 @@ from pipeline.string.history import Recorded
 from pipeline.string.recovered import recovered_mm
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
-from pipeline.string.zero import change_mm, jumps, offsets_mm
+from pipeline.string.zero import change_mm, jumps_among, offsets_mm
 
 SETUP = read_setup("paper").model_copy(update={"rate_hz": 25.0})
 QUANTUM_MM = SETUP.sensors["displacement_mm"].quantum
@@ -58,7 +58,8 @@ def test_too_few_strokes_tell_nothing() -> None:
 def test_a_sensor_that_keeps_its_zero_shows_what_the_string_took_back() -> None:
     runs, _ = strings_runs((9, 9), zeroed=False)
     before, after = map(Rests.of, runs)
-    assert 0.03 < change_mm(before, after) < 0.1 and not jumps(runs), "no jump: it reads what the string does"
+    assert 0.03 < change_mm(before, after) < 0.1
+    assert not jumps_among([before, after]), "no jump: it reads what the string does"
 
 
 def halves(cut_s: float = 121.0) -> list[pd.DataFrame]:
@@ -95,6 +96,6 @@ def test_what_is_left_in_is_said() -> None:
     assert name == "a-2" and "and that is taken off, but for the 0.0" in note
     assert "mm that the string took back in the break and lost again with its first stroke." in note
     runs, _ = strings_runs((9, 9))
-    (jump,) = jumps(runs)
+    (jump,) = jumps_among([Rests.of(run) for run in runs])
     assert "is taken off the displacement before the tables and models are made, but for the 0.0" in jump.advice
     assert jump.moved_mm == pytest.approx(jump.jump_mm - jump.recovered_mm) and jump.recovered_mm > 0.03

@@ -22,7 +22,7 @@ from pipeline.string.jump_notes import read_jumps
 from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
-from pipeline.string.zero import jumps, offsets_mm
+from pipeline.string.zero import Jump, jumps_among, offsets_mm
 
 ROOT = Path(__file__).parents[2]
 CUT_S, JUMP_MM = 121.0, 0.58  # amid the rest after the fourth of eight strokes; 29 times the noise
@@ -42,6 +42,11 @@ def runs(jump_mm: float, tare: str | None = None, **second: object) -> list[Reco
         recorded(NAMES[0], samples=one, string=string(id="a")),
         recorded(NAMES[1], samples=two, string=string(id="a", **second), tare=tare),
     ]
+
+
+def jumps(of_string: list[Recorded]) -> list[Jump]:
+    """The jumps of the zero among runs of one string."""
+    return jumps_among([Rests.of(run) for run in of_string])
 
 
 @pytest.fixture(scope="module")

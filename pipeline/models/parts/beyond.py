@@ -37,6 +37,11 @@ def inward(limit: float, up: bool) -> float:
     return (math.ceil(steps) if up else math.floor(steps)) / scale
 
 
+def also(sentence: str, reason: str) -> str:
+    """A sentence with one reason more."""
+    return "; ".join(filter(None, (sentence, reason)))
+
+
 def held(turns: float, least_mm: float, most_mm: float) -> str:
     """Say that a twist, in turns, is an end of its range, since the range gives only contractions between two."""
     reached = f"{inward(least_mm, up=True):g} to {inward(most_mm, up=False):g} mm"

@@ -64,9 +64,9 @@ def refuse_cells(path: Path, cells: pd.Series, recorded: pd.Series, numeric: boo
 
 def _meant(name: str, known: Collection[str]) -> str:
     """The column that a misspelt one is nearest to, with its unit; or all of them."""
-    near = next((column for column in known if repr(column) in meant(name, known)), "")
-    unit = unit_of(near) if near else "1"
-    return meant(name, known) + ("" if unit == "1" else f" It is in {unit}")
+    mend = meant(name, known)
+    unit = next((unit_of(column) for column in known if mend == f"did you mean {column!r}?"), "1")
+    return mend if unit == "1" else f"{mend} It is in {unit}"
 
 
 def _has_comma(cell: str) -> bool:

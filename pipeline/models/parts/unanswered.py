@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from .beyond import beyond, held
+from .beyond import also, beyond, held
 from .prediction_intervals import Intervals
 from .reach import reached_mm
 
@@ -33,7 +33,7 @@ def reasons(intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDA
         of_name = questions[name][mask]
         for row, value, recorded in zip(rows[mask], of_name, last[mask], strict=True):
             reason = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
-            sentences[row] += f"{'; ' if sentences[row] else ''}{reason}"
+            sentences[row] = also(sentences[row], reason)
     at_end = reach & (sentences[rows] == "")
     if at_end.any():
         turns = intervals.turns
