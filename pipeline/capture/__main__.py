@@ -14,8 +14,8 @@ from .fields import names
 from .lines_to_csv import recover_lines
 from .log import LINES
 from .motion import read_legs
-from .printed import tell_lines
 from .session import capture, capture_lines
+from .told_lines import tell_lines
 
 GAPS_TOLD = 5
 

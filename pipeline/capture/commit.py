@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
@@ -149,6 +150,11 @@ def unwritten(folder: Path, name: str, error: OSError) -> BadInput:
     mend = f"make room, then run {command('capture')} --recover {folder}"
     problem = f"could not be written ({error.strerror}); the recording is whole and kept"
     return BadInput(folder, name, problem, mend)
+
+
+def recover_command(folder: Path) -> str:
+    """What a person types to make a recording usable, or to read its lines again."""
+    return f"{command('capture')} --recover {shlex.quote(str(folder))}"
 
 
 def committed(folder: Path) -> CaptureJson:

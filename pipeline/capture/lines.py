@@ -4,9 +4,9 @@ import re
 from dataclasses import dataclass, field
 
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
+from .unnamed import UNSURE, Unnamed, named
 
 LISTED = 1000  # so many places are kept; all are counted
-LIKELY = ("time_ms", "motor_turns", "displacement_mm", "load_n", "temperature_c", "motor_current_a")
 GREETINGS = 5  # so many lines of text are kept
 REMEMBERED = 50  # so many lines that can be headers
 TEXT = re.compile(rb"\s*[A-Za-z\[<>*=!-]")
@@ -55,8 +55,10 @@ class Lines:
 
     def __post_init__(self) -> None:
         self.given = bool(self.columns)
+        self.unnamed = Unnamed()
         self.headers: list[tuple[tuple[str, ...], str]] = []  # lines that can be
         self._printed: tuple[str, ...] = ()
+        self._likely: tuple[str, ...] = ()
         self._order: list[int] | None = None
         self._foreign = False
 
@@ -85,16 +87,25 @@ class Lines:
             self._find_header(len(row), between)
         if len(row) != len(self.columns) or self._foreign:
             self.wrong = (len(row), between, line[:60].decode("ascii", "replace").strip())
-            self._bad()
+            if self._expected:
+                self._bad()
+            else:
+                self.unnamed.take(row, line)
             return None
         self.good += 1
         self.decimal_commas += row != parts
         self.last = row if self._order is None else [row[at] for at in self._order]
         return self.last
 
+    @property
+    def _expected(self) -> tuple[str, ...]:
+        """The columns, or those of a header that no line of numbers has fitted."""
+        return self.columns or self._likely
+
     def _header(self, header: tuple[str, ...], between: str, line: bytes) -> None:
         if not self._printed:
             self.headers = [*self.headers, (header, between)][-REMEMBERED:]
+            self._likely = header if is_known(header) else self._likely
             self._pass_over(line)
         elif set(header) == set(self._printed):
             self._order = None if header == self._printed else [header.index(name) for name in self._printed]
@@ -141,23 +152,40 @@ class Lines:
         commas = ", its decimal commas as points" if self.decimal_commas else ""
         return f"reads {', '.join(values[:3])}{more}{commas}; {self.counts()}"
 
+    @property
+    def not_read(self) -> int:
+        """How many lines are no samples."""
+        return self.text + self.bad + self.unnamed.count
+
     def counts(self) -> str:
         """How many lines are samples, and how many are not."""
-        return f"{self.good} lines are read, {self.text + self.bad} are not ({self.text} of text, {self.bad} bad)"
+        if not self.columns and self.unnamed.count:
+            words = f"{self.unnamed.count} lines of numbers are kept, and nothing names their columns"
+            return words + (f"; {self.text} lines of text, {self.bad} bad" if self.text + self.bad else "")
+        before = f", {self.unnamed.count} before their names" if self.unnamed.count else ""
+        return f"{self.good} lines are read, {self.not_read} are not ({self.text} of text, {self.bad} bad{before})"
 
-    def problem(self) -> tuple[str, str]:
-        """Why no line is read, and the mend."""
+    def problem(self, seconds: float = 0.0, recover: str = "") -> tuple[str, str]:
+        """Why no line is read, and the mend by command `recover`; the lines came in so many seconds."""
         count, between, line = self.wrong
-        named = f"--columns {','.join(LIKELY[: max(3, count)])} (time_s where it prints seconds)"
-        mend = f"name them in the order in which the rig prints them, as many as a line has numbers, such as {named}"
+        to_name = f"name them in the order in which the rig prints them: {recover or 'add'}"
         if not count:
             return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
         if self._foreign:
             return "the rig has named other columns since", "reset it, or end the run and begin another"
-        columns = self.columns or next((header for header, _ in reversed(self.headers) if is_known(header)), ())
+        columns = self._expected
         if not columns:
-            problem = f"no line names the columns of lines of {count} numbers like {line!r}"
-            return f"{problem}; names that were printed before the port was open are lost", mend
+            return self._nameless(seconds, to_name)
+        mend = f"{to_name} {named(count)} {UNSURE}"
         if between == "," and count > len(columns):
             mend = "if these are decimal commas, print decimal points or put ; between the numbers; else " + mend
         return f"lines like {line!r} have {count} numbers, and the columns are {', '.join(columns)}", mend
+
+    def _nameless(self, seconds: float, to_name: str) -> tuple[str, str]:
+        """What lines of numbers without names are, and the mend."""
+        if self.unnamed.size == 1:
+            mend = "let it print the time, the turns and the displacement in one line, such as 1250,3.5,2.75"
+            return f"lines like {self.unnamed.example!r} have one number, and a sample has more", mend
+        came = f"{self.unnamed.times()} lines of {self.unnamed.size} numbers like {self.unnamed.example!r} came"
+        lost = "a header that was printed before the port was open is lost"
+        return f"{came}, and no line that names their columns; {lost}", f"{to_name} {self.unnamed.columns(seconds)}"

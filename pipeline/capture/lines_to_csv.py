@@ -10,10 +10,11 @@ from ..ground.errors import BadInput
 from ..ground.files import sha256, whole
 from ..run.capture_json import CaptureJson
 from . import holes
-from .commit import PIECE, check_own, committed, opening, seal, unwritten
+from .commit import PIECE, check_own, committed, opening, recover_command, seal, unwritten
 from .fields import names
 from .lines import Lines, Splitter
 from .log import LINES, in_use
+from .pending import noted, withdraw
 from .stream import Outcome
 
 CSV = "recording.csv"
@@ -83,9 +84,8 @@ def commit_lines(
         with whole(folder / CSV, new=not anew) as temporary:
             csv_sha256 = _write(printed, temporary)
             if not lines.good:
-                problem, mend = lines.problem()
-                again = mend.replace("--columns", f"{command('capture')} --recover {folder} --columns")
-                raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", again)
+                problem, mend = lines.problem((ended - began).total_seconds(), recover_command(folder))
+                raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", mend)
             check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
             hole_count, hole_list = holes.find(times, printed.steps.usual)
@@ -103,6 +103,7 @@ def commit_lines(
         "lines": {
             "bad": lines.bad,
             "bad_at": lines.bad_lines,
+            "unnamed": lines.unnamed.count,
             "text": lines.text,
             "text_first": lines.greetings,
             "tail_bytes": printed.tail_bytes,
@@ -115,26 +116,30 @@ def commit_lines(
         },
         "holes": hole_list,
     }
-    return seal(folder, LINES, info)
+    sealed = seal(folder, LINES, info)
+    withdraw(folder)
+    return sealed
 
 
 def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
-    """Commit a text recording whose capture program was killed, as `recovered`, or one whose columns had other names.
+    """Commit a text recording that has no capture.json yet, or one whose columns had other names.
 
-    Nothing tells when a killed one began: its end, the file's last change, stands for that too. Raises BadInput.
+    Its start and end, and what ended it, are those that the capture program noted beside it; of one that was killed,
+    which is `recovered`, the file's last change is the end. Raises BadInput.
     """
     path, info = folder / LINES, committed(folder)
     if in_use(path):
         raise BadInput(path, LINES, "is still being captured", "wait for that program, or end it")
     if not info:
-        ended = datetime.fromtimestamp(path.stat().st_mtime, UTC)
-        return commit_lines(folder, columns, ended, ended, Outcome("recovered"), anew=True)
+        began, ended, outcome = noted(folder, datetime.fromtimestamp(path.stat().st_mtime, UTC))
+        return commit_lines(folder, columns, began, ended, outcome, anew=True)
     digests = [_sha256(folder / name) for name in (LINES, CSV)]
     if digests[0] != info.get("sha256"):
         mend = "restore it from a copy; a recording is never edited"
         raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
     before, began, ended, outcome = _said(info, folder)
-    if digests[1] == info.get("csv_sha256") and columns in ((), before):
+    more = bool(columns) and not info.get("columns_given") and info.get("lines", {}).get("unnamed", 0) != 0
+    if digests[1] == info.get("csv_sha256") and columns in ((), before) and not more:
         mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
         raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
     columns = columns or (before if info.get("columns_given") else ())

@@ -3,10 +3,11 @@
 import math
 import os
 import signal
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from types import FrameType
 
@@ -19,6 +20,7 @@ from .handshake import check_rate, greet
 from .lines_to_csv import commit_lines
 from .log import LINES, NAME, Log, check_folder
 from .motion import load, strokes_of
+from .pending import note
 from .port import Port
 from .printed import await_header, follow
 from .screen import Screen
@@ -70,18 +72,21 @@ def capture_lines(
     with ExitStack() as until_committed:
         with Port(name, baud) as port:
             beginning = await_header(port, name, columns)
+            began = datetime.now(UTC) - timedelta(seconds=time.monotonic() - beginning.since_s)
             until_committed.enter_context(end_request.listening())
             log = Log(folder, LINES)
+            note(folder, began)
             Screen().say(how_to_end())
             try:
-                began = datetime.now(UTC)
-                outcome = follow(port, log, end_request, columns, beginning, longest_s)
+                outcome = follow(port, log, end_request, folder, columns, beginning, longest_s)
             except OSError as error:
                 mend = f"make room, then run {command('capture')} --recover {folder}"
                 raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
             finally:
                 log.close()
-        return commit_lines(folder, columns, began, datetime.now(UTC), outcome)
+        ended = datetime.now(UTC)
+        note(folder, began, ended, outcome)  # for --recover, where no line can be read now
+        return commit_lines(folder, columns, began, ended, outcome)
 
 
 def capture(

@@ -36,6 +36,7 @@ class Lines(TypedDict):
 
     bad: int
     bad_at: list[int]
+    unnamed: int  # lines of numbers before anything named their columns
     text: int
     text_first: list[str]
     tail_bytes: int

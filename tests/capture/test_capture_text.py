@@ -12,6 +12,7 @@ import sys
 import time
 import tracemalloc
 import tty
+from datetime import datetime
 
 import pytest
 from hypothesis import given
@@ -104,8 +105,8 @@ def test_greetings_and_messages_are_passed_over_wherever_they_stand(header):
 
 def test_a_banner_of_as_many_words_as_there_are_columns_names_none():
     read = Read(b"TSA rig v2 ready\n" + b"1 2 3 4\n" * 5)
-    assert not read.rows and read.lines.columns == () and read.lines.bad == 5
-    assert "no line names the columns of lines of 4 numbers like '1 2 3 4'" in read.lines.problem()[0]
+    assert not read.rows and read.lines.columns == () and (read.lines.bad, read.lines.unnamed.count) == (0, 5)
+    assert "5 lines of 4 numbers like '1 2 3 4' came, and no line that names their columns" in read.lines.problem()[0]
 
 
 @pytest.mark.parametrize("between", [";", " ", "\t", " ; "])
@@ -248,7 +249,7 @@ def test_a_killed_text_capture_is_recovered(rig, tmp_path):
     process.kill()
     process.wait()
     refusal = start("--recover", str(folder))
-    assert refusal.wait(60) == 2 and "no line names the columns" in refusal.stdout.read()
+    assert refusal.wait(60) == 2 and "no line that names their columns" in refusal.stdout.read()
     assert start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm").wait(60) == 0
     assert json.loads((folder / "capture.json").read_text())["exit_status"] == "recovered"
     assert (folder / "recording.csv").read_text().count("\n") == 50
@@ -305,7 +306,9 @@ def test_what_a_rig_prints_without_names_is_kept_and_named_by_recover(rig, tmp_p
         prints()
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=60)
-    assert process.returncode == 2 and "warning: no line is read, but all are kept: no line names" in said, said
+    assert process.returncode == 2 and re.search(
+        r"warning: no line is read yet, but all are kept: \d+ lines of 3 numbers", said
+    ), said
     assert "in the order in which the rig prints them" in said
     assert f"python -m pipeline.capture --recover {folder} --columns time_ms,motor_turns" in said.splitlines()[-1]
     kept = (folder / "recording.lines").read_bytes()
@@ -313,6 +316,77 @@ def test_what_a_rig_prints_without_names_is_kept_and_named_by_recover(rig, tmp_p
     named = start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm")
     assert named.wait(60) == 0
     assert json.loads((folder / "capture.json").read_text())["samples"]["received"] == kept.count(b"\n") - 1
+
+
+def nameless(ours, start, folder, columns: str = "") -> tuple[int, str, float, float]:
+    """Exit status and words of a recording of 60 lines of four numbers, and when it was started and ended."""
+    began_s = time.time()
+    process = start("--longest", "3", *(["--columns", columns] if columns else []))
+    number = 0
+    while process.poll() is None:
+        os.write(ours, b"%d,1.5,2.5,20.0\r\n" % round(1000 * (time.time() - began_s)))
+        number += 1
+        time.sleep(0.05)
+    return process.returncode, process.stdout.read(), began_s, time.time()
+
+
+def test_a_recording_without_names_is_named_afterwards_as_if_they_had_been_known_from_the_start(rig, tmp_path):
+    ours, start = rig
+    folder = tmp_path / "run-1"
+    status, said, began_s, ended_s = nameless(ours, start, folder)
+    command = f"python -m pipeline.capture --recover {folder} --columns time_ms,motor_turns,displacement_mm,load_n"
+    warning = next(one for one in said.splitlines() if one.startswith("warning"))
+    assert status == 2 and warning.endswith(command) and said.rstrip().endswith(f"{command}."), said
+    assert " bad" not in said and "lines of 4 numbers like" in said, said
+    kept = (folder / "recording.lines").read_bytes()
+    os.utime(folder / "recording.lines", (0, 0))  # a copy keeps no time
+    named = start("--recover", str(folder), "--columns", command.split()[-1])
+    said, _ = named.communicate(timeout=60)
+    info = json.loads((folder / "capture.json").read_text())
+    assert named.returncode == 0 and "ended by --longest after 3 s" in said, said
+    assert (info["exit_status"], info["ended_by"]) == ("ended", "--longest after 3 s")
+    started_s, over_s = (datetime.fromisoformat(info[key]).timestamp() for key in ("started_utc", "ended_utc"))
+    assert began_s <= started_s < over_s <= ended_s and over_s - started_s > 2.9
+    assert info["samples"]["received"] == kept.count(b"\n") - 1
+    assert (info["lines"]["bad"], info["lines"]["unnamed"], info["lines"]["text"]) == (0, 0, 0)
+    assert sorted(os.listdir(folder)) == ["capture.json", "recording.csv", "recording.lines"]
+
+
+def test_a_header_that_comes_again_names_the_lines_after_it_and_the_others_can_be_read_too(rig, tmp_path):
+    ours, start = rig
+    process, folder = start("--longest", "3"), tmp_path / "run-1"
+    number = 0
+    while process.poll() is None:
+        os.write(ours, (HEADER if number == 40 else b"") + line(number))
+        number += 1
+        time.sleep(0.05)
+    said = process.stdout.read()
+    info = json.loads((folder / "capture.json").read_text())
+    assert process.returncode == 0 and info["samples"]["received"] > 3 and info["lines"]["unnamed"] > 3
+    command = f"pipeline.capture --recover {folder} --columns time_ms,motor_turns,displacement_mm"
+    assert f"{info['lines']['unnamed']} lines of numbers came before anything named their columns" in said
+    assert f"{command} reads them too" in said and info["lines"]["bad"] == 0
+    assert start("--recover", str(folder), *command.split()[3:]).wait(60) == 0
+    after = json.loads((folder / "capture.json").read_text())
+    assert after["samples"]["received"] == info["samples"]["received"] + info["lines"]["unnamed"]
+    assert after["started_utc"] == info["started_utc"]
+
+
+@pytest.mark.parametrize(
+    ("row", "each_s", "columns"),
+    [
+        ("{n},1,2", 0.001, "time_ms,motor_turns,displacement_mm"),
+        ("{n},1,2,3", 1.0, "time_s,motor_turns,displacement_mm,load_n"),
+        ("{n},1,2", 1e-6, "time_us,motor_turns,displacement_mm"),
+        ("{n},1,2", 0.1, "time_ms,motor_turns,displacement_mm (time_s where it prints seconds)"),
+        ("{n},1", 0.1, "motor_turns,displacement_mm"),
+        ("{n},1,2,3,4,5,6,7", 1.0, "time_s,motor_turns,displacement_mm,load_n,temperature_c,motor_current_a,column_7,"),
+    ],
+)
+def test_the_names_that_are_proposed_are_as_many_as_the_numbers_and_know_the_clock(row, each_s, columns):
+    read = Read("".join(row.format(n=n) + "\n" for n in range(101)).encode() + b"1,2,3,4,5\n")
+    _, mend = read.lines.problem(99 * each_s, "again")
+    assert f"again --columns {columns}" in mend, mend
 
 
 def test_what_is_no_line_of_numbers_at_all_is_refused_and_begins_no_run(rig, tmp_path):
@@ -400,7 +474,7 @@ def test_holes_of_one_size_are_told_in_one_line(rig, tmp_path):
 def test_the_mend_for_columns_without_names_knows_seconds_and_milliseconds():
     read = Read(b"".join(LINES))
     assert (
-        "such as --columns time_ms,motor_turns,displacement_mm (time_s where it prints seconds)"
+        "order in which the rig prints them: add --columns time_ms,motor_turns,displacement_mm (time_s where it"
         in read.lines.problem()[1]
     )
 
@@ -443,7 +517,7 @@ def test_a_run_without_a_sample_is_no_success_and_says_so_while_it_records(rig, 
     until(lambda: (folder / "recording.lines").read_bytes().endswith(COMMAS), process)
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=60)
-    assert process.returncode == 2 and "warning: no line is read, but all are kept: " in said.splitlines()[1], said
+    assert process.returncode == 2 and "warning: no line is read yet, but all are kept: " in said.splitlines()[1], said
     assert "--recover" in said.splitlines()[-1] and "Traceback" not in said
     assert (folder / "recording.lines").exists() and not (folder / "capture.json").exists()
     assert not (folder / "recording.csv").exists()

@@ -1,0 +1,56 @@
+"""The note beside a recording that is not committed yet: when it began and, once it ended, when and by what.
+
+It is there from the first byte to the commit, so that a recording that is recovered has its own start and end.
+"""
+
+import json
+import os
+from contextlib import suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from .stream import Outcome
+
+NAME = "capture-pending.json"
+
+
+def note(folder: Path, began: datetime, ended: datetime | None = None, outcome: Outcome | None = None) -> None:
+    """Write it, over an earlier one; it waits for no disk, and a folder that is full keeps no rig waiting."""
+    content: dict[str, Any] = {"started_utc": began.astimezone(UTC).isoformat()}
+    if ended is not None and outcome is not None:
+        content |= {"ended_utc": ended.astimezone(UTC).isoformat()}
+        content |= {"exit_status": outcome.status, "fault": outcome.fault, "ended_by": outcome.ended_by}
+    temporary = folder / f".{NAME}.{os.getpid()}"
+    with suppress(OSError):
+        try:
+            temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+            os.replace(temporary, folder / NAME)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def noted(folder: Path, last_change: datetime) -> tuple[datetime, datetime, Outcome]:
+    """When a recording began and ended, and by what; where nothing tells, at its file's last change, `recovered`."""
+    try:
+        content = json.loads((folder / NAME).read_bytes())
+        began = datetime.fromisoformat(content["started_utc"]).astimezone(UTC)
+    except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
+        return last_change, last_change, Outcome("recovered")
+    cut_off = min(began, last_change), last_change, Outcome("recovered")
+    try:
+        ended = datetime.fromisoformat(content["ended_utc"]).astimezone(UTC)
+        status, fault, ended_by = (content[key] for key in ("exit_status", "fault", "ended_by"))
+    except (ValueError, KeyError, TypeError, OverflowError):
+        return cut_off
+    if status not in ("ended", "fault") or not all(
+        words is None or isinstance(words, str) for words in (fault, ended_by)
+    ):
+        return cut_off
+    return began, ended, Outcome(status, fault, ended_by)
+
+
+def withdraw(folder: Path) -> None:
+    """Remove it: the recording is committed."""
+    with suppress(OSError):
+        (folder / NAME).unlink(missing_ok=True)
