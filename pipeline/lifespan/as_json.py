@@ -37,6 +37,7 @@ class AnswerSaid(TypedDict):
     unit: str
     state: str
     reason: str
+    within_noise: bool
     strokes_left: dict[str, float | None]
     at_stroke: dict[str, float | None]
     passed_at_stroke: float | None
@@ -74,6 +75,7 @@ def answer(question: Answer, level: float) -> AnswerSaid:
         "unit": question.unit,
         "state": span.state,
         "reason": left.reason,
+        "within_noise": not left.drifts,
         "strokes_left": {name: finite(value) for name, value in spans.items()},
         "at_stroke": {name: finite(last + value) for name, value in spans.items()},
         "passed_at_stroke": finite(left.passed_at),

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ground.kinematics import Array
+from .calibrated import LATER
 from .health import Health
 from .indicators import REFERENCE
 from .strokes_left import Left, strokes_left
@@ -37,7 +38,8 @@ def stroke_loss(health: Health, loss: float) -> Answer:
     first_mm = float(stroke_mm[:REFERENCE].mean())
     lost = 1.0 - stroke_mm / first_mm
     spread = float(np.median(np.abs(np.diff(lost)))) / (0.6745 * np.sqrt(2.0)) if len(lost) > 1 else 0.0
-    left = strokes_left(n, lost, loss, limit_error=spread / np.sqrt(REFERENCE), lived=lived(health))
+    limit_error, power = spread / np.sqrt(REFERENCE), LATER["stroke_loss"]
+    left = strokes_left(n, lost, loss, limit_error, lived=lived(health), power=power)
     errors = table["stroke_mm_error"].to_numpy() / first_mm
     return Answer("stroke_loss", "share of the stroke lost", "1", n, lost, errors, loss, left)
 
@@ -56,7 +58,7 @@ def model_error(health: Health, drift_mm: float) -> Answer:
         off_mm,
         errors,
         drift_mm,
-        strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health)),
+        strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health), power=LATER["model_error"]),
     )
 
 

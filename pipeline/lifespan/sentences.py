@@ -113,7 +113,8 @@ def law(answer: Answer) -> str:
 def answered(answer: Answer, level: float, enough: bool) -> list[str]:
     """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
     state = answer.left.span(level).state
-    lines = [f"  {so_far(answer)}", f"  {sentence(answer, level, enough)}"]
+    within = "" if answer.left.drifts else " This change is within the noise of the strokes."
+    lines = [f"  {so_far(answer)}{within}", f"  {sentence(answer, level, enough)}"]
     if state in ("no claim", "passed"):
         return lines
     return [*lines, f"    {' '.join([measured(answer.question, state), law(answer)]).strip()}"]

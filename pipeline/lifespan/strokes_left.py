@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..ground.kinematics import Array
+from .calibrated import later
 from .law_choice import Choice, choose
 
 LEAST_STROKES = 12  # 3 set the reference, 6 are fitted at least, 3 are left out at least
@@ -50,6 +51,7 @@ class Left:
     horizon: float = np.nan
     choice: Choice | None = None
     band: tuple[Array, Array] | None = None  # (steps,), in strokes; (levels, steps), in the indicator's unit
+    drifts: bool = True  # whether it has changed by more than its noise
 
     def span(self, level: float) -> Span:
         """The interval that holds the strokes left with probability `level`."""
@@ -134,6 +136,7 @@ def strokes_left(
     before: int = 0,
     seed: int = 0,
     lived: float | None = None,
+    power: float = 1.0,
 ) -> Left:
     """Strokes left until the indicator `values` over strokes n, both of shape (strokes,), passes a limit.
 
@@ -141,6 +144,7 @@ def strokes_left(
 
     `limit_error` is the limit's standard error, `before` how many strokes set the reference and are not among these.
     `lived` is how many strokes the string was seen for, which sets the horizon; without it those from first n to last.
+    `power` is that of `calibrated.later`.
     """
     if len(n) + before < LEAST_STROKES:
         count = len(n) + before
@@ -150,8 +154,6 @@ def strokes_left(
     if np.isfinite(passed):
         return Left(passed_at=passed)
     choice = choose(n - n[0] + 1.0, values)
-    if not drifts(n, values):
-        return Left("the drift is below the noise of the strokes: there is nothing to continue", choice=choice)
     seen = float(n[-1] - n[0] + 1.0)
     horizon = HORIZON * (seen if lived is None else lived)
     ahead = np.concatenate([[0.0], np.geomspace(0.25, horizon, STEPS)])
@@ -159,8 +161,9 @@ def strokes_left(
     paths = futures(choice, ahead, generator)
     when = passages(paths, limit + limit_error * generator.standard_normal(FUTURES), ahead)
     when = np.minimum(when, surprises(seen, generator))
-    when = np.where(when > horizon, np.inf, when)
-    return Left("", np.nan, when, horizon, choice, (ahead, np.quantile(paths, BAND_LEVELS, axis=0)))
+    when = later(np.where(when > horizon, np.inf, when), horizon, power)
+    band = ahead, np.quantile(paths, BAND_LEVELS, axis=0)
+    return Left("", np.nan, when, horizon, choice, band, drifts(n, values))
 
 
 def drifts(n: Array, values: Array) -> bool:
