@@ -2,10 +2,17 @@
 
 import json
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
+from golden import check_metrics
 from golden.check_metrics import PUBLISHED, complaints, misdiagnosis
+
+from pipeline.report import paper
+from pipeline.report.made_by import MadeBy
+from pipeline.report.sidecar import describe
 
 
 @pytest.fixture
@@ -71,3 +78,39 @@ def test_a_wrong_diagnosis_is_named(tmp_path, sets, explained_mm, says):
     path.write_text(json.dumps(content), encoding="utf-8")
     found = misdiagnosis(tmp_path)
     assert says in "\n".join(found) and len(found) == bool(says)
+
+
+def asked_of(reports: Path) -> tuple[int, str]:
+    """Exit status and all words of the program, as a person starts it."""
+    done = subprocess.run(
+        [sys.executable, check_metrics.__file__, str(reports)], capture_output=True, text=True, check=False
+    )
+    return done.returncode, done.stdout + done.stderr
+
+
+def mark_tables(reports: Path, mark: MadeBy) -> None:
+    for number in (1, 2):
+        columns = [(head, "string", "") for head in paper.header(number)]
+        describe(reports / "synthetic" / f"table_{number}.csv", "a table", columns, mark)
+
+
+def test_tables_of_another_configuration_are_told_to_be_others_and_what_makes_the_published_ones(reports):
+    path = reports / "synthetic" / "table_1.csv"
+    rows = path.read_text(encoding="utf-8").splitlines()
+    emptied = [",".join([*row.split(",")[:2], "", "", ""]) if ",n=9," in row else row for row in rows]
+    path.write_text("\n".join(emptied), encoding="utf-8")
+    mark_tables(reports, MadeBy("ci.yaml", "b63d259", "small"))
+    status, words = asked_of(reports)
+    assert status == 1 and len(words.splitlines()) == 1
+    assert "these tables are of another configuration, ci.yaml (b63d259) (small fit: not a result)" in words
+    assert "they cannot be the published ones" in words and "`snakemake --cores 2` makes those" in words
+    mark_tables(reports, MadeBy("default.yaml", "b63d259", "default"))
+    status, words = asked_of(reports)
+    assert status == 1 and "table_1.csv: its rows are not the published ones" in words and "Traceback" not in words
+
+
+def test_what_is_not_there_is_named_with_what_makes_it(reports, tmp_path):
+    status, words = asked_of(reports)
+    assert status == 1 and words.startswith("diagnosis: ") and "diagnosis.json is not there" in words
+    status, words = asked_of(tmp_path / "nothing")
+    assert status == 1 and "table_1.csv is not there: `snakemake --cores 2` makes it" in words
