@@ -12,6 +12,8 @@ from pathlib import Path
 import numpy as np
 import psutil
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
 from pipeline.watch.recording import Followed
 from pipeline.watch.snapshot import snapshot
 from pipeline.wire import Channel, Event, Hello, Kind, encode

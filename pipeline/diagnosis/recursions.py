@@ -46,8 +46,9 @@ def lowpass(signal: Array, time_s: Array, tau_s: float, start: float) -> Array:
 
 @njit(cache=True)
 def resonator(drive: Array, time_s: Array, frequency_hz: Array, damping: float) -> tuple[Array, Array]:
-    """Position and velocity/ω of q″ + 2ζω q′ + ω² q = ω² drive, by exact steps of constant drive; starts at rest.
+    """Position and velocity/ω of q″ + 2ζω q′ + ω² q = ω² drive, by exact steps of a straight drive; starts at rest.
 
+    A drive at constant rate m is followed at a constant distance, q = drive - 2ζ m/ω, however coarse the steps are.
     Time in s, frequency in Hz; all of shape (samples,), both answers in the drive's unit.
     """
     position, velocity = np.zeros_like(drive), np.zeros_like(drive)
@@ -58,11 +59,12 @@ def resonator(drive: Array, time_s: Array, frequency_hz: Array, damping: float) 
         damped = omega * np.sqrt(1.0 - damping * damping)
         decay = np.exp(-damping * omega * step)
         c, s = np.cos(damped * step), np.sin(damped * step)
-        target = 0.5 * (drive[i] + drive[i - 1])
-        gap = q - target
-        slope = (v + damping * omega * gap) / damped
-        q = target + decay * (gap * c + slope * s)
-        v = decay * ((slope * damped - damping * omega * gap) * c - (gap * damped + damping * omega * slope) * s)
+        rate = (drive[i] - drive[i - 1]) / step if step > 0.0 else 0.0
+        behind = 2.0 * damping * rate / omega
+        gap = q - (drive[i - 1] - behind)
+        slope = (v - rate + damping * omega * gap) / damped
+        q = drive[i] - behind + decay * (gap * c + slope * s)
+        v = rate + decay * ((slope * damped - damping * omega * gap) * c - (gap * damped + damping * omega * slope) * s)
         position[i], velocity[i] = q, v / omega
     return position, velocity
 

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 from scipy.optimize import lsq_linear
 from scipy.signal import lfilter
 
 from pipeline.diagnosis.bounded import boxed
-from pipeline.diagnosis.recursions import CACHED, coloured, lowpass, play, whiten, whiten_from
+from pipeline.diagnosis.recursions import CACHED, coloured, lowpass, play, resonator, whiten, whiten_from
 
 
 def test_play_follows_with_a_dead_band() -> None:
@@ -21,6 +22,35 @@ def test_lowpass_settles_exactly() -> None:
     time_s = np.cumsum(np.random.default_rng(0).uniform(0.01, 0.2, 400))
     out = lowpass(np.ones(400), time_s, 2.0, 0.0)
     np.testing.assert_allclose(out, 1.0 - np.exp(-(time_s - time_s[0]) / 2.0), atol=1e-12)
+
+
+@pytest.mark.parametrize("hz", [0.5, 5.0, 20.0, 29.0])
+def test_a_resonator_keeps_its_distance_from_a_drive_at_constant_rate_however_coarse_the_steps_are(hz: float) -> None:
+    time_s, damping, rate = np.arange(0.0, 60.0, 0.015), 0.15, 7.0
+    position, velocity = resonator(rate * time_s, time_s, np.full(len(time_s), hz), damping)
+    ended = time_s > 40.0  # what its start from rest made has died away
+    omega = 2.0 * np.pi * hz
+    np.testing.assert_allclose((rate * time_s - position)[ended], 2.0 * damping * rate / omega, rtol=1e-6)
+    np.testing.assert_allclose(velocity[ended], rate / omega, rtol=1e-6)
+
+
+def test_a_resonator_answers_as_the_equation_does_whatever_the_steps() -> None:
+    hz, damping = 3.0, 0.1
+    corners_s, corners = np.array([0.0, 1.0, 1.7, 3.0]), np.array([0.0, 2.0, -1.0, -1.0])
+    steps_s = np.random.default_rng(5).uniform(0.01, 0.06, 200)
+    time_s = np.unique(np.r_[corners_s, np.cumsum(steps_s)])
+    time_s = time_s[time_s <= 3.0]
+    drive = np.interp(time_s, corners_s, corners)
+    omega = 2.0 * np.pi * hz
+
+    def moves(at_s: float, state: np.ndarray) -> list[float]:
+        pull = omega**2 * (np.interp(at_s, corners_s, corners) - state[0])
+        return [state[1], pull - 2.0 * damping * omega * state[1]]
+
+    true = solve_ivp(moves, (0.0, 3.0), [0.0, 0.0], t_eval=time_s, rtol=1e-9, atol=1e-11, max_step=0.01).y
+    position, velocity = resonator(drive, time_s, np.full(len(time_s), hz), damping)
+    np.testing.assert_allclose(position, true[0], atol=1e-6)
+    np.testing.assert_allclose(velocity, true[1] / omega, atol=1e-6)
 
 
 def test_whitening_does_not_reach_across_runs() -> None:

@@ -70,10 +70,23 @@ static inline int32_t motor_at(int32_t steps)
     return (int32_t)lround(fmin(turns, setting("STALL_TURNS", 1e9)) * MOTOR_COUNTS_PER_TURN);
 }
 
-static inline int32_t displacement_at(int32_t motor_counts)
+/* Encoder counts of the displacement, so long after the last call: the sensor is late by LAG_S and shakes by SHAKE_MM. */
+static inline int32_t displacement_at(int32_t motor_counts, double passed_s)
 {
+    static double shown_mm, shakes_mm;
     double arc_mm = 2 * M_PI * motor_counts / MOTOR_COUNTS_PER_TURN * RADIUS_MM;
-    return (int32_t)lround((LENGTH_MM - sqrt(LENGTH_MM * LENGTH_MM - arc_mm * arc_mm)) / MM_A_COUNT);
+    double true_mm = LENGTH_MM - sqrt(LENGTH_MM * LENGTH_MM - arc_mm * arc_mm);
+    double lag_s = setting("LAG_S", 0), shake_mm = setting("SHAKE_MM", 0);
+    shown_mm += (true_mm - shown_mm) * (lag_s > 0 ? -expm1(-passed_s / lag_s) : 1);
+    if (shake_mm > 0) { /* uniform, of that standard deviation, anew 1000 times a second */
+        static double since_s;
+        since_s += passed_s;
+        if (since_s >= 0.001) {
+            shakes_mm = ((double)rand() / RAND_MAX - 0.5) * sqrt(12) * shake_mm;
+            since_s -= 0.001;
+        }
+    }
+    return (int32_t)lround((shown_mm + shakes_mm) / MM_A_COUNT);
 }
 
 #endif

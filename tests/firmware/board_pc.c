@@ -50,7 +50,7 @@ bool board_sample(struct sample *sample)
     steps += fmax(-steps_a_sample, fmin(steps_a_sample, left));
     sample->t_us = (uint32_t)setting("FIRST_US", 0) + taken * (1000000 / RATE_HZ);
     sample->motor_counts = motor_at(board_steps());
-    sample->displacement_counts = displacement_at(sample->motor_counts);
+    sample->displacement_counts = displacement_at(sample->motor_counts, 1.0 / RATE_HZ);
     sample->load_steps = LOAD_STEPS;
     sample->missed = setting("MISSED_AT", -1) == moving ? 3 : 0;
     return true;

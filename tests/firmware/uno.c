@@ -73,7 +73,7 @@ static avr_cycle_count_t edges(avr_t *one, avr_cycle_count_t when, void *nothing
 {
     (void)one, (void)nothing;
     follow(&motor, motor_at(steps));
-    follow(&displacement, displacement_at(motor.counts));
+    follow(&displacement, displacement_at(motor.counts, (double)EDGE_CYCLES / 16000000));
     return when + EDGE_CYCLES;
 }
 
