@@ -12,6 +12,9 @@ from .step import Step
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
+SLOWED = 1.1  # times as long a leg may take at most, where the rig goes no faster: that tells as much
+HAIR = 1.002  # times the shortest time of a leg: the wire carries whole milliseconds
+SHOWN = 3  # runs that are named with a reason why they are not made
 
 
 def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
@@ -53,12 +56,32 @@ class Budget:
 
 
 def reachable(run: ProposedRun, limits: Limits | None) -> list[Leg]:
-    """Legs of a proposal, the first one slow enough to get from where the motor stands to where the run begins."""
+    """Legs of a proposal as the rig can go them.
+
+    The first one is slow enough to get from where the motor stands to where the run begins; of the others one that is
+    a little too fast takes as long as it must.
+    """
     legs = as_legs(run["legs"], run.get("load"))
-    if limits is not None and legs:
-        way_s = SLOWER * limits.way_s(legs[0].turns - limits.at_turns)
-        legs[0] = Leg(max(legs[0].seconds, way_s), legs[0].turns, legs[0].load_n)
-    return legs
+    if limits is None:
+        return legs
+    at, slowed = limits.at_turns, list[Leg]()
+    for number, leg in enumerate(legs):
+        way_s = (HAIR if number else SLOWER) * limits.way_s(leg.turns - at)
+        can = number == 0 or way_s <= SLOWED * leg.seconds
+        slowed.append(Leg(max(leg.seconds, way_s) if can else leg.seconds, leg.turns, leg.load_n))
+        at = leg.turns
+    return slowed
+
+
+def passed_over(refused: Sequence[tuple[str, str]]) -> str:
+    """Runs that are not made, each a title and why not, in words: those of one reason together, a few by title."""
+    reasons = dict.fromkeys(reason for _, reason in refused)
+    words = []
+    for reason in reasons:
+        titles = [title for title, why in refused if why == reason]
+        more = f" and {len(titles) - SHOWN} others" if len(titles) > SHOWN else ""
+        words.append(f"{reason} ({', '.join(titles[:SHOWN])}{more})")
+    return "; ".join(words)
 
 
 def leg_json(leg: Leg) -> LegJson:
@@ -87,12 +110,12 @@ def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, l
             f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"
         )
         return None, f"{sentence} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
-    refused: list[str] = []
+    refused: list[tuple[str, str]] = []
     for run in raising:
         legs = reachable(run, limits)
         step = Step(number, "proposed", proposal={**without_curves(run), "legs": [leg_json(leg) for leg in legs]})
         why = beyond(legs, limits) or left.lacks(step)
         if why is None:
-            return step, "; ".join(refused)
-        refused.append(f"{run['title']}: {why}")
-    return None, f"no run that would raise the expected gap is allowed ({'; '.join(refused)})"
+            return step, passed_over(refused)
+        refused.append((run["title"], why))
+    return None, f"no run that would raise the expected gap is allowed: {passed_over(refused)}"

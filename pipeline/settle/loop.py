@@ -20,7 +20,7 @@ from .first import first_run
 from .foretold_figure import draw
 from .limits import beyond
 from .motor import Motor
-from .proposed import ProposedRun, without_curves
+from .proposed import ProposedRun, retimed, without_curves
 from .sheet import sheet
 from .step import Place, Step
 
@@ -145,7 +145,8 @@ class Loop:
         if why:
             print(f"step {step.number}: passed over: {why}")
         step = step.at("proposed", run_dir=str(move.free_dir(self.runs[0])))
-        return self._written(step, next(option for option in options if option["title"] == step.proposal["title"]))
+        option = next(option for option in options if option["title"] == step.proposal["title"])
+        return self._written(step, retimed(option, step.legs))
 
     def _settled(self, steps: list[Step], why: str, sentence: str) -> None:
         settled(self.place, steps, self._all_runs(steps), self.budget, why, sentence)

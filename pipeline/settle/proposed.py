@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import TypedDict, cast
 
+import numpy as np
+
 from ..capture.motion import LegJson
 
 
@@ -51,6 +53,14 @@ class StepVerdict(TypedDict):
     verdict: str
     mechanisms: list[NamedMechanism]
     alternatives: list[list[str]]
+
+
+def retimed(run: ProposedRun, legs: Sequence[LegJson]) -> ProposedRun:
+    """A run whose legs take as long as the rig needs; what is foretold is moved in time with them."""
+    curves = run["curves"]
+    before_s, after_s = (np.cumsum([0.0, *(leg["seconds"] for leg in each)]) for each in (run["legs"], legs))
+    time_s = np.interp(curves["time_s"], before_s, after_s).tolist()
+    return {**run, "legs": list(legs), "curves": {**curves, "time_s": time_s}}
 
 
 def without_curves(run: ProposedRun) -> ProposedRun:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from made_recording import recording
 
+from pipeline.capture.motion import as_legs
 from pipeline.ground.errors import BadInput
 from pipeline.run.folder import read_run
 from pipeline.settle import loop
@@ -14,9 +15,10 @@ from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
 from pipeline.settle.choose import Budget, chosen, firm, reachable
 from pipeline.settle.foretold_figure import simulated_mm, zero_mm
-from pipeline.settle.limits import Allowed
+from pipeline.settle.limits import Allowed, beyond
 from pipeline.settle.motor import Motor
 from pipeline.settle.move import describe
+from pipeline.settle.proposed import retimed
 from pipeline.settle.sheet import sheet
 from pipeline.settle.step import Place, Step
 from pipeline.wire.motion import Limits
@@ -65,7 +67,16 @@ def test_the_best_run_that_is_allowed_is_chosen_and_what_is_passed_over_is_said(
         and step.number == 3
         and (step.strokes, step.seconds) == (1, 12.0)
     )
-    assert "far: leg 2 goes to 40 turns" in why and "heavy: leg 2 asks for 80 N" in why and "less good" not in why
+    assert (
+        "leg 2 goes to 40 turns" in why and "(far)" in why and "leg 2 asks for 80 N" in why and "less good" not in why
+    )
+
+
+def test_runs_that_are_passed_over_for_one_reason_are_said_together():
+    options = [entry(f"far {number}", top=40.0) for number in range(5)]
+    step, why = chosen([*options, entry("heavy", load_n=80.0)], 1, RIG, Budget(2, 10.0, 10))
+    assert step is None and why.count("goes to 40 turns") == 1 and "(far 0, far 1, far 2 and 2 others)" in why
+    assert "(heavy)" in why
 
 
 def test_without_a_run_that_decides_the_tie_is_said_to_be_one_by_construction():
@@ -90,6 +101,24 @@ def test_the_way_to_where_a_run_begins_is_slow_enough_for_the_rig():
     legs = reachable(entry("one"), at)
     assert legs[0].seconds >= 28.0 / 2.0 and [leg.load_n for leg in legs] == [None] * 3
     assert [leg.load_n for leg in reachable(entry("two", load_n=40.0), at)] == [20.0, 40.0, 40.0]
+
+
+@pytest.mark.parametrize(("turns_per_s", "made"), [(4.0, True), (3.3, False), (8.0, True)])
+def test_a_run_that_is_a_little_too_fast_for_the_rig_is_made_as_fast_as_it_goes(turns_per_s, made):
+    rig = Limits(100, (0.0, 30.0), turns_per_s, 40.0, 600.0, 1.5, 0.0, (0.0, 60.0))
+    run = entry("quick")  # 20 turns in 5 s, with ramps faster than 4 turns/s
+    step, why = chosen([run], 1, rig, Budget(2, 10.0, 10))
+    assert (step is not None) == made, why
+    if step is None:
+        assert "and the rig makes 3.3" in why
+        return
+    assert [leg["seconds"] > 5.0 for leg in step.legs[1:]] == [turns_per_s < 5.0] * 2
+    assert max(leg["seconds"] for leg in step.legs) <= 5.5 and beyond(as_legs(step.legs), rig) is None
+    curves = {"time_s": [0.0, 2.0, 7.0, 12.0], "motor_turns": [0.0, 0.0, 20.0, 0.0]}
+    moved = retimed(run | {"curves": curves}, step.legs)
+    ends_s = np.cumsum([0.0, *(leg["seconds"] for leg in step.legs)])
+    assert moved["legs"] == step.legs and np.allclose(moved["curves"]["time_s"], ends_s)
+    assert moved["curves"]["motor_turns"] == curves["motor_turns"]
 
 
 @pytest.mark.parametrize(
