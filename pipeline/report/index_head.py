@@ -1,6 +1,5 @@
-"""The index's first lines: how many runs ended how, each material's best model beside the floor, each run's verdict."""
+"""The index's first lines: how many runs ended how, each material's model to take, each run's verdict."""
 
-import csv
 from collections import Counter
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -8,40 +7,13 @@ from pathlib import Path
 from markupsafe import Markup
 
 from .diagnoses import SIZES, UNDECIDED, VERDICTS, Content, content_of, named_of, sizes, tag, verdict_of
+from .to_take import materials_table
 from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
-FLOORS = ("floor", "floor_blind")
 LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict
 UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
 Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
-
-
-def best(models: Path, way: str) -> list[str]:
-    """Title, RMSE and times the floor of the best model of one way within strokes; empty texts where there is none."""
-    if not models.is_file():
-        return ["", "", ""]
-    with open(models, encoding="utf-8", newline="") as file:
-        rows = [
-            row
-            for row in csv.DictReader(file)
-            if (row["split"], row["map"], row["column"]) == ("within", way, "all") and row["model"] not in FLOORS
-        ]
-    if not rows:
-        return ["", "", ""]
-    least = min(rows, key=lambda row: float(row["median"]))
-    return [least["title"], f"{float(least['median']):.3f}", f"{float(least['ratio']):.2f}" if least["ratio"] else ""]
-
-
-def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
-    """Each material's best model, its error and how many times the floor that is, both ways."""
-    rows: list[list[Text]] = []
-    for material in materials:
-        rows.append([name(material), *best(reports / material / "models.csv", "forward")])
-        rows[-1] += best(reports / material / "models.csv", "inverse")
-    head = ["Material", "best model", "RMSE (mm)", "× floor", "best model", "RMSE (turns)", "× floor"]
-    over = [("", 1), ("forward, within strokes", 3), ("inverse, within strokes", 3)]
-    return table(head, rows, texts=(0, 1, 4), over=over, paged=True)
 
 
 def shortened(text: str) -> str:
@@ -86,7 +58,7 @@ def glance(
     if runs:
         parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
-        aside = f"{len(materials):,}: the best model of each, and how near it comes to what no model can beat"
+        aside = f"{len(materials):,}: the model to take of each, and how near it comes to what no model can beat"
         below = materials_table(reports, materials, material_name)
         parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
     if runs:

@@ -17,10 +17,12 @@ from test_tables import made_metrics as made_table_metrics
 
 from pipeline.ground import schemas
 from pipeline.report.index import page
-from pipeline.report.index_head import best, shortened
+from pipeline.report.index_head import shortened
 from pipeline.report.made_by import MadeBy
 from pipeline.report.page_parts import of_materials, of_runs
 from pipeline.report.summary import summary
+from pipeline.report.to_take import materials_table, row
+from pipeline.report.usual_model import uses
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json
 
@@ -117,7 +119,7 @@ def test_every_link_is_relative_and_leads_to_something_wherever_the_folder_lies(
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
     text = (reports / "index.html").read_text()
     opening, _, rest = text[text.index("<body>") :].partition(f'<details id="material-{MATERIAL}">')
-    for words in ("At a glance", MATERIAL, "MLP model", "0.051", "1.04", "ambiguous", "hold 20 N"):
+    for words in ("At a glance", MATERIAL, "Calibrated model", "0.093 (1.03 ×", "ambiguous", "hold 20 N"):
         assert words in opening, words
     assert "consistent" in opening and "not decided" in opening and "<pre>" not in opening
     assert (
@@ -143,13 +145,36 @@ def test_pages_bring_their_own_script_and_style_and_ask_the_network_for_nothing(
         assert tables or path.name.startswith("run-"), path
 
 
-def test_the_best_model_is_the_one_of_the_least_error_on_all_points(tmp_path, reports):
-    assert best(reports / MATERIAL / "models.csv", "forward") == ["MLP model", "0.051", "1.04"]
-    assert best(tmp_path / "none.csv", "forward") == ["", "", ""]
-    rows = pd.read_csv(reports / MATERIAL / "models.csv")
-    rows.loc[rows["model"] == "inn", "median"] = 0.001
-    rows[rows["model"] != "mlp"].to_csv(tmp_path / "some.csv", index=False)
-    assert best(tmp_path / "some.csv", "inverse")[:2] == [TITLE, "0.001"]
+def changed(models, to, **medians):
+    """A models.csv with other medians on all points, by model and split, and no row of a model that is not named."""
+    rows = pd.read_csv(models)
+    first = rows[rows["model"] == "mlp"]
+    parts = []
+    for model, (title, within, later) in medians.items():
+        mine = first.assign(model=model, title=title)
+        parts.append(mine.assign(median=mine["split"].map({"within": within, "later": later}), ratio=2.0))
+    pd.concat(parts).to_csv(to, index=False)
+
+
+def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, reports):
+    (tmp_path / MATERIAL).mkdir()
+    folder = tmp_path / MATERIAL / "models.csv"
+    medians = {"polynomial": ("Polynomial", 0.02, 0.4), "spline": ("Spline", 0.103, 0.153)}
+    changed(reports / MATERIAL / "models.csv", folder, diagnosed=("Simulator", 0.01, 0.889), **medians)
+    cells = ["0.103 (2.00 ×)", "0.153 (2.00 ×)"]
+    assert row(folder) == ["Spline", *cells, *cells, "0.010 (2.00 ×)", "0.889 (2.00 ×)"]
+    words = html.unescape(str(materials_table(tmp_path, [MATERIAL], str)))
+    export, _ = uses(MATERIAL, "spline")
+    assert export in words
+    assert "Spline is the model to take, for it rises with the twist" in words
+    assert "Simulator is no model to take away: it needs the whole motion" in words
+
+
+def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_more(tmp_path, reports):
+    assert row(tmp_path / "none.csv") == [""] * 7
+    assert row(reports / MATERIAL / "models.csv")[:2] == ["Calibrated model", "0.093 (1.03 ×)"]
+    words = str(materials_table(reports, [MATERIAL], str))
+    assert f"Of {MATERIAL} no spline was fitted" in words and "no model to take away" not in words
 
 
 def test_the_next_run_is_said_in_a_few_words():
