@@ -12,6 +12,7 @@ from . import paper
 from .agreement import agreement
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
+from .stroke_conditions import add_dataset, dataset_from, later_apart
 from .strokes_there import missing_of, shown_of, tabled, there_of
 from .titles import titles_of
 
@@ -79,15 +80,15 @@ def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[s
     return [*lines, ""]
 
 
-def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> str:
-    """Text of comparison.md of one material."""
+def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str], apart: str = "") -> str:
+    """Text of comparison.md of one material; `apart` says in what later strokes differ from what the models saw."""
     whole = metrics[metrics["angle_band"] == "all"]
     strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
     strokes = [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)]
     which = [shown_of(strokes_there, paper.STROKES), missing_of(strokes_there, paper.STROKES)]
     missing = " ".join(filter(None, which))
-    apart = why_apart(whole, material)
-    why = [apart, ""] if apart else []
+    why_off = why_apart(whole, material)
+    why = [why_off, ""] if why_off else []
     text = [f"# {plain(material)}: our errors beside the paper's", "", *why, NOTES, *([missing, ""] if missing else [])]
     text += agreement(whole) if material == SYNTHETIC else []
     for number, direction in paper.MAPS.items():
@@ -100,7 +101,7 @@ def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str]) -> 
         text += table(chosen, number, strokes, titles, beside=False)
     for number, direction in paper.MAPS.items():
         chosen = whole[(whole["map"] == direction) & (whole["split"] == "later") & (whole["phase"] == "winding")]
-        text += [f"## {direction.capitalize()}, later strokes, winding", ""]
+        text += [f"## {direction.capitalize()}, later strokes, winding", "", *([apart, ""] if apart else [])]
         later = [str(stroke) for stroke in there_of(chosen["stroke"])]
         few = ["Skipped: no string of this material has four strokes or more.", ""]
         text += table(chosen, number, later, titles, beside=False) if later else few
@@ -116,10 +117,12 @@ def main() -> None:
     parser.add_argument(
         "--out", type=Path, required=True, help="the file of the page, .md, its .html beside it; required"
     )
+    add_dataset(parser)
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
-    text = comparison(metrics, str(metrics["material"].iloc[0]), titles_of(arguments.titles))
+    apart = later_apart(dataset_from(arguments.dataset))
+    text = comparison(metrics, str(metrics["material"].iloc[0]), titles_of(arguments.titles), apart)
     write_page(arguments.out, text, mark_from(arguments.made_by))
 
 

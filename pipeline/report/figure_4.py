@@ -7,6 +7,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from .drawing import COLOURS, MILLIMETRES, TURNS, name
+from .stroke_conditions import labels
 from .strokes_there import drawn
 from .winding import SHOWN, strokes_of, winding
 
@@ -20,9 +21,10 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     """
     figure, ((forward, forward_error), (inverse, inverse_error)) = plt.subplots(2, 2, figsize=(8.0, 6.2))
     shown = drawn(strokes_of(points), STROKES)
+    named = labels(points, shown)
     strokes = {stroke: winding(points, stroke) for stroke in shown}
     for colour, (stroke, stroke_points) in zip(COLOURS, strokes.items(), strict=False):
-        x, turns, label = stroke_points["displacement_mm"], stroke_points["motor_turns"], f"n={stroke}"
+        x, turns, label = stroke_points["displacement_mm"], stroke_points["motor_turns"], named[stroke]
         forward.plot(turns, x, color=colour, lw=1.2, label=label)
         forward_error.plot(turns, stroke_points["forward_mm"] - x, color=colour, lw=0.8, label=label)
         inverse.plot(x, turns, color=colour, lw=1.2, label=label)

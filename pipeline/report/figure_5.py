@@ -12,6 +12,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from ..ground.kinematics import Array
 from . import paper
 from .drawing import MILLIMETRES, TURNS, name
+from .stroke_conditions import labels
 from .strokes_there import drawn
 from .winding import strokes_of, winding
 
@@ -67,6 +68,7 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
     titles, the INN's first, to held-out points with what that model predicts.
     """
     strokes = drawn(strokes_of(recorded), paper.STROKES)
+    named = labels(recorded, strokes)
     columns = max(len(strokes), 1)
     figure, grid = plt.subplots(
         4, columns, figsize=(1.4 + 2.75 * columns, 9.6), sharey="row", squeeze=False,
@@ -92,7 +94,7 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
             _logarithmic(below)
             first = column == 0
             letter = "abcdef"[3 * row + column]
-            name(curve, f"({letter}) {label[0]}, n={stroke}", "", unit[0] if first else "")
+            name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", unit[0] if first else "")
             name(below, f"error of ({letter}) along the stroke", label[1], unit[1] if first else "")
     if strokes:
         figure.legend(handles=grid[0, 0].get_lines(), loc="outside lower center", ncols=4)

@@ -15,6 +15,7 @@ from .fitted import FLOORS, SPLITS, lines_on_files
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .sidecar import Column, describe
+from .stroke_conditions import add_dataset, dataset_from, later_apart
 from .titles import titles_of
 
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
@@ -132,8 +133,8 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
     return text
 
 
-def page(table_of: pd.DataFrame, material: str) -> str:
-    """Text of models.md of one material, from the table of `numbers`."""
+def page(table_of: pd.DataFrame, material: str, apart: str = "") -> str:
+    """Text of models.md of one material, from the table of `numbers`; `apart` says in what later strokes differ."""
     text = [f"# {plain(material)}: every model beside the floor of the data", "", NOTES]
     for split, name in SPLITS.items():
         for way in paper.MAPS.values():
@@ -141,7 +142,9 @@ def page(table_of: pd.DataFrame, material: str) -> str:
             if chosen.empty:
                 text += [f"## {way.capitalize()}, {name}", "", "Skipped: the strings have too few strokes.", ""]
                 continue
-            text += [f"## {way.capitalize()}, {name}: RMSE in {chosen['unit'].iloc[0]}", "", *table(chosen), ""]
+            text += [f"## {way.capitalize()}, {name}: RMSE in {chosen['unit'].iloc[0]}", ""]
+            text += [apart, ""] if apart and split == "later" else []
+            text += [*table(chosen), ""]
             text += [*sentences(chosen), ""]
     return "\n".join(text)
 
@@ -157,12 +160,14 @@ def main() -> None:
         "--out", type=Path, required=True, help="the file of the page, .md, its .html beside it; required"
     )
     parser.add_argument("--table", type=Path, required=True)
+    add_dataset(parser)
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    text = "\n".join([page(table_numbers, material), *lines_on_files(metrics, material)])
+    apart = later_apart(dataset_from(arguments.dataset))
+    text = "\n".join([page(table_numbers, material, apart), *lines_on_files(metrics, material)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)

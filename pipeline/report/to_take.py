@@ -6,6 +6,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from .stroke_conditions import APART
 from .usual_model import ALONE, USUAL, WHY_USUAL, chosen_of, uses
 from .web.page import Text, paragraph, together
 from .web.table import table
@@ -40,6 +41,12 @@ def row(models: Path) -> list[str]:
     return [titles.get(chosen, ""), *own, *(cells.get((ALONE, split, "forward"), "") for split in SPLITS)]
 
 
+def later_apart(models: Path) -> str:
+    """What the page of every model says of later strokes that differ in more than their number; empty where nothing."""
+    lines = models.read_text(encoding="utf-8").splitlines() if models.is_file() else []
+    return next((line for line in lines if line.startswith(APART)), "")
+
+
 def words(reports: Path, materials: list[str]) -> Markup:
     """Why these models, the commands that use one, and what the simulator beside them is."""
     titles = {material: read(reports / material / "models.csv")[0] for material in materials}
@@ -56,6 +63,9 @@ def words(reports: Path, materials: list[str]) -> Markup:
         lines.append(
             f"Of {', '.join(others)} no spline was fitted: the first model by name that can be exported is shown."
         )
+    for material in materials:
+        if apart := later_apart(reports / material / "models.md"):
+            lines.append(f"{material}: {apart}")
     if named := next((titles[material][ALONE] for material in materials if ALONE in titles[material]), ""):
         lines.append(
             f"{named} is no model to take away: it needs the whole motion, so it can be neither exported nor asked. "
@@ -69,6 +79,10 @@ def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
     """Each material's model to take with its errors, the diagnosed simulator's beside them, and why beneath."""
     rows: list[list[Text]] = [[name(material), *row(reports / material / "models.csv")] for material in materials]
     head = ["Material", "model to take", *MODEL_HEADS, *MODEL_HEADS, *MODEL_HEADS]
-    over: list[tuple[Text, int]] = [("", 2), ("forward: RMSE in mm (× floor)", 2), ("inverse: RMSE in turns (× floor)", 2)]
+    over: list[tuple[Text, int]] = [
+        ("", 2),
+        ("forward: RMSE in mm (× floor)", 2),
+        ("inverse: RMSE in turns (× floor)", 2),
+    ]
     over.append(("the diagnosed simulator, forward", 2))
     return together([table(head, rows, texts=(0, 1), over=over, paged=True), words(reports, materials)])

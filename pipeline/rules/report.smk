@@ -38,7 +38,8 @@ rule table:
 
 rule comparison:
     input:
-        "processed/{material}/metrics.parquet",
+        metrics="processed/{material}/metrics.parquet",
+        dataset="processed/{material}/dataset.parquet",
     output:
         page="reports/{material}/comparison.md",
         html="reports/{material}/comparison.html",
@@ -53,13 +54,14 @@ rule comparison:
     message:
         "compare {wildcards.material} with the paper"
     shell:
-        "exec python -m pipeline.report.comparison {input:q} --titles {params.titles:q}"
-        " --made-by {params.made_by:q} --out {output.page:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.comparison {input.metrics:q} --dataset {input.dataset:q}"
+        " --titles {params.titles:q} --made-by {params.made_by:q} --out {output.page:q} > {log:q} 2>&1"
 
 
 rule models:
     input:
-        "processed/{material}/metrics.parquet",
+        metrics="processed/{material}/metrics.parquet",
+        dataset="processed/{material}/dataset.parquet",
     output:
         page="reports/{material}/models.md",
         html="reports/{material}/models.html",
@@ -77,8 +79,8 @@ rule models:
     message:
         "hold the models of {wildcards.material} against its floor"
     shell:
-        "exec python -m pipeline.report.models {input:q} --titles {params.titles:q} --directed {params.directed:q}"
-        " --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.models {input.metrics:q} --dataset {input.dataset:q} --titles {params.titles:q}"
+        " --directed {params.directed:q} --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
 
 
 rule croissant:

@@ -1,0 +1,87 @@
+"""Under which load and to which twist strokes were recorded: which later ones differ in it, and words for a legend."""
+
+import argparse
+from collections.abc import Iterable
+from pathlib import Path
+
+import pandas as pd
+
+from ..ground import schemas
+from .strokes_there import ranges
+
+APART = "Later strokes under other conditions"
+KINDS = (("load_n", "at ", "N", "load"), ("top_turns", "to ", "turns", "twist"))
+NEAR = 0.05  # of a load or a twist: what differs by less is the same
+
+
+def add_dataset(parser: argparse.ArgumentParser) -> None:
+    """Let a program be told the points that its metrics are of."""
+    parser.add_argument("--dataset", type=Path, help="the material's dataset.parquet: what its strokes were like")
+
+
+def dataset_from(path: Path | None) -> pd.DataFrame | None:
+    """The points of a command line, where they are given."""
+    return schemas.read(path, schemas.DATASET) if path else None
+
+
+def conditions(points: pd.DataFrame) -> pd.DataFrame:
+    """The median load in N and the largest twist in turns, `load_n` and `top_turns`, by string and stroke."""
+    strokes = points.groupby(["string", "stroke"], sort=False)
+    return pd.DataFrame({"load_n": strokes["load_n"].median(), "top_turns": strokes["motor_turns"].max()})
+
+
+def _between(values: Iterable[float], unit: str) -> str:
+    """Some sizes in words: 20 N, 16 to 20 turns."""
+    low, high = (f"{size(values):.3g}" for size in (min, max))
+    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
+
+
+def _is_other_load(load_n: float, known: Iterable[float]) -> bool:
+    return all(abs(load_n - other) > NEAR * max(abs(load_n), abs(other)) for other in known)
+
+
+def _is_other_twist(top_turns: float, known: Iterable[float]) -> bool:
+    return not (1.0 - NEAR) * min(known) <= top_turns <= (1.0 + NEAR) * max(known)
+
+
+def later_apart(dataset: pd.DataFrame | None) -> str:
+    """A sentence on held-out later strokes of another load or twist than all that a model saw; empty where none is."""
+    if dataset is None:
+        return ""
+    by_stroke = conditions(dataset)
+    split = dataset.groupby(["string", "stroke"], sort=False)["later"].first()
+    seen, later = by_stroke[split == "train"], by_stroke[split == "test"]
+    if seen.empty or later.empty:
+        return ""
+    loads = later["load_n"].map(lambda load_n: _is_other_load(load_n, set(seen["load_n"])))
+    twists = later["top_turns"].map(lambda top_turns: _is_other_twist(top_turns, seen["top_turns"]))
+    others = later[loads | twists]
+    if others.empty:
+        return ""
+    strokes = sorted({int(stroke) for _, stroke in others.index})
+    kinds = [kind for kind, are_others in zip(KINDS, (loads.any(), twists.any()), strict=True) if are_others]
+    theirs, usual = (
+        " and ".join(f"{word}{_between(part[column], unit)}" for column, word, unit, _ in kinds)
+        for part in (others, seen)
+    )
+    what = " and ".join(f"another {kind}" for *_, kind in kinds)
+    return (
+        f"{APART}: n={ranges(strokes)} {'was' if len(strokes) == 1 else 'were'} recorded {theirs}, the others "
+        f"{usual}. So these errors on later strokes are of {what} as well."
+    )
+
+
+def labels(points: pd.DataFrame, strokes: list[int]) -> dict[int, str]:
+    """`n=5` for each stroke, with its load where the loads of the strokes differ, and its twist where it is smaller."""
+    by_stroke = conditions(points)
+    shown = {stroke: by_stroke.xs(stroke, level="stroke").iloc[0] for stroke in strokes}
+    loads = by_stroke["load_n"]
+    has_loads = any(_is_other_load(load_n, [loads.median()]) for load_n in loads)
+    most_turns = by_stroke["top_turns"].max()
+    words = {}
+    for stroke, condition in shown.items():
+        more = [f"{condition['load_n']:.3g} N"] * has_loads
+        if condition["top_turns"] < (1.0 - NEAR) * most_turns:
+            more.append(f"to {condition['top_turns']:.3g} turns")
+        words[stroke] = f"n={stroke}" + (f" ({', '.join(more)})" if more else "")
+    return words

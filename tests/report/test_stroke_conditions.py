@@ -1,0 +1,71 @@
+"""What strokes were recorded under: later ones of another load or twist are said, and a figure names a stroke by it."""
+
+import programs
+import pytest
+from stages.nine_strokes import NINE
+from test_models_page import made_metrics
+
+from pipeline.ground import schemas
+from pipeline.report.figure_4 import figure_4
+from pipeline.report.figure_5 import figure_5
+from pipeline.report.stroke_conditions import APART, labels, later_apart
+from pipeline.report.to_take import materials_table
+from pipeline.report.winding import with_nominal
+
+LAST = 9
+
+
+def with_last(load_n=None, share_of_twist=1.0):
+    """The nine strokes, the last under another load and to a share of its twist."""
+    points, is_last = NINE.copy(), NINE["stroke"] == LAST
+    points.loc[is_last, "load_n"] = load_n if load_n is not None else points.loc[is_last, "load_n"]
+    points.loc[is_last, "motor_turns"] *= share_of_twist
+    return points
+
+
+def test_later_strokes_of_another_load_or_twist_are_said_with_both():
+    usual_n, top_turns = NINE["load_n"].median(), NINE["motor_turns"].max()
+    text = later_apart(with_last(1.5 * usual_n, 0.8))
+    assert text.startswith(f"{APART}: n=9 was recorded at {1.5 * usual_n:.3g} N and to ")
+    assert f"{0.8 * top_turns:.3g} turns, the others at {usual_n:.3g} N and to " in text
+    assert "are of another load and another twist as well." in text
+    assert "are of another load as well." in later_apart(with_last(1.5 * usual_n))
+    assert "are of another twist as well." in later_apart(with_last(None, 1.2))
+
+
+def test_later_strokes_like_the_others_need_no_word():
+    usual_n = NINE["load_n"].median()
+    assert later_apart(NINE) == later_apart(with_last(1.01 * usual_n, 0.99)) == later_apart(None) == ""
+    assert later_apart(with_last(1.5 * usual_n).assign(later="")) == ""
+    known = with_last(1.5 * usual_n)
+    known.loc[known["stroke"] == 1, "load_n"] = 1.5 * usual_n  # a stroke that the models saw had that load too
+    assert later_apart(known) == ""
+
+
+def test_a_figure_names_a_stroke_by_its_load_where_loads_differ_and_by_a_smaller_twist():
+    usual_n, top_turns = NINE["load_n"].median(), NINE["motor_turns"].max()
+    assert labels(NINE, [1, 9]) == {1: "n=1", 9: "n=9"}
+    points = with_last(1.5 * usual_n, 0.8)
+    words = f"n=9 ({1.5 * usual_n:.3g} N, to {0.8 * top_turns:.3g} turns)"
+    assert labels(points, [1, 9]) == {1: f"n=1 ({usual_n:.3g} N)", 9: words}
+    recorded = with_nominal(points)
+    assert words in figure_5(recorded, {}, "m").axes[2].get_title(loc="left")
+    few = recorded[recorded["stroke"].isin([1, 2, 9])]
+    assert words in [text.get_text() for text in figure_4(few, "m").axes[0].get_legend().get_texts()]
+
+
+@pytest.mark.parametrize("program", ["models", "comparison"])
+def test_pages_with_later_strokes_say_what_differs(tmp_path, program):
+    folder = tmp_path / "made"
+    schemas.write(with_last(1.5 * NINE["load_n"].median()), schemas.DATASET, folder / "dataset.parquet")
+    schemas.write(made_metrics(), schemas.METRICS, folder / "metrics.parquet")
+    words = [folder / "metrics.parquet", "--titles", "inn=INN", "--out", folder / f"{program}.md"]
+    words += ["--table", folder / "models.csv"] if program == "models" else []
+    for more, times in ([], 0), (["--dataset", folder / "dataset.parquet"], 2):
+        done = programs.run(f"pipeline.report.{program}", *words, *more)
+        assert done.returncode == 0, done.stderr
+        text = (folder / f"{program}.md").read_text()
+        assert text.count(APART) == (folder / f"{program}.html").read_text().count(APART) == times
+    assert APART not in text.split("later strokes")[0]
+    if program == "models":
+        assert f"made: {APART}: n=9 was recorded at" in materials_table(tmp_path, ["made"], str)
