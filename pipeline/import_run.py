@@ -13,13 +13,15 @@ import pandas as pd
 
 from .foreign.axes import each_axis
 from .foreign.draft import draft
+from .foreign.empty_fields import refuse_empty
 from .foreign.folder_files import OPTION, files_in
 from .foreign.mended_clock import check_mended, mend_time
+from .foreign.origin import origin
 from .formats import read_foreign
 from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
-from .ground.files import sha256, write_text
+from .ground.files import write_text
 from .ground.folders import whole_folder
 from .ground.names import checked, own_material, run_name
 from .ground.parser import Parser
@@ -33,7 +35,6 @@ from .run.samples import check, check_finite, questions
 from .run.tolerances_given import read_back, tolerance_questions
 from .systems import systems
 
-PROJECT = Path(__file__).resolve().parents[1]
 TAKEN = "choose another --run; runs are never overwritten"
 
 
@@ -41,19 +42,9 @@ def read_mapping(path: Path) -> dict[str, Any]:
     """Content of a mapping; raises BadInput when it is not there, not YAML, or names a run."""
     content = read_yaml(path)
     if not isinstance(content, dict) or {"run", "mended"} & content.keys():
-        mend = "write it as a run.yaml, without run and mended"
-        raise BadInput(path, "mapping", "is not a mapping", mend)
+        raise BadInput(path, "mapping", "is not a mapping", "write it as a run.yaml, without run and mended")
+    refuse_empty(content, path)
     return content
-
-
-def origin(file: Path, mapping: Path) -> str:
-    """Where a run came from, as comments of YAML: both files and their check sums; the project's by its place in it."""
-    origins = (("imported from", file), ("through the mapping", mapping))
-    return "".join(f"# {what} {str(_shown(path))!a}, sha256 {sha256(path)}\n" for what, path in origins)
-
-
-def _shown(path: Path) -> Path:
-    return path.relative_to(PROJECT) if path.is_relative_to(PROJECT) else path
 
 
 def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came_from: str) -> None:

@@ -86,7 +86,8 @@ def main() -> int:
         return Device(simulate(setup, arguments.seed + number - 1))
 
     device, number = device_of(1), 1
-    signal.signal(signal.SIGTERM, _end)  # the link goes with it, as with Ctrl-C
+    for asks_to_end in (signal.SIGINT, signal.SIGTERM):  # to the first of them a shell's background job is deaf
+        signal.signal(asks_to_end, _end)  # the link goes with it
     with line(arguments.link) as end:
         pace = paced(arguments.pace, setup.rate_hz)
         ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
@@ -97,21 +98,18 @@ def main() -> int:
         if standing:
             print(ZEROED if zeroed else KEPT)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
-        try:
-            while True:
-                served = serve(end, device, arguments.pace)
-                ending = "is recorded" if served else "ended, and the host did not acknowledge it"
-                print(f"rig: recording {number} {ending}", flush=True)
-                if number == arguments.recordings:
-                    return 0 if served else 1
-                number += 1
-                if standing is None:
-                    print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
-                else:
-                    print(f"rig: before recording {number} describe it by: {again(RAW, first, zeroed)}", flush=True)
-                device = device_of(number)
-        except KeyboardInterrupt:
-            return 130
+        while True:
+            served = serve(end, device, arguments.pace)
+            ending = "is recorded" if served else "ended, and the host did not acknowledge it"
+            print(f"rig: recording {number} {ending}", flush=True)
+            if number == arguments.recordings:
+                return 0 if served else 1
+            number += 1
+            if standing is None:
+                print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
+            else:
+                print(f"rig: before recording {number} describe it by: {again(RAW, first, zeroed)}", flush=True)
+            device = device_of(number)
 
 
 if __name__ == "__main__":

@@ -108,7 +108,7 @@ def test_what_no_name_tells_is_left_to_a_person(tmp_path):
     text = (tmp_path / "map.yaml").read_text()
     assert "time_s: {column: 0, unit: s}" in text and "column:  # fill in: one of 1, 2" in text
     done = program("bare.csv", "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)
-    assert done.returncode == 2 and "map.yaml: string.material: is empty. Mend: fill it in (name of the" in done.stderr
+    assert done.returncode == 2 and "map.yaml: string.material, string.radius_mm," in done.stderr
     assert not (tmp_path / "raw").exists()
     done = program("--guess", "bare.csv", "--out", "map.yaml", cwd=tmp_path)
     assert done.returncode == 2 and "is there already" in done.stderr
@@ -212,3 +212,19 @@ def test_one_bad_axis_writes_none(two_axes, change, says):
     done = program("two.csv", "--map", "map.yaml", "--run", "a-01", cwd=two_axes)
     assert done.returncode == 2 and says in done.stderr, done.stderr
     assert not (two_axes / "raw").exists()
+
+
+def test_every_field_that_a_person_left_empty_is_named_at_once(tmp_path):
+    PLAIN.to_csv(tmp_path / "log.csv", index=False)
+    assert program("log.csv", "--guess", "--out", "map.yaml", cwd=tmp_path).returncode == 0
+    done = program("log.csv", "--map", "map.yaml", "--run", "a-1", cwd=tmp_path)
+    text = (tmp_path / "map.yaml").read_text()
+    fields = ["string.material", "string.radius_mm", "string.length_mm", "rig.torsion_zone_mm", "rig.separator_mm"]
+    assert text.count("fill in:") >= len(fields) and done.returncode == 2
+    assert f"map.yaml: {', '.join(fields)}" in done.stderr and "are empty. Mend: fill each in" in done.stderr
+    assert done.stderr.count("\n") == 1 and not (tmp_path / "raw").exists()
+    named = done.stderr.partition("map.yaml: ")[2].partition(": are empty")[0].split(", ")
+    assert len(named) == text.count("fill in:"), done.stderr
+    (tmp_path / "map.yaml").write_text(re.sub(r"^( *material):  # fill in.*$", r"\1: nylon", text, flags=re.M))
+    left = program("log.csv", "--map", "map.yaml", "--run", "a-1", cwd=tmp_path).stderr
+    assert "string.material" not in left and ", ".join(fields[1:]) in left

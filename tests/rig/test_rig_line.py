@@ -20,10 +20,10 @@ from pipeline.wire import read_recording
 ROOT = Path(__file__).parents[2]
 
 
-def start(link, *options, folder=ROOT):
+def start(link, *options, folder=ROOT, **more):
     words = [sys.executable, "-m", "pipeline.rig", "small", "--link", str(link), *options]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    return subprocess.Popen(words, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}, **pipes)
+    return subprocess.Popen(words, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}, **pipes, **more)
 
 
 def test_a_second_rig_takes_no_link_of_a_live_one_and_a_stale_one_is_replaced(tmp_path):
@@ -202,3 +202,17 @@ def test_the_line_that_the_rig_says_names_a_run_that_is_not_there_yet_and_works_
 def test_the_page_of_the_protocol_has_the_command_that_the_rig_says():
     text = (ROOT / "docs" / "protocol.md").read_text()
     assert f"\n{command(read_setup('paper'), 'example-1')}\n" in text and "of a new string" in text
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_rig_in_the_background_of_a_shell_ends_by_either_signal_and_takes_its_link_with_it(tmp_path, number):
+    """A shell starts such a job deaf to SIGINT, and a Python that is started so has no handler of its own."""
+    link = tmp_path / "port"
+    rig = start(link, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+    try:
+        assert "in the background kill" in rig.stdout.readline() and link.is_symlink()
+        rig.send_signal(number)
+        assert rig.wait(timeout=60) == 128 + number and not link.is_symlink()
+    finally:
+        rig.kill()
+        rig.communicate()
