@@ -1,10 +1,11 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, or further ahead of the
-last recorded stroke than errors could be learnt, is answered, flagged (`inside` false, its reason in `why`) and given
-infinite bounds. With `--saved` a model that was fitted before answers, as its export does and without intervals. No
-question tells how long the string has stood: holds and rests are asked of `simulate --motion`.
+(`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist that was not
+recorded around its load, or further ahead of the last recorded stroke than errors could be learnt, is answered, flagged
+(`inside` false, its reason in `why`) and given infinite bounds. With `--saved` a model that was fitted before answers,
+as its export does and without intervals. No question tells how long the string has stood: holds and rests are asked of
+`simulate --motion`.
 """
 
 import sys
@@ -28,6 +29,7 @@ from .ground.parser import Parser
 from .models.interface import about, usual
 from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
 from .models.parts.questions import ASKED, EITHER, by_known, read_questions
+from .models.parts.recorded_pairs import pairs_of
 from .models.parts.saved_files import datasets, listed
 from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
@@ -39,7 +41,7 @@ MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
     """Value, low and high in the answer's unit, whether the question lies inside, and why not."""
     interval, wanted = getattr(intervals, MAPS[known])(points, level), GIVEN[known]
-    why = reasons(intervals, points, wanted, interval["inside"].to_numpy(bool))
+    why = reasons(intervals, points, wanted, interval["inside"].to_numpy(bool), level)
     answered = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
     return answered.assign(why=why)
 
@@ -107,10 +109,11 @@ def main() -> None:
         strings = points["string"].unique()
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
+        pairs = pairs_of(dataset)
         table = beside_questions(
-            points, columns, lambda part, known: saved_answers(source, part, known, arguments.saved)
+            points, columns, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs)
         )
-        by, less = f"by {arguments.saved}, without intervals", "that its export does not give"
+        by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:
         intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
         try:
@@ -124,9 +127,10 @@ def main() -> None:
             raise BadInput(arguments.dataset, "points", str(error), mend) from None
         by, less = f"by a {arguments.model} fitted anew to {arguments.dataset}", "without an interval"
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
-    outside = int((~table["inside"]).sum())
-    print(f"{len(table)} answer{'s' * (len(table) > 1)} in {arguments.out}, {by}", end="")
-    print(f"; {outside} of them {less}. The column `why` says why; row 1 is the first question:" if outside else "")
+    outside, noted = int((~table["inside"]).sum()), int((table["inside"] & (table["why"] != "")).sum())
+    counts = [f"{outside} of them {less}"] * (outside > 0) + [f"{noted} between what was recorded"] * (noted > 0)
+    print("; ".join([f"{len(table)} answer{'s' * (len(table) > 1)} in {arguments.out}, {by}", *counts]), end="")
+    print(". The column `why` says why; row 1 is the first question:" if counts else "")
     for reason in first_of(table["why"].tolist()):
         print(f"  {reason}")
 

@@ -225,7 +225,7 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n12,1,9\n13,1,9\n2,1,90\n"
     done = ask(dataset, text, "--saved", str(file))
     assert done.returncode == 0, done.stderr
-    assert "without intervals; 2 of them that its export does not give." in done.stdout
+    assert "without intervals; 2 of them outside of its export or of what was recorded." in done.stdout
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert table.columns.tolist() == ["motor_turns", "stroke", "direction", "displacement_mm", "inside", "why"]
     source = opened(file, None, Beside(dataset=dataset))

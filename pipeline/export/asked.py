@@ -1,4 +1,7 @@
-"""Questions answered by a saved model in Python, within the ranges of its export: what header and graphs say."""
+"""Questions answered by a saved model in Python, within the ranges of its export: what header and graphs say.
+
+They check each number alone. A pair of numbers around which nothing was recorded they answer, and it is flagged here.
+"""
 
 from pathlib import Path
 
@@ -11,38 +14,50 @@ from ..ground.kinematics import Array
 from ..models.interface import about
 from ..models.parts.beyond import also, beyond, held, with_unit
 from ..models.parts.reach import reached_mm, unreached
+from ..models.parts.recorded_pairs import Paired
 from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source
 
 NEAR = 1e-6  # of the range: a twist that was brought to its end
+UNCHECKED = "the export answers, as it checks each number alone"
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 
 
-def answers(source: Source, points: pd.DataFrame, known: str, file: Path) -> pd.DataFrame:
-    """The value of each question, in the answer's unit, `inside`: whether the export would answer it; and `why` not.
+def answers(
+    source: Source, points: pd.DataFrame, known: str, file: Path, pairs: tuple[Paired, ...] = ()
+) -> pd.DataFrame:
+    """The value of each question, in the answer's unit, whether it is `inside`, and `why` not.
 
-    `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
-    BadInput for a column that the model reads and the dataset of the `file` lacks.
+    Inside is what the export would answer, and what was recorded: an export checks each number alone, `pairs` are those
+    that were recorded. `points` have the dataset's columns, of which `known` is the twist or the contraction that is
+    asked about. Raises BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
     value = np.asarray(getattr(source.model, MAPS[known])(points), float)
     why = np.full(len(points), "", object)
     for field in source.inputs.columns(known):
-        for row in np.flatnonzero(_outside(source, field, points, file)):
+        for row in np.flatnonzero(_outside(source, field, points, file)).tolist():
             reason = _reason(source, field, points[field.name].iloc[row])
             why[row] = also(why[row], f"{reason} (TSA_BAD_{field.name.upper()})")
     for name, baked in _baked(source).items():
         other = np.abs(points[name].to_numpy(float) - baked) > (WIDE / 2.0 if name == "load_n" else SAME) * abs(baked)
-        for row in np.flatnonzero(other):
+        for row in np.flatnonzero(other).tolist():
             reason = f"{with_unit(name, float(points[name].iloc[row]))}: the export has {baked:.4g} baked in"
             why[row] = also(why[row], reason)
     if known == "displacement_mm":
-        turns = source.inputs.motor_turns
+        ends = source.inputs.motor_turns
         rows = np.flatnonzero(_held(source, points, value) & (why == ""))
-        value[rows] = np.clip(value[rows], *turns)
-        reached = reached_mm(source.model, points.iloc[rows], turns) if len(rows) else ((), ())
+        value[rows] = np.clip(value[rows], *ends)
+        reached = reached_mm(source.model, points.iloc[rows], ends) if len(rows) else ((), ())
         for row, least_mm, most_mm in zip(rows, *reached, strict=True):
             why[row] = f"{held(value[row], float(least_mm), float(most_mm))} (TSA_HELD)"
-    return pd.DataFrame({ANSWER[known]: value, "inside": why == "", "why": why})
+    turns = points["motor_turns"].to_numpy(float) if known == "motor_turns" else value
+    for paired in pairs:
+        for row, reason in enumerate(paired.never(points, turns)):
+            why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")
+    inside = why == ""
+    for paired in pairs:
+        why[:] = [also(*both) for both in zip(why, paired.gaps(points), strict=True)]
+    return pd.DataFrame({ANSWER[known]: value, "inside": inside, "why": why})
 
 
 def _reason(source: Source, field: Field, value: object) -> str:

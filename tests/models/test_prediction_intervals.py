@@ -68,7 +68,9 @@ def test_more_strokes_ahead_and_higher_levels_are_wider():
         widths.append([float((one["high"] - one["low"]).median()) for one in found])
         assert np.isfinite(widths[-1]).all() and (np.diff(widths[-1]) >= -1e-12).all()  # a sum is rounded
         narrow, wide = (intervals.inverse(points[points["stroke"] == 8], level) for level in (0.5, 0.95))
-        inside = wide["inside"]
+        inside = wide["inside"] & narrow["inside"]
+        held = wide["inside"] & ~narrow["inside"]  # contractions beyond both ends by more than the narrower width
+        assert held.sum() < 5 and set(narrow["value"][held]) <= set(np.ravel(intervals.turns(points[:1])))
         assert inside.sum() > 50 and (wide["high"] > narrow["high"])[inside].all()
         assert (wide["low"] < narrow["low"])[inside].all()
     middle = np.median(widths, axis=0)
@@ -165,5 +167,5 @@ def test_where_no_error_could_be_learnt_there_is_no_interval() -> None:
     intervals.scatter["displacement_mm"].size[:] = np.nan
     answered = intervals.forward(points[:5], 0.9)
     assert not answered["inside"].any() and np.isinf(answered["high"]).all()
-    (sentence,) = reasons(intervals, points[:1], "displacement_mm", np.zeros(1, bool))
+    (sentence,) = reasons(intervals, points[:1], "displacement_mm", np.zeros(1, bool), 0.9)
     assert sentence == "how large an error is here could not be learnt"

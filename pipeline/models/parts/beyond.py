@@ -37,13 +37,16 @@ def inward(limit: float, up: bool) -> float:
     return (math.ceil(steps) if up else math.floor(steps)) / scale
 
 
-def also(sentence: str, reason: str) -> str:
+def also(sentence: str, reason: str, between: str = "; ") -> str:
     """A sentence with one reason more."""
-    return "; ".join(filter(None, (sentence, reason)))
+    return between.join(filter(None, (sentence, reason)))
 
 
-def held(turns: float, least_mm: float, most_mm: float) -> str:
-    """Say that a twist, in turns, is an end of its range, since the range gives only contractions between two."""
+def held(turns: float, least_mm: float, most_mm: float, around: str = "") -> str:
+    """Say that a twist, in turns, is an end of its range, since the range gives only contractions between two.
+
+    `around` are the conditions, in words, around which no more was recorded.
+    """
     reached = f"{inward(least_mm, up=True):g} to {inward(most_mm, up=False):g} mm"
-    at_end = f"HELD at {turns:.4g} turns, the end of the range"
+    at_end = f"HELD at {turns:.4g} turns, the end of the range{around and f' recorded around {around}'}"
     return f"{at_end}: its twists give {reached} at this stroke, direction and load"

@@ -15,6 +15,11 @@ COLUMNS = (
 MARGIN = {"motor_turns": 0.01, "displacement_mm": 0.01, "load_n": 0.05}  # of the range, or of the value where constant
 
 
+def room(name: str, least: float, most: float) -> float:
+    """How much wider than recorded a column's range counts, at either end, in the column's unit."""
+    return MARGIN.get(name, 1e-9) * (most - least or abs(most))
+
+
 class SavedBox(TypedDict):
     """A box in a model's file: what `Box` holds, as plain values."""
 
@@ -39,7 +44,7 @@ class Box:
             values = points[name].to_numpy(float)
             if np.isfinite(values).all():
                 least, most = float(values.min()), float(values.max())
-                margin = MARGIN.get(name, 1e-9) * (most - least or abs(most))
+                margin = room(name, least, most)
                 low[name], high[name] = least - margin, most + margin
         return cls(low, high, tuple(sorted(set(points["material"]))) if "material" in points else ())
 

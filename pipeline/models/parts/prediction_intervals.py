@@ -5,8 +5,9 @@ and each time asked about those that follow (rolling origin). Errors are counted
 depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were
 seen get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is
 asked knows more than those that were tried: what their errors have above the noise is taken to fall with the points,
-and ahead with the square of the strokes. A point outside the model's box, or farther ahead than could be tried, gets
-no interval: low and high are infinite and it is flagged.
+and ahead with the square of the strokes. A point outside the model's box, at a twist that was not recorded
+around its load (`recorded_pairs.py`), or farther ahead than could be tried, gets no interval: low and high are
+infinite and it is flagged.
 
 Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction); Tashman, "Out-
 of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000 (rolling origin).
@@ -17,18 +18,20 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
 from ...ground.progress import steps
 from ..interface import Model
 from .box import Box
-from .reach import unreached
+from .reach import brought
+from .recorded_pairs import pairs_of, turns_at
 from .rolling_origin import FOLDS, last_seen, last_strokes, parts_of
 
 TWISTS = 6  # ranges of twist, equally populated, that have a scatter of their own
-SURELY = 0.99  # of the readings lie within what the curve reaches, and so much more
 GIVEN = {"displacement_mm": "motor_turns", "motor_turns": "displacement_mm"}  # of each map, by what it predicts
 MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,7 @@ class Intervals:
         parts = parts_of(points)
         if not parts:
             raise TooFew("are all of one block, so nothing can be foreseen from the rest")
-        self.model, self.box = self.make(), Box.of(points)
+        self.model, self.box, self.pairs = self.make(), Box.of(points), pairs_of(points)
         self.strokes, error_tables = last_strokes(points), []
         for part in steps([None, *parts], "fit"):
             if part is None:
@@ -121,21 +124,30 @@ class Intervals:
             return float("inf")
         return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
 
-    def outside(self, points: pd.DataFrame, wanted: str) -> dict[str, Array]:
-        """Which questions have no interval, by the column that is why: masks of shape (points,), without unit."""
+    def outside(self, points: pd.DataFrame, wanted: str) -> dict[str, Mask]:
+        """Which questions lie outside what was recorded, by the column that is why: masks of shape (points,).
+
+        `pairs` are those whose twist was not recorded around their load, or what else differs.
+        """
         last, stroke = self.last_recorded(points), points["stroke"].to_numpy()
         far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
         wrong = self.box.outside(points, GIVEN[wanted]) | {"stroke": far, "string": last.isna().to_numpy()}
-        if wanted == "motor_turns":
-            room = self.quantile("displacement_mm", self.ahead("displacement_mm"), SURELY)
-            room_mm = room * self.scatter["displacement_mm"].size.max()
-            wrong["reach"] = unreached(self.model, points, self.turns, room_mm)
-        return {name: mask for name, mask in wrong.items() if mask.any()}
+        if wanted == "displacement_mm":
+            (low, high), turns = self.turns(points), points["motor_turns"].to_numpy(float)
+            wrong["pairs"] = (turns < low) | (turns > high)
+        return {name: np.asarray(mask, bool) for name, mask in wrong.items() if mask.any()}
 
-    @property
-    def turns(self) -> tuple[float, float]:
-        """The range of recorded twists, with its room, in turns."""
-        return self.box.low["motor_turns"], self.box.high["motor_turns"]
+    def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
+        """The range of twists recorded around each question's conditions, with its room, in turns; shape (points,)."""
+        return turns_at(self.pairs, points, (self.box.low["motor_turns"], self.box.high["motor_turns"]))
+
+    def brought(self, points: pd.DataFrame, level: float) -> tuple[Array, Mask]:
+        """Twists in turns, within those recorded, and which are held at their end; each of shape (points,).
+
+        Held is one whose contraction is further from the asked one than the interval of the level.
+        """
+        ends = self.turns(points)
+        return brought(self.model, points, ends, lambda at: self._half(points, "displacement_mm", at, level))
 
     def last_recorded(self, points: pd.DataFrame) -> pd.Series:
         """The last recorded stroke of each question's string, NaN where none was; of shape (points,)."""
@@ -146,18 +158,22 @@ class Intervals:
         return max(number for number, values in self.scores[wanted].items() if len(values))
 
     def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:
-        value = getattr(self.model, MAPS[wanted])(points)
-        at = points["motor_turns"].to_numpy(float) if wanted == "displacement_mm" else value
-        size = self.scatter[wanted].at(at, points["direction"].to_numpy())
-        last = self.last_recorded(points)
-        ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
-        half = size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place]
-        outside = self.outside(points, wanted)
-        inside = np.isfinite(half) & ~np.any(list(outside.values()), axis=0) if outside else np.isfinite(half)
-        if "reach" in outside:
-            value = np.where(outside["reach"], np.clip(value, *self.turns), value)  # held at the end of the range
+        if wanted == "displacement_mm":
+            value, wrong = self.model.forward(points), np.zeros(len(points), bool)
+            half = self._half(points, wanted, points["motor_turns"].to_numpy(float), level)
+        else:
+            value, wrong = self.brought(points, level)
+            half = self._half(points, wanted, value, level)
+        inside = np.isfinite(half) & ~np.any([wrong, *self.outside(points, wanted).values()], axis=0)
         half = np.where(inside, half, np.inf)
         return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
+
+    def _half(self, points: pd.DataFrame, wanted: str, turns: Array, level: float) -> Array:
+        """Half widths at twists in turns, in the wanted column's unit; each of shape (points,)."""
+        last = self.last_recorded(points)
+        ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
+        size = self.scatter[wanted].at(turns, points["direction"].to_numpy())
+        return np.asarray(size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place])
 
     def _foreseen(self, known: pd.DataFrame, rest: pd.DataFrame, seed: int) -> pd.DataFrame:
         """Errors of both maps on points that a model fitted on the known ones has not seen."""

@@ -1,7 +1,8 @@
 """Why a question got no interval: which number it gives, and what was recorded of that.
 
-A question lies outside the box of the recordings, or too many strokes ahead of the last recorded one of its string, or
-asks for a contraction that no recorded twist gives.
+A question lies outside the box of the recordings, at a twist that was not recorded around its load, or too many strokes
+ahead of the last recorded one of its string, or asks for a contraction that no recorded twist gives. One that lies
+between what was recorded is answered with an interval, and that is said too.
 """
 
 from collections.abc import Sequence
@@ -13,36 +14,54 @@ from numpy.typing import NDArray
 from .beyond import also, beyond, held
 from .prediction_intervals import Intervals
 from .reach import reached_mm
+from .recorded_pairs import around
 
 SHOWN = 5  # questions of which the reason is printed; the file has all
 
 
-def reasons(intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_]) -> list[str]:
-    """Why each question is not `inside`, a sentence each; empty for one that is.
+def reasons(
+    intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_], level: float
+) -> list[str]:
+    """Why each question is not `inside`, a sentence each, and that it lies between what was recorded; else empty.
 
-    `points` are the questions, of which `wanted` is asked; `inside` has the shape (points,), without unit.
+    `points` are the questions, of which `wanted` is asked, with intervals of the `level`; `inside` has the shape
+    (points,), without unit.
     """
     sentences = np.full(len(points), "", object)
     rows = np.flatnonzero(~inside)
-    if not len(rows):
-        return list(sentences)
-    questions = points.iloc[rows]
+    if len(rows):
+        sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
+    for paired in intervals.pairs:
+        sentences[:] = [also(*both) for both in zip(sentences, paired.gaps(points), strict=True)]
+    return list(sentences)
+
+
+def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: float) -> NDArray[np.object_]:
+    """Why each of these questions has no interval; sentences of shape (questions,), without unit."""
+    sentences = np.full(len(questions), "", object)
     outside, last = intervals.outside(questions, wanted), intervals.last_recorded(questions)
-    reach = outside.pop("reach", np.zeros(len(rows), bool))
+    apart = outside.pop("pairs", np.zeros(len(questions), bool))
     for name, mask in outside.items():
-        of_name = questions[name][mask]
-        for row, value, recorded in zip(rows[mask], of_name, last[mask], strict=True):
+        for row, value, recorded in zip(np.flatnonzero(mask).tolist(), questions[name][mask], last[mask], strict=True):
             reason = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
             sentences[row] = also(sentences[row], reason)
-    at_end = reach & (sentences[rows] == "")
-    if at_end.any():
-        turns = intervals.turns
-        answer = np.clip(intervals.model.inverse(questions[at_end]), *turns)
-        numbers = zip(rows[at_end], answer, *reached_mm(intervals.model, questions[at_end], turns), strict=True)
-        for row, end, least_mm, most_mm in numbers:
-            sentences[row] = held(float(end), float(least_mm), float(most_mm))
-    sentences[rows[sentences[rows] == ""]] = "how large an error is here could not be learnt"
-    return list(sentences)
+    if apart.any():
+        turns = questions["motor_turns"].to_numpy(float)
+        known = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
+        for paired in intervals.pairs:
+            for row, reason in enumerate(paired.never(questions, turns)):
+                sentences[row] = also(sentences[row], reason if known[row] else "")
+    rows = np.flatnonzero(sentences == "")
+    if wanted == "motor_turns" and len(rows):
+        rest = questions.iloc[rows]
+        twists, wrong = intervals.brought(rest, level)
+        least_mm, most_mm = reached_mm(intervals.model, rest, intervals.turns(rest))
+        near = around(intervals.pairs, rest, twists)
+        for place in np.flatnonzero(wrong):
+            end, least, most = float(twists[place]), float(least_mm[place]), float(most_mm[place])
+            sentences[rows[place]] = held(end, least, most, near[place])
+    sentences[sentences == ""] = "how large an error is here could not be learnt"
+    return sentences
 
 
 def first_of(sentences: Sequence[str]) -> list[str]:
