@@ -20,7 +20,11 @@ settings.load_profile("the same")
 
 
 # Folders whose files take longest, dearest first: begun first, none of them leaves a worker without work at the end.
-FIRST = ("workflow", "rigs", "diagnosis", "faults", "proof", "export", "models", "real")
+# The first line is of those that take minutes; of most of them all tests are long.
+FIRST = (
+    *("cluster", "workflow", "real", "package", "rigs"),
+    *("settle", "diagnosis", "env", "proof", "models", "export", "pages", "faults", "watch", "capture", "rig"),
+)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

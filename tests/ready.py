@@ -15,6 +15,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 import warnings
 from functools import cache
@@ -24,20 +25,27 @@ from typing import IO, Any
 ROOT = Path(__file__).resolve().parent.parent
 SERVER = "import sys; sys.path[:0] = [{!r}, {!r}]; import ready; ready.serve({!r})"
 LONGEST = 60_000  # bytes of a request
+# What most tests start, so that one server serves all of them; each of them is started by `sys.executable` somewhere.
+PROGRAMS = (
+    *(f"pipeline.{program}.__main__" for program in ("capture", "rig", "watch")),
+    *("pipeline.new_run", "pipeline.import_run", "pipeline.stages.ingest"),
+)
 
 
 class Program:
     """A program at work: of `subprocess.Popen` what tests need."""
 
-    def __init__(self, server: socket.socket, args: list[str], cwd: object, environment: dict[str, str]) -> None:
-        said, writes = os.pipe()
+    def __init__(self, server: socket.socket, request: dict[str, Any], output: IO[str] | None, apart: bool) -> None:
+        self.args, self.returncode = request["args"], None
         self._ended, tells = os.pipe()
-        self.args, self.returncode = args, None
-        self.stdout: IO[str] = os.fdopen(said)
-        request = json.dumps({"args": args, "cwd": str(cwd), "environment": environment}).encode()
-        assert len(request) < LONGEST
-        socket.send_fds(server, [request], [writes, tells])
-        os.close(writes), os.close(tells)
+        pipes = [os.pipe() for _ in range(0 if output else 1 + apart)]
+        self.stdout, self.stderr = (*(os.fdopen(said) for said, _ in pipes), None, None)[:2]
+        written = [output.fileno()] if output else [writes for _, writes in pipes]
+        message = json.dumps(request).encode()
+        assert len(message) < LONGEST
+        socket.send_fds(server, [message], [written[0], written[-1], tells])
+        for handle in (*(writes for _, writes in pipes), tells):
+            os.close(handle)
         self.pid = int(server.recv(20))
 
     def __del__(self) -> None:
@@ -59,21 +67,24 @@ class Program:
             self.returncode = int(os.read(self._ended, 20))
         return self.returncode
 
-    def communicate(self, timeout: float | None = None) -> tuple[str, None]:
-        """What it said until its end."""
+    def communicate(self, timeout: float | None = None) -> tuple[str, str | None]:
+        """What it said until its end, and what it complained of where that has a pipe of its own."""
         until = None if timeout is None else time.monotonic() + timeout
-        pieces = []
-        while True:
-            left = None if until is None else max(until - time.monotonic(), 0.0)
-            if not select.select([self.stdout], [], [], left)[0]:
+        pipes = {pipe.fileno(): pipe for pipe in (self.stdout, self.stderr) if pipe and not pipe.closed}
+        pieces: dict[int, list[bytes]] = {handle: [] for handle in pipes}
+        left = list(pipes)
+        while left:
+            heard = select.select(left, [], [], None if until is None else max(until - time.monotonic(), 0.0))[0]
+            if not heard:
                 raise subprocess.TimeoutExpired(self.args, timeout or 0.0)
-            piece = os.read(self.stdout.fileno(), 65536)
-            if not piece:
-                break
-            pieces.append(piece)
+            for handle in heard:
+                pieces[handle].append(os.read(handle, 65536))
+                left = left if pieces[handle][-1] else [other for other in left if other != handle]
         self.wait(None if until is None else max(until - time.monotonic(), 1.0))
-        self.stdout.close()
-        return b"".join(pieces).decode(), None
+        told = [b"".join(piece).decode() for piece in pieces.values()]
+        for pipe in pipes.values():
+            pipe.close()
+        return (*told, None, None)[:2] if told else ("", None)
 
     def send_signal(self, number: int) -> None:
         """Send it a signal, where it has not ended."""
@@ -100,13 +111,29 @@ def _server(modules: tuple[str, ...]) -> socket.socket:
     return ours
 
 
-def start(module: str, *words: object, cwd: object, imports: tuple[str, ...]) -> Program:
-    """Start `python -m <module> <words>` in a folder, without a terminal; its output and complaints are one pipe.
+def start(
+    module: str, *words: object, cwd: object = ROOT, imports: tuple[str, ...] = PROGRAMS,
+    output: IO[str] | None = None, apart: bool = False,
+) -> Program:  # fmt: skip
+    """Start `python -m <module> <words>` in a folder, without a terminal.
 
-    `imports` are the modules that it finds imported.
+    `imports` are the modules that it finds imported. Output and complaints are one pipe, two where they are `apart`, or
+    go to the file `output`.
     """
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}  # for what it starts itself: the folder is not the checkout
-    return Program(_server(imports), [module, *map(str, words)], cwd, environment)
+    request = {"args": [module, *map(str, words)], "cwd": str(cwd), "environment": environment}
+    return Program(_server(imports), request, output, apart)
+
+
+def run(module: str, *words: object, cwd: object = ROOT, timeout: float = 300.0) -> subprocess.CompletedProcess[str]:
+    """The same program at its end, with what it said and what it complained of."""
+    program = start(module, *words, cwd=cwd, apart=True)
+    try:
+        said, complained = program.communicate(timeout)
+    except subprocess.TimeoutExpired:
+        program.kill()
+        raise
+    return subprocess.CompletedProcess(program.args, program.wait(), said, complained)
 
 
 def serve(modules: tuple[str, ...]) -> None:
@@ -126,16 +153,17 @@ def serve(modules: tuple[str, ...]) -> None:
             _tell(ends)
         if asked not in ready:
             continue
-        message, handles, _, _ = socket.recv_fds(asked, LONGEST, 2)
+        message, handles, _, _ = socket.recv_fds(asked, LONGEST, 3)
         if not message:
             return
-        writes, tells = handles
+        *written, tells = handles
         child = os.fork()
         if child == 0:
             signal.set_wakeup_fd(-1)
             signal.signal(signal.SIGCHLD, signal.SIG_DFL), signal.signal(signal.SIGINT, interrupted)
-            _be(json.loads(message), writes)
-        os.close(writes)
+            _be(json.loads(message), *written)
+        for handle in written:
+            os.close(handle)
         ends[child] = tells
         asked.send(str(child).encode())
 
@@ -149,16 +177,28 @@ def _tell(ends: dict[int, int]) -> None:
             os.close(tells)
 
 
-def _be(request: dict[str, Any], writes: int) -> None:
-    """Be the program that is asked for, to its end, as the interpreter does: what is left to write is written."""
+def _be(request: dict[str, Any], says: int, complains: int) -> None:
+    """Be the program that is asked for, to its end: as the interpreter does, but that nothing it imported is undone."""
     nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, 0), os.dup2(writes, 1), os.dup2(writes, 2)
+    os.dup2(nothing, 0), os.dup2(says, 1), os.dup2(complains, 2)
     os.closerange(3, os.sysconf("SC_OPEN_MAX"))
     os.chdir(request["cwd"])
     os.environ.clear()
     os.environ.update(request["environment"])
     sys.argv = request["args"]
-    sys.stdout, sys.stderr = open(1, "w", closefd=False), open(2, "w", closefd=False, buffering=1)  # noqa: SIM115
+    sys.stdout = open(1, "w", closefd=False)  # noqa: SIM115
+    sys.stderr = open(2, "w", closefd=False, buffering=1, errors="backslashreplace")  # noqa: SIM115
     warnings.filterwarnings("ignore", ".*found in sys.modules after import of package", RuntimeWarning)
-    runpy.run_module(request["args"][0], run_name="__main__", alter_sys=True)
-    sys.exit()
+    status: object = 0
+    try:
+        runpy.run_module(request["args"][0], run_name="__main__", alter_sys=True)
+    except SystemExit as end:
+        status = end.code or 0
+    for thread in threading.enumerate():
+        if thread is not threading.main_thread() and not thread.daemon:
+            thread.join()
+    if not isinstance(status, int):
+        print(status, file=sys.stderr)
+    atexit._run_exitfuncs()
+    sys.stdout.flush(), sys.stderr.flush()
+    os._exit(status & 255 if isinstance(status, int) else 1)  # to undo the imports takes half a second

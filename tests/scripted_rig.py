@@ -2,14 +2,14 @@
 
 import os
 import pty
-import subprocess
-import sys
 import threading
 import time
 import tty
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+import ready
 
 from pipeline.wire import Channel, Decoder, Hello, Kind, encode
 from pipeline.wire.motion import PROGRAM, TAKEN, Answer
@@ -54,12 +54,12 @@ class ScriptedRig(threading.Thread):
 @contextmanager
 def synthetic_rig(link: Path, setup: object, *options: object) -> Iterator[Path]:
     """The synthetic rig of a set-up behind a link, until the end."""
-    command = [sys.executable, "-m", "pipeline.rig", str(setup), "--link", str(link), *map(str, options)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as one:
-        try:
-            while not link.is_symlink():
-                assert one.poll() is None, one.stdout and one.stdout.read()
-                time.sleep(0.01)
-            yield link
-        finally:
-            one.terminate()
+    program = ready.start("pipeline.rig", setup, "--link", link, *options)
+    try:
+        while not link.is_symlink():
+            assert program.poll() is None, program.communicate()[0]
+            time.sleep(0.01)
+        yield link
+    finally:
+        program.terminate()
+        program.communicate()

@@ -7,6 +7,7 @@ import downloaded
 import numpy as np
 import pandas as pd
 import pytest
+import ready
 import yaml
 from made_recording import content, recording
 
@@ -219,19 +220,9 @@ def test_a_bad_mapping_is_named_not_the_run(foreign):
 
 def test_the_program_exits_2_on_bad_input(foreign):
     file, mapping, raw = foreign
-    command = [
-        sys.executable,
-        "-m",
-        "pipeline.import_run",
-        str(file),
-        "--map",
-        str(mapping),
-        "--out",
-        str(raw),
-        "--run",
-    ]
-    assert subprocess.run([*command, "Bad"], capture_output=True).returncode == 2
-    assert subprocess.run([*command, "good"], capture_output=True).returncode == 0
+    words = ["pipeline.import_run", str(file), "--map", str(mapping), "--out", str(raw), "--run"]
+    assert subprocess.run([sys.executable, "-m", *words, "Bad"], capture_output=True).returncode == 2
+    assert ready.run(*words, "good").returncode == 0
 
 
 @pytest.mark.parametrize("kind", ["two leap", "ten are zero", "wraps", "runs backwards", "leap for good"])
@@ -331,8 +322,5 @@ def test_a_tolerance_that_is_likely_a_mistake_is_questioned_by_import_and_ingest
     import_run(file, mapping, "a-01", raw)
     question = "tolerance.radius: is 0.5, a share: 50 % of 0.4 mm, or ± 0.2 mm"
     assert f"warning: {mapping}: {question}" in capsys.readouterr().err
-    done = subprocess.run(
-        [sys.executable, "-m", "pipeline.stages.ingest", raw / "a-01", "--out", raw / "samples.parquet"],
-        capture_output=True, text=True,
-    )  # fmt: skip
+    done = ready.run("pipeline.stages.ingest", raw / "a-01", "--out", raw / "samples.parquet")
     assert done.returncode == 0 and f"warning: {raw / 'a-01' / 'run.yaml'}: {question}" in done.stderr

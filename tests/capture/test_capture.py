@@ -19,6 +19,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from ready import run
 from scripted_rig import synthetic_rig
 
 from pipeline.capture.__main__ import tell_frames
@@ -49,11 +50,6 @@ def recorded(tmp_path_factory):
     done = run("pipeline.rig.record", "small", folder, "--seed", SEED)
     assert done.returncode == 0, done.stderr
     return folder
-
-
-def run(module: str, *arguments) -> subprocess.CompletedProcess:
-    command = [sys.executable, "-m", module, *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60)
 
 
 def start(module: str, *arguments) -> subprocess.Popen:

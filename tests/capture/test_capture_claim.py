@@ -7,14 +7,13 @@ import json
 import os
 import pty
 import signal
-import subprocess
-import sys
 import termios
 import threading
 import time
 import tty
 
 import pytest
+import ready
 
 from pipeline.capture.log import LINES, NAME, Log
 from pipeline.ground.errors import BadInput
@@ -28,9 +27,8 @@ def start(tmp_path):
     """Start programs; they are ended with the test."""
     started = []
 
-    def one(*words) -> subprocess.Popen:
-        command = [sys.executable, "-m", *map(str, words)]
-        started.append(subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True))
+    def one(*words) -> ready.Program:
+        started.append(ready.start(*words))
         return started[-1]
 
     yield one

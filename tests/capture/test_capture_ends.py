@@ -1,10 +1,8 @@
 """How a recording ends when its device does not end it, and what one bad stamp costs a run that is read."""
 
-import subprocess
-import sys
-
 import numpy as np
 import pytest
+import ready
 from faults.scripted_device import SAMPLES, frames, hello
 
 from pipeline.capture import stream
@@ -112,8 +110,7 @@ def test_one_bad_stamp_does_not_cost_the_run(small, tmp_path):
     assert info["exit_status"] == "complete" and info["recovered"]
     assert (info["samples"]["backward_time_stamps"], info["samples"]["repeated_time_stamps"]) == (1, 1)
     out = tmp_path / "samples.parquet"
-    command = [sys.executable, "-m", "pipeline.stages.ingest", str(bad), "--out", str(out)]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = ready.run("pipeline.stages.ingest", bad, "--out", out)
     assert done.returncode == 0, done.stderr
     assert "recording.frames: mended 1 backward time stamps, 1 repeated time stamps" in done.stderr
     (_, right), (_, mended) = read_samples(good), read_samples(bad)

@@ -15,6 +15,7 @@ import tty
 from datetime import datetime
 
 import pytest
+import ready
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -184,10 +185,9 @@ def rig(tmp_path):
     tty.setraw(theirs)
     started = []
 
-    def start(*options: str) -> subprocess.Popen:
+    def start(*options: str) -> ready.Program:
         port = [] if "--recover" in options else [os.ttyname(theirs), str(tmp_path / "run-1"), "--text"]
-        command = [sys.executable, "-m", "pipeline.capture", *port, *options]
-        started.append(subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True))
+        started.append(ready.start("pipeline.capture", *port, *options))
         return started[-1]
 
     yield ours, start

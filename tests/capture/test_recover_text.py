@@ -2,9 +2,9 @@
 
 import json
 import subprocess
-import sys
 
 import pytest
+import ready
 
 from pipeline.capture.holes import MOST
 from pipeline.capture.lines_to_csv import recover_lines
@@ -25,8 +25,7 @@ def folder(tmp_path):
 
 
 def recover(folder, *options: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "pipeline.capture", "--recover", str(folder), *options]
-    return subprocess.run(command, capture_output=True, text=True)
+    return ready.run("pipeline.capture", "--recover", folder, *options)
 
 
 @pytest.mark.parametrize(

@@ -123,6 +123,7 @@ def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagn
     assert not re.search(r"\de[+-]\d", text)
 
 
+@pytest.mark.long
 def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(diagnosed, tmp_path) -> None:
     folder, _, _, first = diagnosed
     done = command("pipeline.diagnose", folder, "--out", tmp_path, "--without", "creep", "--without", "thermal")

@@ -77,7 +77,7 @@ def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
     assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
 
 
-@pytest.mark.parametrize("kind", ["u_clock", "u_swelling"])
+@pytest.mark.parametrize("kind", [pytest.param("u_clock", marks=pytest.mark.long), "u_swelling"])
 def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(kind: str, conceal) -> None:
     found, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
     helper = {"u_clock": "x_clock", "u_swelling": "x_swelling"}[kind]

@@ -52,6 +52,7 @@ def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
     return known
 
 
+@pytest.mark.long
 def test_a_loop_of_friction_does_not_follow_the_speed_as_those_of_its_look_alikes_do(conceal):
     best, *others = foretold(conceal, "friction_hysteresis")
     assert best["loop_half_speed_mm"] == pytest.approx(best["loop_as_before_mm"], rel=0.1)
@@ -59,6 +60,7 @@ def test_a_loop_of_friction_does_not_follow_the_speed_as_those_of_its_look_alike
     assert "loop_half_load_mm" not in best, "two loads were recorded"
 
 
+@pytest.mark.long
 def test_creep_has_a_hold_and_a_rest_and_a_drift_beside_it_has_no_loop(conceal):
     best, *others = foretold(conceal, "creep")
     assert {"hold_mm", "rest_mm", "top_mm", "loop_as_before_mm"} <= best.keys()

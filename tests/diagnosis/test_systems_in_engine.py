@@ -44,6 +44,7 @@ HIDDEN = [
 ]
 
 
+@pytest.mark.long
 def test_what_another_hand_hid_is_among_what_is_named(tmp_path):
     """Nine cases on two rigs each; one may fail, for the other hand draws sizes and noise as it likes."""
     missed = []

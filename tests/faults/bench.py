@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import ready
 from scripted_device import Rig
 
 from pipeline.wire import Kind, read_recording
@@ -46,7 +47,7 @@ class Row:
 class Host:
     """A capture program at work."""
 
-    process: subprocess.Popen
+    process: ready.Program | subprocess.Popen[str]
     output: Path
 
     def wait(self, within_s: float = 60.0) -> int:
@@ -88,14 +89,13 @@ class Bench:
         what = ["-c", AS_NOBODY] if nobody and os.geteuid() == 0 else ["-m", "pipeline.capture"]
         what = ["-c", BARE] if bare else what
         output = self.folder / f"said-{len(self.hosts)}"
+        process: ready.Program | subprocess.Popen[str]
         with output.open("w") as file:
-            process = subprocess.Popen(
-                [sys.executable, *what, *map(str, arguments)],
-                stdout=file,
-                stderr=subprocess.STDOUT,
-                cwd=cwd,
-                preexec_fn=limit,
-            )
+            if limit or what[0] == "-c":
+                command = [sys.executable, *what, *map(str, arguments)]
+                process = subprocess.Popen(command, stdout=file, stderr=subprocess.STDOUT, cwd=cwd, preexec_fn=limit)
+            else:
+                process = ready.start("pipeline.capture", *arguments, cwd=cwd, output=file)
         self.hosts.append(Host(process, output))
         return self.hosts[-1]
 

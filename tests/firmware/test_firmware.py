@@ -6,7 +6,6 @@ import re
 import select
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import numpy as np
 import pytest
 import yaml
 from firmware.builds import FIRMWARE, SMALL, for_the_uno, for_this_computer, running, simulator
+from ready import start
 
 from pipeline.ground import schemas
 from pipeline.wire import Decoder, Event, Frame, Kind, Reason, Recording, encode, read_recording
@@ -28,11 +28,6 @@ RADIUS_MM, LENGTH_MM = 1.0, 300.0  # of bench.h
 @pytest.fixture(scope="module")
 def board(tmp_path_factory) -> Path:
     return for_this_computer(tmp_path_factory.mktemp("firmware") / "board")
-
-
-def start(module: str, *arguments: object) -> subprocess.Popen:
-    command = [sys.executable, "-m", module, *map(str, arguments)]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
 def capture(port: str, folder: Path) -> tuple[int, str, Recording, dict]:
@@ -66,6 +61,7 @@ def test_it_compiles_for_the_uno_without_a_warning_and_fits(tmp_path):
     assert 0 < flash <= FLASH_BYTES and 0 < ram <= RAM_BYTES, f"{flash} bytes of flash, {ram} of RAM"
 
 
+@pytest.mark.long
 def test_on_the_simulated_uno_it_is_recorded_without_a_loss_and_cut_into_strokes(tmp_path):
     elf, uno = for_the_uno(tmp_path / "rig.elf", *SMALL), simulator(tmp_path / "uno")
     folder, processed = tmp_path / "raw" / "uno-1", tmp_path / "processed"

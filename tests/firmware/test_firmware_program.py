@@ -2,8 +2,6 @@
 
 import json
 import struct
-import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import ready
 from firmware.builds import SMALL, for_the_uno, for_this_computer, running, simulator
 from firmware.test_firmware import Talk
 
@@ -100,12 +99,12 @@ def test_it_declares_its_limits_and_refuses_what_is_beyond_them_as_the_host_does
         assert asked(host, GOOD)[2] == Answer.BUSY
 
 
+@pytest.mark.parametrize("board", ["here", pytest.param("uno", marks=pytest.mark.long)], indirect=True)
 def test_it_follows_a_program_leg_by_leg(board, tmp_path):
     program = tmp_path / "program.json"
     program.write_text(json.dumps([{"seconds": leg.seconds, "motor_turns": leg.turns} for leg in GOOD]))
     with running(*board, PACE=1) as port:  # silence of the host is counted in the board's time
-        words = [sys.executable, "-m", "pipeline.capture", port, str(tmp_path / "pc-1"), "--program", str(program)]
-        done = subprocess.run(words, capture_output=True, text=True, timeout=300)
+        done = ready.run("pipeline.capture", port, tmp_path / "pc-1", "--program", program)
     assert done.returncode == 0, done.stdout + done.stderr
     recording = read_recording((tmp_path / "pc-1" / "recording.frames").read_bytes())
     assert recording.account.end.reason == Reason.COMPLETE and recording.account.lost == 0

@@ -3,12 +3,11 @@
 import json
 import os
 import signal
-import subprocess
-import sys
 
 import h5py
 import numpy as np
 import pytest
+import ready
 import scipy.io
 import yaml
 from forked import fork_the_reader
@@ -78,6 +77,6 @@ def test_a_byte_that_crashes_the_reader_of_matlab_files_is_refused_in_words(tmp_
     file.write_bytes(content_of)
     mapping.write_text(yaml.safe_dump(content("x", run=None, channels=CHANNELS)))
     words = ["pipeline.import_run", str(file), "--map", str(mapping), "--run", "a-01", "--out", str(tmp_path / "raw")]
-    done = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True)
+    done = ready.run(*words)
     assert done.returncode == 2 and "a.mat: file: is not a MATLAB file" in done.stderr and "Mend: " in done.stderr
     assert not (tmp_path / "raw").exists()

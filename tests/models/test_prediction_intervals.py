@@ -47,6 +47,7 @@ def held(found, factor=1.0):
     return float(((some["truth"] - some["value"]).abs() <= half).mean())
 
 
+@pytest.mark.long  # 48 strings; test_more_strokes_ahead_... looks at eight
 @pytest.mark.parametrize("map_", MAPS)
 def test_of_strokes_to_come_nine_in_ten_are_held(asked, map_):
     some = asked[asked["map"] == map_]

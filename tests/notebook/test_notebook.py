@@ -1,16 +1,20 @@
 """twistbench in memory: what a notebook can make, ask and keep, and what it is refused."""
 
 import json
+import pickle
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 from made_recording import content, recording
 
 import pipeline as tb
+from pipeline.diagnosis import in_memory
+from pipeline.notebook import diagnosis as in_a_notebook
 
 ROOT = Path(__file__).parents[2]
 DESCRIPTION = {key: value for key, value in content("a-01").items() if key != "run"}
@@ -22,8 +26,24 @@ def nylon() -> tb.Recording:
 
 
 @pytest.fixture(scope="module")
-def diagnosis(nylon: tb.Recording) -> tb.Diagnosis:
-    return tb.Diagnosis.of(nylon)
+def found(nylon: tb.Recording) -> tuple[tb.Diagnosis, bytes]:
+    """Its diagnosis, and what that was made from, which the program can be given again."""
+    made: list[bytes] = []
+
+    def diagnosed(*asked):
+        content, study = in_memory.diagnosed(*asked)
+        study.problem._terms.clear()  # functions, which cannot be written down
+        made.append(pickle.dumps((content, study)))
+        return content, study
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(in_a_notebook, "diagnosed", diagnosed)
+        return tb.Diagnosis.of(nylon), made[0]
+
+
+@pytest.fixture(scope="module")
+def diagnosis(found: tuple[tb.Diagnosis, bytes]) -> tb.Diagnosis:
+    return found[0]
 
 
 def test_importing_the_package_imports_none_of_its_rooms_and_every_public_name_is_there() -> None:
@@ -73,10 +93,17 @@ def test_what_cannot_be_right_is_refused_with_its_field(change, column, said) ->
         tb.Recording.of(samples.drop(columns=column) if column else samples, {**DESCRIPTION, **change})
 
 
-def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, diagnosis: tb.Diagnosis, tmp_path: Path) -> None:
+@pytest.mark.parametrize("anew", [False, pytest.param(True, marks=pytest.mark.long)])
+def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, found, tmp_path: Path, monkeypatch, anew) -> None:
+    """The program diagnoses anew, or is given what the diagnosis in memory was made from."""
+    diagnosis, made_from = found
     folder = nylon.save(tmp_path / "raw")
-    command = [sys.executable, "-m", "pipeline.diagnose", str(folder), "--out", str(tmp_path / "out")]
-    subprocess.run(command, check=True, capture_output=True, cwd=ROOT)
+    words = ["pipeline.diagnose", str(folder), "--out", str(tmp_path / "out")]
+    if anew:
+        subprocess.run([sys.executable, "-m", *words], check=True, capture_output=True, cwd=ROOT)
+    else:
+        monkeypatch.setattr(in_memory, "diagnosed", lambda *_: pickle.loads(made_from))
+        assert programs.run(*words).returncode == 0
     assert (tmp_path / "out" / "recording" / "diagnosis.json").read_text() == diagnosis.to_json()
     diagnosis.save(tmp_path / "kept")
     assert (tmp_path / "kept" / "diagnosis.pdf").is_file()  # its bytes depend on what else a process has drawn

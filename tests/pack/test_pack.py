@@ -117,6 +117,7 @@ def test_another_folder_has_nothing_to_do_and_what_changes_there_is_made_again(f
     assert "samples" in snakemake(lab, "--dry-run")  # its provenance came with it
 
 
+@pytest.mark.long
 def test_a_material_alone_leaves_what_is_made_of_all_and_the_same_gives_the_same_bytes(finished, archive, tmp_path):
     for name in ("a.zip", "b.zip"):
         assert programs.run("pipeline.pack", "nylon", "--out", tmp_path / name, cwd=finished).returncode == 0

@@ -11,6 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import copied
 import pytest
 from models.made_dataset import made_dataset
 
@@ -107,7 +108,7 @@ RUN_OVER = {
 def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the package that holds the page's files too."""
     root = tmp_path_factory.mktemp("house")
-    shutil.copytree(ROOT / "pipeline", root / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
+    copied.package(root)
     for path, text in FILES.items():
         assert not (root / path).exists(), path
         (root / path).write_text(text)

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import copied
 import numpy as np
 import pandas as pd
 import pytest
@@ -48,7 +49,7 @@ def recorded(seed, bearing=0.0, oil=0.0, offset=0.0, air=0.0):
 def house(tmp_path_factory):
     """A copy of the package with the page's two files in it; run.yaml's text besides."""
     root, files = tmp_path_factory.mktemp("house"), page_files()
-    shutil.copytree(ROOT / "pipeline", root / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
+    copied.package(root)
     for path, text in files.items():
         if path.endswith(".py"):
             (root / path).write_text(text)
@@ -92,6 +93,7 @@ def test_the_page_has_its_files():
     }  # fmt: skip
 
 
+@pytest.mark.long
 def test_a_strangers_rig_is_diagnosed_in_its_own_units(house):
     samples = recorded(1, bearing=0.06, oil=0.03, offset=0.02)
     content, simulated = diagnosed(house, samples)
@@ -122,12 +124,14 @@ def test_a_strangers_mechanism_is_named_beside_the_librarys(house):
     assert square["value"] == pytest.approx(0.05, rel=0.15) and square["unit"] == "Nm s2/rad2"
 
 
+@pytest.mark.long
 def test_nothing_is_named_where_nothing_is_missing(house):
     content, _ = diagnosed(house, recorded(3))
     assert content["verdict"] in ("consistent", "parameters") and not content["mechanisms"]
     assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(INERTIA_KG_M2, rel=0.03)
 
 
+@pytest.mark.long
 def test_a_mechanism_of_ones_own_alone_counts_as_unknown_but_is_told_with_its_simulation(house):
     content, _ = diagnosed(house, recorded(5, air=0.05))
     assert content["verdict"] == "unknown" and not content["mechanisms"] and not content["simulation"]

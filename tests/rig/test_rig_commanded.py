@@ -3,8 +3,6 @@
 import json
 import os
 import signal
-import subprocess
-import sys
 import time
 import zlib
 from contextlib import ExitStack
@@ -13,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from ready import start
 from scripted_rig import synthetic_rig
 
 from pipeline.capture.motion import as_legs
@@ -124,11 +123,6 @@ def test_the_string_of_the_second_recording_has_lived_through_the_first():
 
 
 # over a pseudo-terminal, with the real programs
-
-
-def start(module: str, *arguments: object) -> subprocess.Popen:
-    command = [sys.executable, "-m", module, *map(str, arguments)]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
 @pytest.fixture

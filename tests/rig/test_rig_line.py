@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import ready
 
 from pipeline.new_run import main as new_run
 from pipeline.rig.options import command, free_name
@@ -20,10 +21,15 @@ from pipeline.wire import read_recording
 ROOT = Path(__file__).parents[2]
 
 
-def start(link, *options, folder=ROOT, **more):
-    words = [sys.executable, "-m", "pipeline.rig", "small", "--link", str(link), *options]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    return subprocess.Popen(words, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}, **pipes, **more)
+def start(link, *options, folder=ROOT):
+    return ready.start("pipeline.rig", "small", "--link", link, *options, cwd=folder, apart=True)
+
+
+def run(*words, folder=ROOT):
+    """What a program of ours says; it ends well."""
+    done = ready.run(*words, cwd=folder)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
 
 
 def test_a_second_rig_takes_no_link_of_a_live_one_and_a_stale_one_is_replaced(tmp_path):
@@ -66,11 +72,8 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
         assert "every recording is of a new string" in strings and "--string-id of its own" in strings
         assert "every recording has 5 strokes; --strokes N is for another number" in strokes
         for name in ("example-1", "example-2"):
-            words = ["--", str(tmp_path / "port"), str(tmp_path / name)]
-            described = [sys.executable, *shlex.split(command(read_setup("small"), name))[1:], "--out", str(tmp_path)]
-            subprocess.run(described, cwd=ROOT, timeout=300, check=True, capture_output=True)
-            capture = [sys.executable, "-m", "pipeline.capture", *words]
-            said = subprocess.run(capture, cwd=ROOT, timeout=300, capture_output=True, text=True, check=True).stdout
+            run(*shlex.split(command(read_setup("small"), name))[2:], "--out", tmp_path)
+            said = run("pipeline.capture", "--", tmp_path / "port", tmp_path / name)
             assert "Next: this rig's next recording is of another string" in said and "--like" not in said
             assert json.loads((tmp_path / name / "capture.json").read_text())["hello"]["strokes"] == 5
         said, _ = rig.communicate(timeout=300)
@@ -86,17 +89,7 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
     rig = start(tmp_path / "port", *options, folder=tmp_path)
 
     def called(line):
-        words = [sys.executable, *shlex.split(line)[1:]]
-        done = subprocess.run(
-            words,
-            cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": str(ROOT)},
-            timeout=300,
-            capture_output=True,
-            text=True,
-        )
-        assert done.returncode == 0, done.stderr
-        return done.stdout
+        return run(*shlex.split(line)[2:], folder=tmp_path)
 
     try:
         said = [rig.stdout.readline() for _ in range(5)]
@@ -133,8 +126,7 @@ def test_a_rig_that_stays_powered_keeps_its_zero_and_asks_for_no_tare(tmp_path):
         said = [rig.stdout.readline() for _ in range(4)]
         assert "its displacement sensor keeps its zero from recording to recording, so no run needs --tare" in said[3]
         for name in ("a-1", "a-2"):
-            words = [sys.executable, "-m", "pipeline.capture", str(tmp_path / "port"), str(tmp_path / name)]
-            subprocess.run(words, cwd=ROOT, timeout=300, capture_output=True, check=True)
+            run("pipeline.capture", tmp_path / "port", tmp_path / name)
         later, _ = rig.communicate(timeout=300)
         assert " --like raw/" in later and "--tare" not in later
     finally:
@@ -208,7 +200,9 @@ def test_the_page_of_the_protocol_has_the_command_that_the_rig_says():
 def test_a_rig_in_the_background_of_a_shell_ends_by_either_signal_and_takes_its_link_with_it(tmp_path, number):
     """A shell starts such a job deaf to SIGINT, and a Python that is started so has no handler of its own."""
     link = tmp_path / "port"
-    rig = start(link, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+    words = [sys.executable, "-m", "pipeline.rig", "small", "--link", str(link)]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    rig = subprocess.Popen(words, cwd=ROOT, **pipes, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
     try:
         assert "in the background kill" in rig.stdout.readline() and link.is_symlink()
         rig.send_signal(number)

@@ -115,6 +115,7 @@ def test_a_servo_that_rubs_is_told_from_one_that_does_not(tmp_path, diagnosed):
     assert held_out(content)[2] < 0.3 * held_out(content)[1]
 
 
+@pytest.mark.long
 def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, diagnosed):
     file = tmp_path / "axis.csv"
     content = diagnosed(written(benches.axis(1), file), "robot_axis")

@@ -92,10 +92,10 @@ def test_samples_in_pieces_are_those_read_whole(make_run, tmp_path, monkeypatch,
 def test_damaged_samples_at_the_border_of_two_groups_are_left_out_and_said(
     make_run, tmp_path, short_pieces, capsys, rows
 ):
-    samples = recording(12)
+    samples = recording(4)
     samples.loc[rows, "displacement_mm"] = 1e6
     _, stored, _ = stored_strokes(make_run("a-01", samples), tmp_path / "samples.parquet")
-    assert stored.frame(0, len(stored)).equals(recording(12).drop(index=rows).reset_index(drop=True))
+    assert stored.frame(0, len(stored)).equals(recording(4).drop(index=rows).reset_index(drop=True))
     count = f"{len(rows)} sample{'s' * (len(rows) > 1)} left out"
     assert f"{count}: displacement_mm reads 1e+06 in row {min(rows) + 1}" in capsys.readouterr().err
 

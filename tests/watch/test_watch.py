@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import ready
 import yaml
 from made_recording import content
 from scripted_rig import synthetic_rig
@@ -49,17 +50,28 @@ def folder(place: Path, name: str = "run-1", **changes: object) -> Path:
     return made
 
 
+def ready_made(*words: object) -> ready.Program:
+    """The program, its imports made."""
+    return ready.start("pipeline.watch", *words)
+
+
+def bare(*words: object) -> subprocess.Popen:
+    """The program as a person starts it."""
+    command = [sys.executable, "-m", "pipeline.watch", *map(str, words)]
+    return subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True)
+
+
 @contextlib.contextmanager
-def watched(run: Path, *options: object):
+def watched(run: Path, *options: object, start=ready_made):
     """The program on a free port; its port, and the address that it printed."""
-    command = [sys.executable, "-m", "pipeline.watch", run, "--port", 0, "--reports", run.parents[1] / "reports"]
-    with subprocess.Popen([*map(str, [*command, *options])], cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
-        try:
-            printed = process.stdout.readline().strip()
-            yield int(re.search(r":(\d+)/", printed)[1]), printed
-            assert process.poll() is None, "the program ended by itself"
-        finally:
-            process.terminate()
+    process = start(run, "--port", 0, "--reports", run.parents[1] / "reports", *options)
+    try:
+        printed = process.stdout.readline().strip()
+        yield int(re.search(r":(\d+)/", printed)[1]), printed
+        assert process.poll() is None, "the program ended by itself"
+    finally:
+        process.terminate()
+        process.communicate()
 
 
 def get(port: int, path: str, **headers: str) -> tuple[int, bytes, http.client.HTTPMessage]:
@@ -89,10 +101,10 @@ def told(port: int, until=lambda found: True, seconds: float = 20.0) -> dict:
 def test_what_the_page_is_told_is_what_the_capture_program_recorded(tmp_path: Path):
     run = folder(tmp_path)
     with synthetic_rig(tmp_path / "port", ROOT / "pipeline/rig/setups/small.yaml", "--pace", 20), watched(run) as at:
-        capture = [sys.executable, "-m", "pipeline.capture", str(tmp_path / "port"), str(run)]
-        with subprocess.Popen(capture, cwd=ROOT, stdout=subprocess.DEVNULL) as process:
-            live = told(at[0], lambda found: found["samples"] > 0)
-            assert process.poll() is None and not live["ended"], "it is shown while it is recorded"
+        process = ready.start("pipeline.capture", tmp_path / "port", run)
+        live = told(at[0], lambda found: found["samples"] > 0)
+        assert process.poll() is None and not live["ended"], "it is shown while it is recorded"
+        process.communicate()
         found = told(at[0], lambda found: found["ended"])
     recorded = read_recording((run / "recording.frames").read_bytes())
     info = json.loads((run / "capture.json").read_text())
@@ -137,8 +149,7 @@ def test_a_recording_that_grows_is_replaced_and_is_recovered(tmp_path: Path):
         other.replace(place)
         found = told(port, lambda found: found["samples"] == 40)
         assert found["replaced"] == 1
-        done = [sys.executable, "-m", "pipeline.capture", "--recover", str(run)]
-        assert subprocess.run(done, cwd=ROOT, capture_output=True).returncode == 0
+        assert ready.run("pipeline.capture", "--recover", run).returncode == 0
         assert told(port, lambda found: found["ended"])["state"] == "recovered"
 
 
@@ -146,7 +157,7 @@ def test_printed_lines_are_shown_too(tmp_path: Path):
     run = folder(tmp_path)
     lines = "".join(f"{at * 10},{at / 100},{at / 200}\n" for at in range(1, 900))
     (run / "recording.lines").write_text("time_ms,motor_turns,displacement_mm\n" + lines)
-    with watched(run) as (port, _):
+    with watched(run, start=bare) as (port, _):
         found = told(port, lambda found: found["samples"] == 899)
     assert found["lost"] is None and found["columns"] == ["motor_turns", "displacement_mm"]
     assert found["time_s"][-1] == pytest.approx(8.98, abs=0.02)

@@ -253,7 +253,7 @@ def test_a_long_recording_is_read_to_its_end():
 
 
 def test_the_account_of_a_long_recording_takes_no_more_memory_than_of_a_short_one():
-    per_piece = 10_000
+    per_piece = 4_000
 
     def pieces(count: int) -> Iterator[bytes]:
         yield encode(Kind.HELLO, 0, HELLO.pack())

@@ -1,11 +1,10 @@
 """New recordings are read once before the plan, and what their reading program dies of costs no other."""
 
-import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+import ready
 from made_recording import recording
 
 from pipeline.run.folder import recording_path
@@ -59,9 +58,7 @@ def test_a_recording_at_which_the_reader_dies_has_no_answer_and_the_others_do(ma
 def ingested(place, run, *words) -> str:
     """Ingest a run, as its rule does; what it says."""
     files = ["--out", f"processed/{run}/samples.parquet", "--out-strokes", f"processed/{run}/strokes.parquet"]
-    command = [sys.executable, "-m", "pipeline.stages.ingest", f"raw/{run}", *files, *words]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    done = subprocess.run(command, capture_output=True, text=True, cwd=place, env=environment)
+    done = ready.run("pipeline.stages.ingest", f"raw/{run}", *files, *words, cwd=place)
     assert done.returncode == 0, done.stderr
     return done.stdout + done.stderr
 

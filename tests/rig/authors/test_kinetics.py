@@ -17,7 +17,11 @@ from pipeline.rig.authors.kinetics.recording import recorded
 from pipeline.rig.authors.kinetics.register import BY_EFFECT
 from pipeline.run.samples import read_samples
 
-EVERY = [(effect, law) for effect, laws in LAWS.items() for law in laws]
+EVERY = [
+    pytest.param(effect, law, marks=() if law == laws[0] else pytest.mark.long)
+    for effect, laws in LAWS.items()
+    for law in laws
+]  # one law of each effect, and those that take long
 SIZES = {"radius_compaction": 0.05, "wear": 0.05, "sensor_lag": 0.08, "x_clocks": 0.2, "thermal": 0.5, "jam": 0.1}
 SIZES |= {"x_moisture": 0.05, "friction_hysteresis": 0.3}
 

@@ -47,7 +47,14 @@ def rms(values):
     return float(np.sqrt(np.mean(np.square(values))))
 
 
-@pytest.mark.parametrize("law", [pytest.param(law, id=f"{law.effect}-{law.name}") for law in ALL])
+# one law of each effect, and those that take long
+EVERY = [
+    pytest.param(law, id=f"{law.effect}-{law.name}", marks=() if law is BY_EFFECT[law.effect][0] else pytest.mark.long)
+    for law in ALL
+]
+
+
+@pytest.mark.parametrize("law", EVERY)
 def test_every_law_makes_a_recording_of_the_size_asked(law, tmp_path):
     asked = Asked(SEED, (law.effect,), (KAPPA,), "rich")
     made = made_with(asked, [law.name])
@@ -68,7 +75,7 @@ def test_every_law_makes_a_recording_of_the_size_asked(law, tmp_path):
 
 
 @pytest.mark.parametrize("protocol", ["rich", "usual", "poor"])
-@pytest.mark.parametrize("seed", [SEED, 7, 12])
+@pytest.mark.parametrize("seed", [SEED, *(pytest.param(seed, marks=pytest.mark.long) for seed in (7, 12))])
 def test_without_effects_a_calibration_leaves_the_noise(seed, protocol):
     made = make(Asked(seed, (), (), protocol))
     left, floor_mm = left_mm(made), made.truth["noise_floor_mm"]
