@@ -10,12 +10,14 @@ from ..ground.errors import program
 from ..ground.names import SYNTHETIC
 from . import paper
 from .agreement import agreement
+from .made_by import MadeBy
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .stroke_conditions import add_dataset, dataset_from, later_apart
 from .strokes_there import missing_of, shown_of, tabled, there_of
 from .titles import titles_of
 
+UNKNOWN = MadeBy()
 NOTES = """\
 Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of
 the strokes, whole. Values are medians over the seeds, with the lowest and the highest in brackets where they differ.
@@ -55,10 +57,10 @@ def why_apart(whole: pd.DataFrame, material: str) -> str:
     if material == SYNTHETIC:
         reason = "The synthetic rig was fitted to the errors of the paper's traditional model, not to those of its INN"
     return (
-        f"{reason}: forward, winding, n={stroke}, its RMSE is {ours:.3f} mm here and {printed[stroke]:.3f} mm in the "
-        f"paper. Noise and the loop that it is not told of are {floor:.3f} mm here (floor without direction, on the "
-        "page of the models), and it cannot go far below them; the paper does not state its own. So this difference "
-        "tells of the recording, not of a better or worse network."
+        f"{reason}: forward, winding, n={stroke}, the INN's RMSE is {ours:.3f} mm here and {printed[stroke]:.3f} mm "
+        f"in the paper. Noise and the loop that the INN is not told of are {floor:.3f} mm here (floor without "
+        "direction, on the page of the models), and it cannot go far below them; the paper does not state its own. So "
+        "this difference tells of the recording, not of a better or worse network."
     )
 
 
@@ -80,17 +82,30 @@ def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[s
     return [*lines, ""]
 
 
-def comparison(metrics: pd.DataFrame, material: str, titles: dict[str, str], apart: str = "") -> str:
+def another_rig(mark: MadeBy) -> str:
+    """Why nothing of this page can agree with the paper, and what makes a page that can."""
+    short = " and its trainings are short" if mark.kind == "small" else ""
+    return (
+        f"No agreement with the paper is expected here: {plain(mark.name)} records another synthetic rig than the one "
+        f"that was fitted to the paper{short}. It is {plain(mark.rig)}. The paper's numbers stand beside for their "
+        "layout alone. `snakemake --cores 2`, the default configuration, makes the page that can be compared."
+    )
+
+
+def comparison(
+    metrics: pd.DataFrame, material: str, titles: dict[str, str], apart: str = "", mark: MadeBy = UNKNOWN
+) -> str:
     """Text of comparison.md of one material; `apart` says in what later strokes differ from what the models saw."""
     whole = metrics[metrics["angle_band"] == "all"]
     strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
     strokes = [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)]
     which = [shown_of(strokes_there, paper.STROKES), missing_of(strokes_there, paper.STROKES)]
     missing = " ".join(filter(None, which))
-    why_off = why_apart(whole, material)
+    is_other_rig = material == SYNTHETIC and bool(mark.rig)
+    why_off = another_rig(mark) if is_other_rig else why_apart(whole, material)
     why = [why_off, ""] if why_off else []
     text = [f"# {plain(material)}: our errors beside the paper's", "", *why, NOTES, *([missing, ""] if missing else [])]
-    text += agreement(whole) if material == SYNTHETIC else []
+    text += agreement(whole) if material == SYNTHETIC and not is_other_rig else []
     for number, direction in paper.MAPS.items():
         text += [f"## Table {'I' * number}, {direction}, within strokes, winding", ""]
         chosen = whole[(whole["map"] == direction) & (whole["split"] == "within") & (whole["phase"] == "winding")]
@@ -122,8 +137,8 @@ def main() -> None:
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     apart = later_apart(dataset_from(arguments.dataset))
-    text = comparison(metrics, str(metrics["material"].iloc[0]), titles_of(arguments.titles), apart)
-    write_page(arguments.out, text, mark_from(arguments.made_by))
+    material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
+    write_page(arguments.out, comparison(metrics, material, titles_of(arguments.titles), apart, mark), mark)
 
 
 if __name__ == "__main__":

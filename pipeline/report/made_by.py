@@ -20,7 +20,8 @@ class MadeBy:
     """A configuration: what it is called, a hash of all of it, what its fits are, and how it differs from the default.
 
     `kind` is "default", "small" (fewer seeds, epochs, strings or cases than the default), "own" (differs otherwise) or
-    "unknown" (a program was started by hand and was not told).
+    "unknown" (a program was started by hand and was not told). `rig` says which synthetic rig it records, where that is
+    not the default configuration's.
     """
 
     name: str = ""
@@ -28,6 +29,7 @@ class MadeBy:
     kind: str = "unknown"
     fits: str = ""
     changed: tuple[str, ...] = ()
+    rig: str = ""
 
     def packed(self) -> str:
         """All of it as one line of JSON, for a command line."""
@@ -96,8 +98,10 @@ def _fits(models: Mapping[str, ModelPlan]) -> str:
     return ", ".join(fits) + ("; the others one fit" if len(fits) < len(models) else "")
 
 
-def made_by(config: Mapping[str, Any], default: Mapping[str, Any], name: str, parts: list[str]) -> MadeBy:
-    """The mark of what is made with some parts (top-level keys) of a configuration."""
+def made_by(
+    config: Mapping[str, Any], default: Mapping[str, Any], name: str, parts: list[str], rig: str = ""
+) -> MadeBy:
+    """The mark of what is made with some parts (top-level keys) of a configuration; `rig` counts with `synthetic`."""
     hashed = {key: value for key, value in config.items() if key not in NOT_HASHED}
     digest = hashlib.sha256(json.dumps(hashed, sort_keys=True).encode()).hexdigest()[:7]
     mine, usual = ({part: whole.get(part) for part in parts} for whole in (config, default))
@@ -105,18 +109,19 @@ def made_by(config: Mapping[str, Any], default: Mapping[str, Any], name: str, pa
     fewer = any(_amounts(mine).get(path, 0) < value for path, value in _amounts(usual).items())
     kind = "default" if not changed else "small" if fewer else "own"
     fits = _fits(config["models"]) if "models" in parts else ""
-    return MadeBy(name, digest, kind, fits, tuple(changed))
+    return MadeBy(name, digest, kind, fits, tuple(changed), rig if "synthetic" in parts else "")
 
 
 def sentence(mark: MadeBy) -> str:
     """What a reader must know of the configuration, in one or two plain sentences."""
     if mark.kind == "unknown":
         return "Made by hand: which configuration made its numbers is not known."
-    fits = f" Fits: {mark.fits}." if mark.fits else ""
+    rig = f" It records another synthetic rig: {mark.rig}." if mark.rig else ""
+    fits = rig + (f" Fits: {mark.fits}." if mark.fits else "")
     name = f"{mark.name} ({mark.digest})"
     if mark.kind == "default":
         return f"Made by the default configuration, {name}.{fits}"
-    if mark.kind == "small" and fits:
+    if mark.kind == "small" and mark.fits:
         return f"Small fit, not a result: made by {name}, which asks for less than the default configuration.{fits}"
     rest = len(mark.changed) - SHOWN
     more = f" and {rest} more" if rest > 0 else ""

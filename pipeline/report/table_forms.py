@@ -8,6 +8,7 @@ from itertools import pairwise
 from . import paper
 from .plain_markdown import plain
 
+OF_WHAT = "Material"  # begins the note on what a table's numbers are of
 Row = tuple[str, str, list[str]]  # model's title, stroke, cells
 TEX = {
     "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}",
@@ -81,6 +82,7 @@ def to_latex(number: int, table: list[Row], label: str, warning: str = "", notes
     """The table as LaTeX with a label, each model spanning its rows, notes beneath; needs the package multirow."""
     head = [title.replace("θ/2π", r"$\theta/2\pi$") for title in paper.header(number)]
     lines = [
+        r"% needs \usepackage{multirow} before \begin{document}",
         r"\begin{table}", r"\centering", rf"\caption{{{tex(caption_of(number, warning))}}}", rf"\label{{{label}}}",
         r"\begin{tabular}{lcccc}", r"\hline", " & ".join(head) + r" \\",
     ]  # fmt: skip

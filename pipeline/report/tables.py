@@ -12,13 +12,17 @@ from ..ground.files import write_text
 from ..run.left_out import LeftOut
 from ..string.jump_notes import read_jumps
 from . import jumps, left_out, paper
+from .left_out import quoted
 from .made_by import MadeBy, sentence, warning
 from .marks import add_mark, mark_from
-from .plain_markdown import note
+from .plain_markdown import note, plain
 from .sidecar import Column, describe
+from .stroke_conditions import add_dataset, dataset_from
 from .strokes_there import missing_of, shown_of, tabled, there_of
-from .table_forms import Row, to_csv, to_latex, to_markdown
+from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
 from .titles import titles_of
+
+MOST = 3  # runs that a table names
 
 
 def shown(metrics: pd.DataFrame, number: int) -> pd.DataFrame:
@@ -51,6 +55,21 @@ def rows(
     ]
 
 
+def of_what(metrics: pd.DataFrame, number: int, titles: dict[str, str], runs: Sequence[str]) -> str:
+    """What the numbers of Table I or II are: of which material, points, seeds and runs."""
+    chosen = shown(metrics, number)
+    seeds = chosen[chosen["model"].isin(titles)].groupby("model")["seed"].nunique()
+    many = {count: [titles[model] for model in titles if seeds.get(model) == count] for count in sorted({*seeds} - {1})}
+    counts = ", ".join(f"{count} of {', '.join(models)}" for count, models in many.items())
+    rest = f" ({counts}{'; the others one fit' * bool((seeds == 1).any())})" if counts else " (one fit of each model)"
+    named = ", ".join(quoted(run) for run in runs[:MOST]) + f" and {len(runs) - MOST} more" * (len(runs) > MOST)
+    made_of = f"; made of run{'s' * (len(runs) > 1)} {named}" if runs else ""
+    return (
+        f"{OF_WHAT} {metrics['material'].iloc[0]}: {paper.MAPS[number]} errors on held-out points of the split within "
+        f"(one block in four inside strokes), winding, median over the seeds{rest}{made_of}."
+    )
+
+
 def columns(number: int) -> list[Column]:
     """What the columns of the csv hold."""
     unit = {1: "mm", 2: "turns of the motor"}[number]
@@ -72,18 +91,20 @@ def write(
     folder: Path,
     gone: Sequence[LeftOut] = (),
     jumped: Sequence[str] = (),
+    runs: Sequence[str] = (),
 ) -> None:
     """Write one table in all three forms; csv keeps the paper's strokes, the others show those that are there."""
     material, stem = str(metrics["material"].iloc[0]), folder / f"table_{number}"
     strokes = there_of(shown(metrics, number)["stroke"])
     printed = rows(metrics, number, titles, tabled(strokes, paper.STROKES))
+    what = of_what(metrics, number, titles, runs)
     which = [words for words in (shown_of(strokes, paper.STROKES), missing_of(strokes, paper.STROKES)) if words]
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
-    notes = (*which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
+    notes = (plain(what), *which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
     write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))
     label = f"tab:{material}-{paper.MAPS[number]}"
     apart = (*left_out.beneath("tex", gone), *jumps.beneath("tex", jumped))
-    notes = (" ".join([f"Material {material}.", *which]), *apart, sentence(mark))
+    notes = (" ".join([what, *which]), *apart, sentence(mark))
     write_text(stem.with_suffix(".tex"), to_latex(number, printed, label, warning(mark), notes))
     title = f"Table {'I' * number}: {paper.TITLES[number].lower()}, {material}"
     describe(stem.with_suffix(".csv"), title, columns(number), mark)
@@ -99,11 +120,14 @@ def main() -> None:
     add_mark(parser)
     left_out.arguments(parser)
     jumps.arguments(parser)
+    add_dataset(parser)
     arguments = parser.parse_args()
     metrics, gone = schemas.read(arguments.metrics, schemas.METRICS), left_out.told(arguments)
     titles, mark = titles_of(arguments.titles), mark_from(arguments.made_by)
+    dataset, jumped = dataset_from(arguments.dataset), read_jumps(arguments.jumps)
+    runs = [] if dataset is None else sorted(dataset["run"].unique())
     for number in paper.TABLES:
-        write(metrics, number, titles, mark, arguments.out_dir, gone, read_jumps(arguments.jumps))
+        write(metrics, number, titles, mark, arguments.out_dir, gone, jumped, runs)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,16 @@
 from pipeline.report.made_by import NOT_HASHED, called, made_by, unpacked
 from pipeline.ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from pipeline.report.plain_markdown import note
+from pipeline.rig.setup_words import other_rig
 
 # Which configuration made what: a mark that every page, table and figure carries.
 OPTIONS = set(workflow.config_settings.config) - set(NOT_HASHED)
+OTHER_RIG = other_rig(config["synthetic"], DEFAULT["synthetic"])
 CALLED = called([str(file) for file in workflow.overwrite_configfiles], bool(OPTIONS))
 
 
 def mark_of(*parts):
-    return made_by(config, DEFAULT, CALLED, list(parts)).packed()
+    return made_by(config, DEFAULT, CALLED, list(parts), OTHER_RIG).packed()
 
 
 def note_of(mark):

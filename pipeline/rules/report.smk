@@ -15,6 +15,7 @@ def fits_within(wildcards):
 rule table:
     input:
         metrics="processed/{material}/metrics.parquet",
+        dataset="processed/{material}/dataset.parquet",
         left_out="processed/{material}/left_out.json",
         jumps="processed/{material}/zero_jumps.json",
     output:
@@ -31,7 +32,7 @@ rule table:
     message:
         "write Tables I and II of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.tables {input.metrics:q} --titles {params.titles:q}"
+        "exec python -m pipeline.report.tables {input.metrics:q} --dataset {input.dataset:q} --titles {params.titles:q}"
         " --left-out {input.left_out:q} --planned {params.planned:q} --jumps {input.jumps:q}"
         " --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 

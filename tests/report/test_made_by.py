@@ -12,6 +12,7 @@ from snakemake.utils import update_config
 from pipeline.report.made_by import MadeBy, called, made_by, sentence, unpacked, warning
 from pipeline.report.plain_markdown import note, plain
 from pipeline.report.sidecar import describe
+from pipeline.rig.setup_words import other_rig
 
 CONFIG = Path(__file__).parents[2] / "pipeline" / "config"
 DEFAULT = yaml.safe_load((CONFIG / "default.yaml").read_text())
@@ -64,6 +65,16 @@ def test_an_own_configuration_says_what_differs():
     mark = made_by(merged({"models": {"inn": {"settings": {"epochs": 48}}}}), DEFAULT, "mine.yaml", MODELS)
     assert "it differs from the default in models.inn.settings.epochs (48 instead of 24)." in sentence(mark)
     assert "not the default one" in sentence(mark)
+
+
+def test_a_small_fit_says_that_it_records_another_rig_where_it_does():
+    rig = other_rig(CI["synthetic"], DEFAULT["synthetic"])
+    assert rig == "set-up small (5 strokes, 4 to 20 turns under 20 N, then 1 to 16 turns under 30 N)"
+    mark = made_by(merged(CI), DEFAULT, "ci.yaml", [*MODELS, "synthetic"], rig)
+    assert f"It records another synthetic rig: {rig}. Fits: INN model 2 seeds" in sentence(mark)
+    assert "rig" not in sentence(made_by(merged(CI), DEFAULT, "ci.yaml", MODELS, rig))  # another material has its own
+    assert other_rig(DEFAULT["synthetic"], DEFAULT["synthetic"]) == ""
+    assert other_rig({"a": {"setup": "no such.yaml"}}, DEFAULT["synthetic"]) == "set-up no such.yaml"
 
 
 def test_the_hash_is_of_the_configuration_and_not_of_where_files_lie():

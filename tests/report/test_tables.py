@@ -1,6 +1,7 @@
 import csv
 import io
 import json
+from dataclasses import replace
 
 import pandas as pd
 import pytest
@@ -74,7 +75,7 @@ def test_markdown_and_latex_hold_the_same_numbers():
     markdown, latex = to_markdown(1, table), to_latex(1, table, "tab:one")
     for _, _, cells in table:
         assert all(cell in markdown and cell in latex for cell in cells)
-    assert latex.count("multirow") == 3 and markdown.count("INN model") == 1
+    assert latex.count(r"\multirow") == 3 and markdown.count("INN model") == 1
     assert r"$\theta/2\pi$" in to_latex(2, table, "tab:two")
 
 
@@ -161,8 +162,11 @@ def test_comparison_says_at_its_top_why_the_inn_is_not_the_papers():
     metrics = pd.concat([made_metrics(), floor.assign(value=0.9 * floor["value"])])
     text = comparison(metrics, "synthetic", TITLES)
     top = text.partition("Errors are on held-out points only")[0]
-    assert "not to those of its INN: forward, winding, n=5, its RMSE is 1.532 mm here and 0.269 mm in the paper" in top
-    assert "not told of are 1.379 mm here" in top
+    assert (
+        "not to those of its INN: forward, winding, n=5, the INN's RMSE is 1.532 mm here and 0.269 mm in the paper"
+        in top
+    )
+    assert "the INN is not told of are 1.379 mm here" in top
     assert "Our rig is not the paper's" in comparison(metrics, "nylon", TITLES)
     assert "1.112" in comparison(metrics, "nylon", TITLES) and "in the paper." not in comparison(
         made_metrics(), "m", TITLES
@@ -187,6 +191,35 @@ def test_comparison_says_of_each_error_whether_the_traditional_model_agrees_with
     assert "- Table II, inverse, RMSE (θ/2π): does not agree: 20.0 % off" in text
     assert "errors agree" not in comparison(metrics, "nylon", TITLES)  # another string: nobody expects it
     assert "errors agree" not in comparison(metrics[metrics["model"] != "traditional"], "synthetic", TITLES)
+
+
+def test_comparison_of_another_rig_says_first_that_no_agreement_is_expected_and_counts_none():
+    metrics, mark = made_metrics(), replace(SMALL, rig="set-up small (2 strokes)")
+    text = comparison(metrics, "synthetic", TITLES, mark=mark)
+    top = text.partition("Errors are on held-out points only")[0]
+    assert "No agreement with the paper is expected here: ci.yaml records another synthetic rig" in top
+    assert "and its trainings are short. It is set-up small (2 strokes)." in top and "snakemake --cores 2" in top
+    assert "errors agree" not in text and "was fitted to the errors" not in text
+    assert "errors agree" in comparison(metrics, "synthetic", TITLES, mark=SMALL)
+    assert "No agreement" not in comparison(metrics, "nylon", TITLES, mark=mark)
+
+
+def test_every_form_says_what_its_numbers_are_of(tmp_path):
+    metrics = made_metrics()
+    metrics = metrics[(metrics["model"] == "inn") | (metrics["seed"] == 0)]
+    runs = ["m-01", "m-02", "m-03", "m-04", "m-05"]
+    write(metrics, 2, TITLES, SMALL, tmp_path, runs=runs)
+    words = (
+        "Material m: inverse errors on held-out points of the split within (one block in four inside strokes), "
+        "winding, median over the seeds (5 of INN model; the others one fit); made of runs m-01, m-02, m-03 and 2 more."
+    )
+    markdown, latex = ((tmp_path / f"table_2.{suffix}").read_text() for suffix in ("md", "tex"))
+    assert words in markdown.split("\n\n")[2] and words in latex and words not in markdown.split("\n\n")[1]
+    assert latex.splitlines()[0] == r"% needs \usepackage{multirow} before \begin{document}"
+    write(metrics[metrics["seed"] == 0], 1, TITLES, SMALL, tmp_path, runs=["m-01"])
+    text = (tmp_path / "table_1.md").read_text()
+    assert "Material m: forward errors on" in html_table(tmp_path, 1, "")
+    assert "forward errors on" in text and "(one fit of each model); made of run m-01." in text
 
 
 def test_comparison_says_when_later_was_skipped():
