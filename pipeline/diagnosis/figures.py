@@ -14,6 +14,7 @@ from .mismatch_map import map_of, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
 from .simulation import at_its_best_zero
+from .words import advice
 from .words.dimensions import name_of
 from .words.headline import unfit
 from .words.holdout import heading, included
@@ -58,8 +59,10 @@ def title(content: Verdict) -> str:
 
 
 def warning(content: Verdict, words: Vocabulary) -> str:
-    """A run.yaml not to predict with, and which dimensions stand at the limit of calibration, a line each, if any."""
+    """A run.yaml not to predict with, that nothing is to be adopted, and which dimensions moved far, a line each."""
     lines = [sentence] if (sentence := unfit(content, words)) else []
+    if against := advice.against(content, words):
+        lines.append(against[0].lower() + against[1:].rstrip("."))
     names = [name_of(name) for name in to_measure(content)]
     if names:
         them = "it" if len(names) == 1 else "them"

@@ -1,6 +1,7 @@
 """What a diagnosis wrote → a cell, a line, a run's part of the pages: its verdict in words, its figure, its files."""
 
 import json
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from .web.glossary import word
 from .web.page import Text, link, paragraph, picture, together
 
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
+TO_DO = "What to do"  # begins the heading under which a verdict says it
 UNDECIDED = "not decided"
 SIZES = ("mismatch", "nominal", "calibrated", "explained", "noise")
 FILES = {
@@ -73,6 +75,23 @@ def words_of(folder: Path) -> str:
     """The verdict as a person reads it."""
     path = folder / "verdict.txt"
     return path.read_text(encoding="utf-8") if path.is_file() else f"{folder.name}: no verdict was written"
+
+
+def to_do_of(folder: Path) -> str:
+    """What a verdict says under `TO_DO`, on one line; empty where it has no such part."""
+    below = words_of(folder).partition(f"\n{TO_DO}")[2]
+    return " ".join(below.partition("\n\n")[0].partition("\n")[2].split())
+
+
+def adopts_nothing(folder: Path) -> bool:
+    """Whether a verdict advises against adopting anything."""
+    return "Adopt nothing:" in to_do_of(folder)
+
+
+def next_recording(folder: Path) -> str:
+    """The sentence of a verdict that asks for another recording; empty where none does."""
+    asked_for = re.search(r"Record the rig .*?[^.](?=\.(\s|$))", to_do_of(folder))
+    return asked_for.group() if asked_for else ""
 
 
 def part(reports: Path, run: str, up: str = "") -> Markup:

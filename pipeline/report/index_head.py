@@ -6,7 +6,19 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from .diagnoses import SIZES, UNDECIDED, VERDICTS, Content, content_of, named_of, sizes, tag, verdict_of
+from .diagnoses import (
+    SIZES,
+    UNDECIDED,
+    VERDICTS,
+    Content,
+    adopts_nothing,
+    content_of,
+    named_of,
+    next_recording,
+    sizes,
+    tag,
+    verdict_of,
+)
 from .to_take import materials_table
 from .web.page import Text, folded, paragraph, together
 from .web.table import table
@@ -24,17 +36,19 @@ def shortened(text: str) -> str:
     return first[:LONGEST].rsplit(" ", 1)[0] + " …"
 
 
-def next_run(content: Content | None) -> str:
-    """The run that a diagnosis asks for, in a few words; empty where it asks for none."""
-    return shortened(str((content or {}).get("next_experiment") or ""))
+def next_run(content: Content | None, folder: Path) -> str:
+    """The run that a diagnosis asks for, or the recording that its verdict does, in a few words; else empty."""
+    return shortened(str((content or {}).get("next_experiment") or next_recording(folder)))
 
 
-def runs_table(contents: Mapping[str, Content | None], of: Mapping[str, str], name: Name) -> Markup:
+def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mapping[str, str], name: Name) -> Markup:
     """Each run's material, verdict, what it names, its sizes and the run to make next."""
     rows: list[list[Text]] = []
     for run, content in contents.items():
-        rows.append([name(run), of.get(run, ""), tag(verdict_of(content)), named_of(content)])
-        rows[-1] += [*sizes(content), next_run(content)]
+        folder = reports / "diagnosis" / run
+        names = Markup("<br>").join(filter(None, [named_of(content), "adopt nothing" * adopts_nothing(folder)]))
+        rows.append([name(run), of.get(run, ""), tag(verdict_of(content)), names])
+        rows[-1] += [*sizes(content), next_run(content, folder)]
     head = ["Run", "Material", "Verdict", "Left out of the simulator", *SIZES, "Next run"]
     over = [("", 5), ("error on unseen strokes", UNSEEN), ("", 2)]
     return table(head, rows, texts=(0, 1, 2, 3, len(head) - 1), over=over, paged=True)
@@ -63,7 +77,7 @@ def glance(
         parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
     if runs:
         aside = f"{len(runs):,}: what the simulator leaves out of each; mismatch and noise are rms"
-        parts.append(folded("runs", "Runs", aside, runs_table(contents, of, run_name), level=3, is_open=True))
+        parts.append(folded("runs", "Runs", aside, runs_table(reports, contents, of, run_name), level=3, is_open=True))
     if not materials and not runs:
         parts.append(paragraph("No run lies in raw/ yet."))
     return together(parts)

@@ -16,6 +16,7 @@ from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.judged import HELD
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words import to_do
 from pipeline.diagnosis.words.holdout import heading
 from pipeline.diagnosis.words.quantity import percent
 from pipeline.diagnosis.words.unseen import noises
@@ -232,6 +233,20 @@ def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_abov
     assert second == "calibration moved radius far: measure it again first (verdict.txt)"
     content["evidence"]["nominal_mm"] = 0.03
     assert figures.warning(content, words) == second
+
+
+def test_the_figures_headline_says_that_nothing_is_to_be_adopted_where_the_verdict_says_it(drawn) -> None:
+    content = copy.deepcopy(drawn[1])
+    words = Vocabulary.of(systems()["separator"])
+    content["evidence"]["moved_sigma"] = {}
+    assert figures.warning(content, words) == ""
+    errors = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.1}
+    content["fit"]["heldout"] = {"split": "last 2 strokes", **errors}
+    said = figures.warning(content, words)
+    assert said == "adopt nothing: on the unseen strokes the explanation makes the simulator worse"
+    assert said.capitalize() in " ".join(" ".join(to_do.lines(content, words, [], None)).split())
+    unknown = content | {"verdict": "unknown"}
+    assert figures.warning(unknown, words) == "adopt nothing: no effect of the library is named"
 
 
 def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_that_nobody_uses(conceal) -> None:

@@ -2,7 +2,18 @@
 
 from made_verdict import made_verdict
 
-from pipeline.report.diagnoses import content_of, explanations, named_of, part, sizes, verdict_of, verdicts
+from pipeline.report.diagnoses import (
+    adopts_nothing,
+    content_of,
+    explanations,
+    named_of,
+    next_recording,
+    part,
+    sizes,
+    verdict_of,
+    verdicts,
+)  # fmt: skip
+from pipeline.report.index_head import runs_table
 from pipeline.report.summary import summary
 
 
@@ -33,6 +44,34 @@ def test_a_row_says_what_is_left_out_and_what_it_improves(tmp_path):
     assert explanations(a) == [["creep", "backlash"], ["thermal", "backlash"]] and explanations(c) == []
     assert ">creep</abbr> + <abbr" in named_of(a) and named_of(a).endswith(", or 1 other explanation")
     assert named_of(b) == named_of(c) == ""
+
+
+NOTHING = """\
+a: explained: physics is missing.
+
+What to know first
+  Adopt nothing: not said under its heading.
+
+What to do, in this order
+  1. Adopt nothing: on the unseen strokes the explanation makes the simulator worse. Record the rig once more,
+     with more strokes (see details.txt), and diagnose both runs together.
+  2. You can report: 0.17 mm. Record the rig again.
+
+More: details.txt"""
+
+
+def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_path):
+    bad = made(tmp_path, "a", NOTHING, **TIED)
+    good = made(tmp_path, "b", NOTHING.replace("What to do", "What was done"), **TIED)
+    asked = "Record the rig once more, with more strokes (see details.txt), and diagnose both runs together"
+    assert adopts_nothing(bad) and not adopts_nothing(good) and not adopts_nothing(tmp_path / "gone")
+    assert next_recording(bad) == asked and next_recording(good) == next_recording(tmp_path / "gone") == ""
+    words = {run: str(runs_table(tmp_path, {run: content_of(tmp_path / "diagnosis" / run)}, {}, str)) for run in "ab"}
+    assert "adopt nothing" in words["a"] and asked.partition(" (")[0] in words["a"]
+    assert ">ambiguous</abbr></span></td>" in words["a"]  # a click on a verdict shows the rows of that cell's words
+    assert "adopt nothing" not in words["b"] and "Record" not in words["b"]
+    own = {**TIED, "next_experiment": "hold 20 N: for 15 minutes"}
+    assert "hold 20 N</td>" in runs_table(tmp_path, {"a": own}, {}, str)
 
 
 def test_a_part_shows_its_run_and_escapes_what_it_prints(tmp_path):

@@ -7,10 +7,19 @@ from .level import NO_BETTER
 from .quantity import listing
 from .vocabulary import Vocabulary
 
+NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
+
 
 def worse(content: Verdict) -> str:
     """The advice where what is named makes the simulator worse on strokes that no fit has seen."""
     return f"Adopt nothing: on the {holdout.strokes(content)} the explanation makes the simulator worse."
+
+
+def against(content: Verdict, words: Vocabulary) -> str:
+    """The advice to adopt nothing, where it is given; else nothing."""
+    if content["verdict"] == "unknown":
+        return NOTHING_NAMED
+    return worse(content) if unseen.harmful(content, words) else ""
 
 
 def of_adopting(content: Verdict, words: Vocabulary) -> str:

@@ -76,12 +76,12 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], brief: Br
         run = content["next_run"]
         shows = f"Make the run in {DETAILS} under {RUN}: it shows more of what is missing."
         again = _measure(content, words, brief, "go on")
-        return [*again, *([[shows]] if run else []), ["Adopt nothing: no effect of the library is named."]]
+        return [*again, *([[shows]] if run else []), [advice.NOTHING_NAMED]]
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
     if tied and not deciding_run.worth_making(tied):
         count = 1 + max(len(adoption["tied"]) for adoption in tied)
-        advice = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
-        return [[advice], *_anew(content, words, folders, brief), *make_sure.of_what_is_left(content, words)]
+        text = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
+        return [[text], *_anew(content, words, folders, brief), *make_sure.of_what_is_left(content, words)]
     if tied:
         return [
             *_anew(content, words, folders, brief),
