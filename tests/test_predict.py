@@ -310,3 +310,27 @@ def test_a_limit_that_is_named_is_itself_inside(dataset: Path) -> None:
     limits = re.findall(r"is (?:above|below) (-?[\d.]+),", done.stdout)
     done = ask(dataset, "stroke,direction,motor_turns\n" + "".join(f"3,1,{end}\n" for end in limits))
     assert len(limits) == 2 and "without an interval" not in done.stdout, done.stdout
+
+
+def test_all_rows_that_cannot_be_answered_are_named_at_once(dataset):
+    """They were named a row a run."""
+    rows = ["1,1,3", "1.5,1,3", "1,2,3", "1,1,x", "1,1,", "0,0,inf", "1,-1,4"]
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *rows]) + "\n")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "row 1:" not in done.stderr, done.stderr
+    for named in (
+        "rows: 5 cannot be answered: row 2: stroke is 1.5, no whole number from 1; row 3: direction is 2, neither",
+        "row 4: motor_turns is 'x', no number; row 5: motor_turns is empty; row 6: ",
+        "the first stroke of a new string is 1; 1 is winding, -1 unwinding; write a number alone; fill it in",
+    ):
+        assert named in done.stderr, done.stderr
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *["1,3,3"] * 40]) + "\n")
+    assert "40 cannot be answered: row 1: direction is 3" in done.stderr and "row 10: " in done.stderr
+    assert "row 11" not in done.stderr and "; and 30 more rows. Mend: 1 is winding" in done.stderr
+
+
+@pytest.mark.parametrize("phase", ["hold", "rest", "dwell", "Hold"])
+def test_no_row_of_a_motor_that_stands_is_answered(dataset, phase):
+    done = ask(dataset, f"stroke,direction,motor_turns,phase\n1,1,3,winding\n1,1,4,{phase}\n")
+    assert done.returncode == 2 and f"phase: is {phase} in row 2" in done.stderr and "--motion" in done.stderr
+    done = ask(dataset, "stroke,direction,motor_turns\n1,1,3\n1,0,4\n")
+    assert done.returncode == 2 and "direction: is 0 in row 2, neither 1 nor -1" in done.stderr

@@ -5,24 +5,19 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ...formats.text import read_text
 from ...ground.complaint import key_name, meant, short
 from ...ground.errors import BadInput
 from ...ground.text_file import TextFile
 from ...ground.units import unit_of
+from .bad_rows import BadRow, of_mask
 
 IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the mend
     "file.delimiter": ("columns", "part the columns by commas, and write numbers with a point: 3.5"),
     "file.encoding": ("file", "save it as CSV in UTF-8"),
 }
 WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
-
-
-def first_row(mask: NDArray[np.bool_]) -> str:
-    """What the first row of a mask is called; row 1 stands below the header. Shape (rows,), without unit."""
-    return f"row {int(np.argmax(mask)) + 1}"
 
 
 def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
@@ -44,22 +39,25 @@ def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
     return cells
 
 
-def refuse_cells(path: Path, cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty: bool = False) -> None:
-    """Raise BadInput for a column with words, an infinite number, or a gap where the recorded ones have none."""
-    name = str(cells.name)
+def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty: bool = False) -> list[BadRow]:
+    """Rows of a column with words or infinite numbers where numbers belong, or empty where no recorded one is."""
+    name, bad = str(cells.name), []
     empty = cells.isna().to_numpy()
-    if empty.any() and recorded.notna().all() and not may_be_empty:
-        raise BadInput(path, name, f"is empty in {first_row(empty)}", "fill it in, or take the row out")
-    if numeric and cells.dtype.kind not in "iuf":
+    if recorded.notna().all() and not may_be_empty:
+        bad += of_mask(empty, name, "is empty", "", "fill it in, or take the row out")
+    if not numeric:
+        return bad
+    if cells.dtype.kind not in "iuf":
         wrong = ~empty & pd.to_numeric(cells, errors="coerce").isna().to_numpy()
         wrong = wrong if wrong.any() else ~empty  # such as True, which pandas takes for 1
-        row = int(np.argmax(wrong))
-        cell = str(cells.iloc[row])
-        mend = "write a point for the decimal comma" if _has_comma(cell) else WORDS.get(name, "write a number alone")
-        raise BadInput(path, name, f"is {short(cell)} in row {row + 1}, no number", mend)
-    if numeric and np.isinf(cells.to_numpy(np.float64)).any():
-        endless = np.isinf(cells.to_numpy(np.float64))
-        raise BadInput(path, name, f"is without end in {first_row(endless)}", "write a number")
+        for row in np.flatnonzero(wrong):
+            cell = str(cells.iloc[row])
+            mend = (
+                "write a point for the decimal comma" if _has_comma(cell) else WORDS.get(name, "write a number alone")
+            )
+            bad.append(BadRow(int(row) + 1, name, f"is {short(cell)}", ", no number", mend))
+    endless = np.isinf(pd.to_numeric(cells, errors="coerce").to_numpy(np.float64))
+    return bad + of_mask(endless, name, "is without end", "", "write a number")
 
 
 def _meant(name: str, known: Collection[str]) -> str:

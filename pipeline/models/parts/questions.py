@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from ...ground.command import command
 from ...ground.errors import BadInput
 from ...ground.units import unit_of
+from .bad_rows import BadRow, of_mask, refuse
 from .box import COLUMNS
 from .conditions import Conditions
-from .question_table import first_row, question_table, refuse_cells
+from .question_table import bad_cells, question_table
 from .settings import shown
 
 ASKED = ("stroke", "direction")  # every question must tell
@@ -26,7 +27,7 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, lis
     """Questions as points with the dataset's columns, and which columns the file has.
 
     In each point the wanted one of twist and contraction is NaN. What does not vary in the dataset need not be told.
-    Raises BadInput naming the column, and the row.
+    Raises BadInput naming the column, and all rows that cannot be answered.
     """
     questions = question_table(path, [name for name in (*COLUMNS, *LABELS) if name in dataset])
     known = [name for name in EITHER if name in questions.columns]
@@ -35,13 +36,14 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, lis
         raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
     if questions.empty:
         raise BadInput(path, "rows", "there are none", "write one question a line")
-    points = pd.DataFrame(index=range(len(questions)))
+    points, bad = pd.DataFrame(index=range(len(questions))), list[BadRow]()
     for name in dataset.columns:
         if name in questions.columns:
             may_be_empty = len(known) == len(EITHER) and name in EITHER
             numeric = name in (*COLUMNS, *ASKED)
-            refuse_cells(path, questions[name], dataset[name], numeric, may_be_empty)
-            points[name] = questions[name].to_numpy()
+            bad += bad_cells(questions[name], dataset[name], numeric, may_be_empty)
+            in_numbers = pd.to_numeric(questions[name], errors="coerce") if numeric else questions[name]
+            points[name] = in_numbers.to_numpy()
         elif name in EITHER:
             points[name] = np.nan
         elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
@@ -52,7 +54,7 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, lis
             )
         else:
             points[name] = dataset[name].iloc[0]
-    _refuse_rows(path, questions, points, dataset)
+    refuse(path, [*bad, *_bad_rows(path, questions, points, dataset)])
     points["stroke"] = points["stroke"].astype(np.int64)
     return points, list(questions.columns)
 
@@ -68,39 +70,33 @@ def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.D
             yield name, rows, points.iloc[rows].reset_index(drop=True)
 
 
-def _refuse_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset: pd.DataFrame) -> None:
-    """Raise BadInput for the first row that asks nothing, asks two things, or asks what has no sense."""
+def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset: pd.DataFrame) -> list[BadRow]:
+    """The rows that ask nothing, ask two things, or ask what has no sense; raises BadInput for another actuator."""
     given_by = [points[name].notna().to_numpy() for name in EITHER]
     both, neither = " and ".join(EITHER), " nor ".join(EITHER)
-    if (given_by[0] & given_by[1]).any():
-        problem = f"tells both {both}"
-        raise BadInput(
-            path, first_row(given_by[0] & given_by[1]), problem, "leave the cell empty that is to be answered"
-        )
-    if not (given_by[0] | given_by[1]).all():
-        mend = "fill in the one that is known; the other is answered"
-        raise BadInput(path, first_row(~(given_by[0] | given_by[1])), f"tells neither {neither}", mend)
-    strange = ~points["actuator"].astype(str).isin(set(dataset["actuator"])).to_numpy()
+    strange = (points["actuator"].notna() & ~points["actuator"].isin(set(dataset["actuator"]))).to_numpy()
     if strange.any():
         actuator = points["actuator"].astype(str)[strange].iloc[0]
         given = f"is {shown(actuator)}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
         raise BadInput(path, "actuator", given, "ask a dataset of that actuator")
+    mend = "leave the cell empty that is to be answered"
+    bad = of_mask(given_by[0] & given_by[1], "", f"tells both {both}", "", mend)
+    mend = "fill in the one that is known; the other is answered"
+    bad += of_mask(~(given_by[0] | given_by[1]), "", f"tells neither {neither}", "", mend)
     strokes = points["stroke"].to_numpy(float)
     strange = ~((strokes == np.floor(strokes)) & (strokes >= 1.0) & (strokes <= MOST_STROKE))
-    if strange.any():
-        problem = f"is {strokes[strange][0]:g} in {first_row(strange)}, no whole number from 1"
-        raise BadInput(path, "stroke", problem, "the first stroke of a new string is 1")
+    each = [f"is {stroke:g}" for stroke in strokes[strange]]
+    bad += of_mask(strange, "stroke", each, ", no whole number from 1", "the first stroke of a new string is 1")
     strange = ~points["direction"].isin(WAYS).to_numpy()
-    if strange.any():
-        problem = f"is {points['direction'][strange].iloc[0]:g} in {first_row(strange)}, neither 1 nor -1"
-        raise BadInput(path, "direction", problem, "1 is winding, -1 unwinding")
+    each = [f"is {way:g}" for way in points["direction"][strange].astype(float)]
+    bad += of_mask(strange, "direction", each, ", neither 1 nor -1", "1 is winding, -1 unwinding")
     if "phase" in questions:
         strange = (points["phase"].astype(str) != points["direction"].map(WAYS)).to_numpy()
-        if strange.any():
-            problem = f"is {shown(str(points['phase'][strange].iloc[0]))} in {first_row(strange)}"
-            holds = f"what a hold or a rest adds: {command('simulate')} --motion"
-            mend = f"leave the column out: a question is of a motor that turns; {holds}"
-            raise BadInput(path, "phase", problem, mend)
+        each = [f"is {shown(str(phase))}" for phase in points["phase"][strange]]
+        holds = f"what a hold or a rest adds: {command('simulate')} --motion"
+        mend = f"leave the column out: a question is of a motor that turns; {holds}"
+        bad += of_mask(strange, "phase", each, "", mend)
+    return bad
 
 
 def _which(recorded: pd.Series) -> str:

@@ -1,0 +1,48 @@
+"""Rows of a file of questions that cannot be answered: all of them are named at once."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...ground.errors import BadInput
+
+SHOWN = 10  # rows that are named; of the others it is said how many they are
+
+
+class BadRow(NamedTuple):
+    """What is wrong with a row, and the mend: its `column` (or none) `is`, and what that is `not`."""
+
+    row: int  # 1 stands below the header
+    column: str
+    what: str
+    instead: str
+    mend: str
+
+
+def of_mask(mask: NDArray[np.bool_], column: str, what: Sequence[str] | str, instead: str, mend: str) -> list[BadRow]:
+    """A bad row for each place of a mask, of the shape (rows,), without unit; `what` is one for all or one for each."""
+    rows = np.flatnonzero(mask)
+    texts = [what] * len(rows) if isinstance(what, str) else what
+    return [BadRow(int(row) + 1, column, text, instead, mend) for row, text in zip(rows, texts, strict=True)]
+
+
+def refuse(path: Path, bad: Sequence[BadRow]) -> None:
+    """Raise BadInput that names the bad rows, each by the first thing that is wrong with it."""
+    by_row: dict[int, BadRow] = {}
+    for entry in bad:
+        by_row.setdefault(entry.row, entry)
+    first = [by_row[row] for row in sorted(by_row)]
+    if len(first) == 1:
+        row, column, what, instead, mend = first[0]
+        if column:
+            raise BadInput(path, column, f"{what} in row {row}{instead}", mend)
+        raise BadInput(path, f"row {row}", what + instead, mend)
+    if first:
+        each = [f"row {entry.row}: {entry.column} {entry.what}{entry.instead}".replace(":  ", ": ") for entry in first]
+        more = [f"and {len(first) - SHOWN} more rows"] if len(first) > SHOWN + 1 else each[SHOWN:]
+        mends = list(dict.fromkeys(entry.mend for entry in first[:SHOWN]))
+        problem = f"{len(first)} cannot be answered: {'; '.join([*each[:SHOWN], *more])}"
+        raise BadInput(path, "rows", problem, "; ".join(mends))
