@@ -15,6 +15,7 @@ import tty
 import pytest
 import ready
 
+from pipeline.capture import pending
 from pipeline.capture.log import LINES, NAME, Log
 from pipeline.ground.errors import BadInput
 
@@ -117,7 +118,9 @@ def test_what_another_put_there_while_it_recorded_is_never_replaced(start, line,
     said, _ = text.communicate(timeout=LONG_S)
     assert text.returncode == 2 and f"{other}: is there already" in said and "Mend: move" in said, said
     assert (folder / other).read_text() == '{"sha256": "of another"}' and (folder / LINES).read_bytes() == body
-    assert sorted(path.name for path in folder.iterdir()) == sorted([other, LINES])
+    assert sorted(path.name for path in folder.iterdir()) == sorted([other, LINES, pending.NAME]), (
+        "and what recovering needs"
+    )
     moved = tmp_path / "run-2"
     moved.mkdir()
     (folder / LINES).rename(moved / LINES)
