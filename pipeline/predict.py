@@ -85,7 +85,9 @@ def main() -> None:
     saved = "this fitted model answers, as its export: processed/<material>/<model>/<split>-<seed>.model"
     parser.add_argument("--saved", type=Path, metavar="FILE", help=saved)
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
-    parser.add_argument("--level", type=float, default=0.9, help="probability that an interval holds the truth")
+    parser.add_argument(
+        "--level", type=float, default=0.9, help="probability that an interval holds the truth; default: %(default)s"
+    )
     parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--out", type=Path, required=True, help="the file of the answers, csv; required")
     arguments = parser.parse_args()

@@ -2,6 +2,8 @@
 
 import os
 import pty
+import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -152,7 +154,8 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
     assert f"python -m pipeline.diagnose {folder} --out reports/mine" in said
     monkeypatch.chdir(tmp_path)
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
-    assert status == 0 and "make its reports with: snakemake --cores 2, or ask only what the simulator" in said
+    assert status == 0 and "make its reports with: snakemake --cores 2 (quick, with small fits" in said
+    assert "no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables), or ask only what" in said
     both = f"{folder} {folder.with_name('a-02')} --together --out reports/mine/a-02"
     assert f"leaves out: python -m pipeline.diagnose {both}" in said
     status, said, _ = new("a-03", "--string-id", "s1")
@@ -237,6 +240,24 @@ def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys
         main()
     words = " ".join(capsys.readouterr().out.split())
     assert "separator (default), or twisted_pair: two strings without a separator" in words
+
+
+@pytest.mark.parametrize("name", ["Zeit [ms]", "Zeit (ms)"])
+def test_a_name_that_ends_in_a_unit_in_brackets_is_read_in_it(new, tmp_path, name):
+    """It was read in seconds: a run of a minute lasted 17 hours."""
+    samples = GOOD.rename(columns={"time_s": name, "motor_turns": "turns (lap)"}).assign(**{name: GOOD["time_s"] * 1e3})
+    given = f"{{time_s: '{name}', motor_turns: 'turns (lap)'}}"
+    status, said, wrong = new("a-01", "--channels", given, samples=samples)
+    assert status == 0 and f"(from {name} in ms)" in said, wrong
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert read["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy())
+    assert read["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy()), "lap is no unit"
+    status, _, said = new("a-02", "--channels", given.replace("lap", "rev."), samples=samples)
+    (option,) = re.findall(r"here by (--channels .*?)\.?\n", said)
+    assert option.startswith(f"--channels {chr(34) if '[' in name else chr(39)}{{time_s: ") and "'\"'" not in option, (
+        option
+    )
+    assert "…" in shlex.split(option)[1]
 
 
 def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):

@@ -57,7 +57,7 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
     for level in ("0.8", "0.95"):
         done = ask(dataset, text, "--model", "polynomial", "--level", level)
         assert done.returncode == 0 and "1 of them without an interval" in done.stdout
-        assert "  row 3: stroke 12 is 6 after 6, the last recorded; errors were measured up to 2 strokes ahead\n" in (
+        assert "  row 3: stroke 12 is 6 after 6, the last recorded; errors were measured up to 2 strokes ahead: " in (
             done.stdout
         )
         table = pd.read_csv(dataset.with_name("answers.csv"))
@@ -120,6 +120,16 @@ def test_questions_that_are_no_text_are_refused_in_words(dataset: Path, tmp_path
 def test_a_misspelt_column_is_told_the_near_name(dataset: Path) -> None:
     done = ask(dataset, "stroke,direction,motor_turns,load_N\n1,1,3,20\n")
     assert done.returncode == 2 and "load_N: is not a column that is read. Mend: did you mean 'load_n'?" in done.stderr
+
+
+def test_all_wrong_columns_are_named_at_once(dataset: Path) -> None:
+    done = ask(dataset, "strokes,dir,motor_turn,weather\n1,1,3,20\n")
+    assert (
+        done.returncode == 2
+        and "strokes, dir, motor_turn, weather: are not columns that are read. Mend: " in done.stderr
+    )
+    assert "write stroke for strokes, direction for dir, motor_turns for motor_turn; known are" in done.stderr
+    assert done.stderr.endswith(": take weather out, or write one of them.\n"), done.stderr
 
 
 def test_what_varies_must_be_told(dataset: Path) -> None:
@@ -196,6 +206,7 @@ def test_a_model_with_a_memory_a_table_that_is_none_and_one_block_end_with_2(dat
 def test_the_help_says_which_model_answers_where_none_is_named(dataset: Path) -> None:
     done = ask(dataset, "", "--help")
     assert done.returncode == 0 and "default: spline" in " ".join(done.stdout.split())
+    assert "default: 0.9" in done.stdout
 
 
 def test_of_many_questions_outside_the_first_have_their_reason(dataset: Path) -> None:
@@ -244,7 +255,7 @@ def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: 
     done = ask(dataset, text, "--saved", "spline/within-0.model", "--model", "spline")
     assert done.returncode == 2 and "leave out --model and --settings" in done.stderr
     done = ask(dataset, text, "--saved", str(dataset.parent / "spline" / "no.model"))
-    assert done.returncode == 2 and f"is not a file. Mend: name one of {dataset.parent}/spline/" in done.stderr
+    assert done.returncode == 2 and f"is not there. Mend: name one of {dataset.parent}/spline/" in done.stderr
 
 
 @pytest.mark.parametrize("saved", [False, True], ids=["anew", "saved"])

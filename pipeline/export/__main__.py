@@ -36,7 +36,11 @@ def arguments(words: list[str]) -> argparse.Namespace:
         help="the header's file, or the folder of header or graphs; default: reports/<material>/<model>, "
         "or, of a model that lies elsewhere, its own folder",
     )
-    parser.add_argument("--name", default="tsa", help="what every name in the export begins with")
+    parser.add_argument(
+        "--name",
+        default="tsa",
+        help="what every name in the export begins with; default: %(default)s. Two in one C program need two",
+    )
     parser.add_argument("--model", help="the model's name; otherwise its folder's")
     parser.add_argument("--dataset", type=Path, help="for models that keep no ranges; otherwise the one beside them")
     parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
@@ -102,6 +106,7 @@ def main() -> None:
             text = header(source, options.name)
         write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text. {facts(source)['fit']}")
+        print(f"All of its names begin with {options.name}_; of two exports in one C program give one another --name.")
         print(_in_python(options.file))
         return
     from .onnx_model import graphs  # a header needs no onnx

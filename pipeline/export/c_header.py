@@ -1,5 +1,6 @@
 """A fitted model as one C99 header: its ranges and refusals around the functions of the model."""
 
+import hashlib
 import textwrap
 
 from ..models.parts.box import COLUMNS
@@ -58,10 +59,9 @@ static inline int tsa_inverse(const tsa_state *at, tsa_real displacement_mm, tsa
 def header(source: Source, name: str) -> str:
     """The whole header's text, its names beginning with `name`_."""
     inputs, made = source.inputs, exporter(source.name).body(source)
-    guard = "TSA_H"
     parts = [
         _comment(source, made),
-        f"#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n\n",
+        "#include <math.h>\n\n",
         MATHS,
         *(_math(function_name) for function_name in ("sqrt", "exp", "log", "atan")),
         _math("pow", "x, tsa_real y", "(double)x, (double)y", "(float)x, (float)y"),
@@ -73,19 +73,29 @@ def header(source: Source, name: str) -> str:
         _bytes(made),
         CHECKED,
         made.further,
-        f"#endif /* {guard} */\n",
     ]
-    return renamed("".join(parts), name)
+    return _once(renamed("".join(parts), name), name)
+
+
+def _once(text: str, name: str) -> str:
+    """A header's text as one that may be read twice; another header of the same name beside it is an error."""
+    comment, end, code = text.partition(" */\n")
+    guard, own = f"{name.upper()}_H", f"{name.upper()}_EXPORT_{hashlib.sha256(text.encode()).hexdigest()[:12].upper()}"
+    clash = f"two exports are named {name}, and the first would answer for both: export one again with another --name"
+    return (
+        f'{comment}{end}#if defined({guard}) && !defined({own})\n#error "{clash}"\n#endif\n'
+        f"#ifndef {guard}\n#define {guard}\n#define {own}\n\n{code}#endif /* {guard} */\n"
+    )
 
 
 def _comment(source: Source, made: Body) -> str:
     inputs, known = source.inputs, facts(source)
     baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items() if field not in inputs.unread]
-    unread = [f"{name}, {low:.4g} to {high:.4g}" for name, (low, high) in inputs.unread.items()]
     assumed = [f"{field} is {assumption}." for field, assumption in inputs.assumed.items()]
     lines = [
         f"A twisted string actuator's kinematics, the fitted model {source.name}: twist to contraction and back.",
         "C99 (and C++), no dependency but <math.h>, no allocation, no state. Numbers are float; -DTSA_REAL=double.",
+        "Every name begins with tsa_: of two exports in one C program give one another beginning, by --name.",
         "",
         "    tsa_state state = {...};  the fields below, all of them",
         "    tsa_forward(&state, motor_turns, &displacement_mm)",
@@ -100,7 +110,8 @@ def _comment(source: Source, made: Body) -> str:
         *_wrapped(f"Zero: {known['zero']}"),
         *_wrapped(f"Fit: {known['fit']}"),
         *_wrapped(f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}."),
-        *_wrapped(f"Varied in training, and this model does not read it: {'; '.join(unread)}." if unread else ""),
+        *_wrapped(known.get("unread", "")),
+        *_wrapped(known.get("recorded", "")),
         *assumed,
     ]
     return "/*\n" + "".join(f" * {line}".rstrip() + "\n" for line in lines) + " */\n"

@@ -11,18 +11,19 @@ import pyarrow.parquet as pq
 from pydantic import JsonValue
 
 from ..models.interface import about, settings_of
-from ..models.parts.rolling_origin import AHEAD
+from ..models.parts.rolling_origin import AHEAD, LEAST_STROKES
 from ..models.parts.settings import values
-from .inputs import Inputs
 from .interface import Source
+from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
 MOST_STRINGS = 3  # whose zero is named
 
 
 def facts(source: Source) -> dict[str, str]:
-    """Sentences by what they are of: `zero`, `strokes` and `fit`."""
-    return {"zero": _zero(source), "strokes": _strokes(source.inputs), "fit": _fit(source)}
+    """Sentences by what they are of: `zero`, `strokes`, `fit`, and where there is such `recorded` and `unread`."""
+    known = {"zero": _zero(source), "strokes": _strokes(source), "fit": _fit(source)}
+    return known | {name: text for name, text in (("recorded", recorded(source)), ("unread", unread(source))) if text}
 
 
 def zeroed_runs(dataset: Path) -> tuple[str, ...]:
@@ -59,11 +60,18 @@ def _zero(source: Source) -> str:
     )
 
 
-def _strokes(inputs: Inputs) -> str:
+def _strokes(source: Source) -> str:
     """How far ahead of the training strokes an error was ever measured."""
+    trained = f"Strokes to {source.inputs.last_stroke} were trained on. Beyond, the model's law of n goes on."
+    rule = f"as many as a string has beyond its first {LEAST_STROKES}, at most {AHEAD}"
+    if source.foreseen is None:
+        return f"{trained} How far ahead errors are measured, and pipeline.predict gives intervals: {rule} strokes."
+    strokes, ahead = source.foreseen
+    last = f"the longest string of this dataset has {strokes} stroke{'s' * (strokes != 1)}"
+    reach = f"further than {ahead} stroke{'s' * (ahead > 1)} ahead" if ahead else "of strokes ahead"
     return (
-        f"Strokes to {inputs.last_stroke} were trained on. Beyond, the model's law of n goes on. Errors further than "
-        f"{AHEAD} strokes ahead were never measured; up to there at most, pipeline.predict gives intervals."
+        f"{trained} Errors {reach} were never measured: {rule}, are foreseen, and {last}. Further on pipeline.predict "
+        "gives no interval."
     )
 
 

@@ -1,7 +1,7 @@
 """What an exporter of a model is: a file of `exporters/` with the model's name, found by being there."""
 
 import importlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
@@ -17,7 +17,9 @@ FOLDER = Path(__file__).parent / "exporters"
 class Source:
     """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero.
 
-    `zeroed` says of each string in which run its zero was taken, as far as the dataset is there.
+    As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
+    recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
+    errors are measured. Of what is in `deaf` no answer depends.
     """
 
     name: str
@@ -25,6 +27,9 @@ class Source:
     inputs: Inputs
     zero_mm: float = 0.0
     zeroed: tuple[str, ...] = ()
+    values: dict[str, str] = field(default_factory=dict)
+    foreseen: tuple[int, int] | None = None
+    deaf: tuple[str, ...] = ()
 
 
 class Exporter(Protocol):

@@ -1,7 +1,7 @@
 """A saved model as the exporters want it: loaded, with its inputs, and refused in one line where it cannot be."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -11,6 +11,7 @@ from ..ground import schemas
 from ..ground.errors import BadInput
 from ..ground.given_table import opened as opened_table
 from ..models.interface import Model, StringsApart, about, make_model
+from ..models.interface import names as models_there
 from ..models.parts.box import Box
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import in_words
@@ -18,6 +19,7 @@ from ..stages.train import SPLITS, divided
 from .facts import zeroed_runs
 from .inputs import Inputs
 from .interface import Source, exporter, names
+from .recorded import strokes_foreseen, values_recorded
 
 TRIED = 20  # queries that a model must answer before it is exported
 
@@ -40,20 +42,21 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
         models = in_words(file.parent, names()) or "processed/<material>/<model>/within-0.model"
         raise BadInput(file, "model", "is a folder", f"name a file in it, such as {models}")
     name = name or Path(os.path.realpath(file)).parent.name
-    if name not in names():
-        known = ", ".join(names())
-        models = in_words(file.parent.parent, names())
-        mend = f"choose one of {known}, or say --model NAME" + (f"; fitted are {models}" if models else "")
-        raise BadInput(file, "model", f'"{name}" cannot be exported', mend)
+    models = in_words(file.parent.parent, names())
     if not file.is_file():
-        models = in_words(file.parent.parent, names())
         mend = f"name one of {models}" if models else "train it first (the main job does), or mend the path"
-        raise BadInput(file, "model", "is not a file", mend)
+        raise BadInput(file, "model", "is not a file" if file.exists() else "is not there", mend)
+    if name not in names():
+        mend = f"choose one of {', '.join(names())}{'; fitted are ' * bool(models)}{models}"
+        if name not in models_there():
+            mend = f"{mend}; if it is one of them in another folder, say which by --model NAME"
+        raise BadInput(file, "model", f'"{name}" cannot be exported', mend)
     if not read_bytes(file):
         raise BadInput(file, "model", "is empty: its split had too few strokes", "take another split's model")
     try:
         source = _loaded(file, name, beside)
         _try(source)
+        source = replace(source, deaf=_deaf(source))
     except (BadInput, ModuleNotFoundError):  # such as torch, which is left to choose where twistbench is installed
         raise
     except Exception as error:  # whatever a file that is no such model makes its loaders stumble over
@@ -75,7 +78,9 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         inputs = Inputs.of(box, exporter(name).READS, *varying)
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
-    return Source(name, model, inputs, zero_mm, zeroed_runs(_dataset(file, beside)))
+    dataset = _dataset(file, beside)
+    values, foreseen = values_recorded(dataset, inputs.last_stroke), strokes_foreseen(dataset)
+    return Source(name, model, inputs, zero_mm, zeroed_runs(dataset), values, foreseen)
 
 
 def _try(source: Source) -> None:
@@ -84,6 +89,21 @@ def _try(source: Source) -> None:
     for ask, given in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
         if not np.isfinite(ask(source.inputs.points(given, source.inputs.drawn(given, TRIED, rng)))).all():
             raise ValueError("an answer is not a number")
+
+
+def _deaf(source: Source) -> tuple[str, ...]:
+    """Of stroke and direction those on which no answer depends, among queries within the ranges."""
+    inputs, rng, deaf = source.inputs, np.random.default_rng(0), []
+    for field in inputs.fields[:2]:
+        answers = []
+        for ask, given in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
+            queries, column = inputs.drawn(given, TRIED, rng), 1 + inputs.names.index(field.name)
+            for end in (field.low, field.high):
+                queries[:, column] = end
+                answers.append(np.asarray(ask(inputs.points(given, queries)), float))
+        same = np.array_equal(answers[0], answers[1]) and np.array_equal(answers[2], answers[3])
+        deaf += [field.name] * (same and field.low < field.high)
+    return tuple(deaf)
 
 
 def _dataset(file: Path, beside: Beside) -> Path:

@@ -9,10 +9,10 @@ import pandas as pd
 from ..formats.text_layout import with_point
 from ..formats.time_stamps import holds_stamps, stamps_s
 from ..ground.complaint import key_name
+from ..ground.header_units import header_unit, unit_word
 from ..ground.kinematics import Array
 from ..ground.units import conversion
 from ..systems import System
-from .header_units import header_unit, unit_word
 
 WORDS = {  # by the first word of a channel: what people call it
     "time": r"time|zeit|^t$|t_|stamp|millis|micros|temps",

@@ -2,18 +2,32 @@
 
 from typing import Any
 
-from .units import ending_of, unit_of
+from .header_units import header_unit
+from .units import conversion, ending_of, unit_of
 
 
 def written_out(channel: str, given: Any) -> Any:
     """The keys and values of a channel of which a name, or an index from 0, was given; all else as it is.
 
-    A name that ends in another unit that the channel converts from is in that unit: `slide_cm` is read in cm.
+    A name that ends in another unit that the channel converts from is in that unit: `slide_cm` is read in cm, and
+    `Zeit [ms]` or `Zeit (ms)` in ms.
     """
     if not isinstance(given, str | int) or isinstance(given, bool):
         return given
-    unit = ending_of(given, channel) if isinstance(given, str) and "_" in given else unit_of(channel)
+    unit = _unit(channel, given) if isinstance(given, str) else unit_of(channel)
     return {"column": given} if unit == unit_of(channel) else {"column": given, "unit": unit}
+
+
+def _unit(channel: str, name: str) -> str:
+    """The unit of a channel by its column's name: that in brackets at its end or behind its last `_`, else its own."""
+    in_brackets = header_unit(name) if name.rstrip()[-1:] in ("]", ")") else None
+    if in_brackets in (None, "V", "count"):
+        return ending_of(name, channel) if "_" in name else unit_of(channel)
+    try:
+        conversion(channel, in_brackets)
+    except ValueError:
+        return unit_of(channel)
+    return in_brackets
 
 
 def all_written_out(channels: Any) -> Any:

@@ -1,5 +1,7 @@
 """How a person starts a program of ours: a checkout's by `python -m pipeline.diagnose`, an installed one's by name."""
 
+import shlex
+
 HOUSE = __package__.partition(".")[0]  # `pipeline` in a checkout, `twistbench` where it is installed
 INSTALLED = HOUSE != "pipeline"
 START = f"{HOUSE} " if INSTALLED else f"python -m {HOUSE}."  # of every command that a person is told to type
@@ -14,3 +16,8 @@ def program_name(program: str) -> str:
 def command(program: str) -> str:
     """What a person types to start a program, such as `new_run`, or `rig.record`, which has no short name."""
     return program_name(program) if INSTALLED and "." not in program else f"python -m {HOUSE}.{program}"
+
+
+def quoted(text: str) -> str:
+    """A word of a command line in quotes, in double ones where it has single ones and nothing that a shell reads."""
+    return f'"{text}"' if "'" in text and not set(text) & set('"$`\\!') else shlex.quote(text)

@@ -7,6 +7,7 @@ from pathlib import Path
 from ..ground.command import INSTALLED, command
 
 MAIN = "snakemake --cores 2"
+QUICK = "quick, with small fits that are no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables"
 
 
 def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> str:
@@ -23,8 +24,8 @@ def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> str:
     in_raw = not INSTALLED and folder.parent.resolve() == Path("raw").resolve()
     if not recorded:
         capture = f"{command('capture')} PORT {shlex.quote(str(folder))}"
-        then = f"then make its reports with: {MAIN}, {alone}" if in_raw else f"then diagnose it by {diagnose}"
+        then = f"then make its reports with: {MAIN} ({QUICK}), {alone}" if in_raw else f"then diagnose it by {diagnose}"
         return f"record into it with: {capture} (add --text where the rig prints lines of numbers); {then}"
     if in_raw:
-        return f"make its reports with: {MAIN}, {alone}"
+        return f"make its reports with: {MAIN} ({QUICK}), {alone}"
     return f"diagnose it by {diagnose}" if INSTALLED else f"snakemake reads raw/ alone: diagnose it by {diagnose}"

@@ -2,10 +2,10 @@
 
 import copy
 import re
-import shlex
 from typing import Any
 
 from ..ground.bare_columns import written_out
+from ..ground.command import quoted
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import write_yaml
 
@@ -27,7 +27,7 @@ def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
         key, *own = match[2].split(".")
         if match[1] == section:
             whole[key] = _left_open(key, own, whole.get(key) or {})
-    option = f"here by --{section} {shlex.quote(write_yaml(whole, flow=True))}"
+    option = f"here by --{section} {quoted(write_yaml(whole, flow=True))}"
     return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
 
 

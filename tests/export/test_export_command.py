@@ -16,7 +16,7 @@ import onnxruntime
 import pandas as pd
 import pytest
 import yaml
-from compiled import ROOT
+from compiled import ROOT, need
 from made_models import saved
 from models.made_dataset import STRING, made_dataset, pair_dataset
 
@@ -58,7 +58,15 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (made / name).mkdir(exist_ok=True)
         write_bytes(made / name / "later-0.model", text.encode())
     (made / "spline" / "later-1.model").write_bytes((made / "spline" / "within-0.model").read_bytes()[:-1])
+    for name in ("growth", "diagnosed"):
+        (made / name).mkdir()
+        (made / name / "within-0.model").write_bytes((made / "spline" / "within-0.model").read_bytes())
     return made
+
+
+def said_of(header_text: str) -> str:
+    """A header's first comment as one line."""
+    return " ".join(header_text.partition("*/")[0].replace("\n *", " ").split())
 
 
 @pytest.mark.parametrize("measured", [True, False])
@@ -123,8 +131,13 @@ def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["growth/within-0.model"], '"growth" cannot be exported.*calibrated, cinn, inn, mlp, polynomial, spline'),
-        (["spline/within-9.model"], "is not a file"),
+        (
+            ["growth/within-0.model"],
+            '"growth" cannot be exported.*calibrated, cinn, inn, mlp, polynomial, spline.*--model',
+        ),
+        (["diagnosed/within-0.model"], r'"diagnosed" cannot be exported.*polynomial, spline, traditional(?!.*--model)'),
+        (["nothing/within-0.model"], r"model: is not there\. Mend: name one of .*/spline/within-0\.model"),
+        (["spline/within-9.model"], "is not there"),
         (["polynomial/later-0.model"], "is empty: its split had too few strokes"),
         (["cinn/later-0.model"], "is not a saved cinn"),
         (["spline/later-0.model"], "is not a saved spline"),
@@ -237,13 +250,17 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
     for text in said.values():
         assert f"{zero_mm:.3f} mm at 0 turns" in text and "of string made-01 in run " in text and "tare: run" in text
-        assert "Errors further than 3 strokes ahead were never measured" in text
+        assert "Errors further than 2 strokes ahead were never measured: as many as" in said_of(text)
         assert "#define TSA_STROKE_TRAINED 6 " in text
     model = tmp_path / "cinn" / "cinn" / "within-0.model"
     assert export(model, "--format", "onnx", "--out", tmp_path).returncode == 0
     for way in ("forward", "inverse"):
         held = {prop.key: prop.value for prop in onnx.load(tmp_path / f"tsa.{way}.onnx").metadata_props}
-        assert held["fit"].startswith(small) and f"{zero_mm:.3f} mm" in held["zero"] and "3 strokes" in held["strokes"]
+        assert (
+            held["fit"].startswith(small)
+            and f"{zero_mm:.3f} mm" in held["zero"]
+            and "further than 2 strokes" in held["strokes"]
+        )
 
 
 def test_the_settings_that_no_mark_is_put_on_are_those_of_the_default_configuration() -> None:
@@ -263,10 +280,59 @@ def test_a_load_that_a_model_does_not_read_is_not_called_constant(tmp_path: Path
     model.save(file)
     schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
     assert export(file, "--format", "c").returncode == 0
-    text = " ".join((file.parent / "tsa.h").read_text().replace("\n *", " ").split())
+    text = said_of((file.parent / "tsa.h").read_text())
     constant = re.findall(r"Constant in training, and baked in: (.*?)\. ", text)[0]
     assert "load_n" not in constant and "radius_mm" in constant
-    assert re.search(r"Varied in training, and this model does not read it: load_n, 19.* to 30\.", text)
+    each = r"20 N \(twists 0\.\d+ to 26\.\d+ turns\) and 30 N \(twists"
+    assert re.search(rf"Varied in training, and this model does not read it: load_n, {each}", text)
+    assert "This model does not read direction: winding and unwinding get one answer" in text
+    (tmp_path / "dataset.parquet").rename(tmp_path / "moved.parquet")
+    assert export(file, "--format", "onnx", "--dataset", tmp_path / "moved.parquet").returncode == 0
+    held = {prop.key: prop.value for prop in onnx.load(file.parent / "tsa.forward.onnx").metadata_props}
+    assert "does not read direction" in held["unread"]
+
+
+@pytest.mark.parametrize("has_dataset", [True, False])
+def test_a_range_says_what_was_recorded_at_which_twists(tmp_path: Path, has_dataset: bool) -> None:
+    """It is wider than what was recorded, and read as if it had been; pairs are not checked."""
+    points = made_dataset(60, 6)
+    points.loc[points["stroke"] > 4, "load_n"] = 30.0
+    points = points[(points["stroke"] <= 4) | (points["motor_turns"] <= 16.0)]
+    file = tmp_path / "polynomial" / "within-0.model"
+    file.parent.mkdir()
+    model = make_model("polynomial")
+    model.fit(points, 0)
+    model.save(file)
+    if has_dataset:
+        schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
+    assert export(file, "--format", "c").returncode == 0
+    text = said_of((file.parent / "tsa.h").read_text())
+    each = r"20 N \(twists 0\.\d+ to 26\.\d+ turns\) and 30 N \(twists 0\.\d+ to 15\.\d+ turns\)"
+    words = (
+        rf"load_n: recorded were {each if has_dataset else '20 to 30 N'}; its range here is 5% wider at either end\."
+    )
+    assert re.search(words, text), text
+    assert "Each number is checked alone" in text and "does not read" not in text
+    assert ("further than 2 strokes ahead" in text) == has_dataset and "beyond its first 4, at most 3" in text
+
+
+def test_two_exports_of_one_name_do_not_compile_and_the_sentence_says_name(folder: Path, tmp_path: Path) -> None:
+    """The second was skipped without a word, and the first answered for it."""
+    need("gcc")
+    for model, name in (("spline", "tsa"), ("calibrated", "tsa"), ("calibrated", "left")):
+        out = tmp_path / f"{model}_{name}.h"
+        done = export(folder / model / "within-0.model", "--format", "c", "--name", name, "--out", out)
+        assert done.returncode == 0 and f"begin with {name}_; of two exports in one C program" in done.stdout
+        assert "give one another beginning, by --name" in said_of(out.read_text())
+    ends = {}
+    for second in ("spline_tsa", "calibrated_left", "calibrated_tsa"):
+        includes = "".join(f'#include "{each}.h"\n' for each in ("spline_tsa", second))
+        (tmp_path / "both.c").write_text(f"{includes}int main(void)\n{{\n    return 0;\n}}\n")
+        command = ["gcc", "-std=c99", "-fsyntax-only", str(tmp_path / "both.c")]
+        ends[second] = subprocess.run(command, capture_output=True, text=True)
+    assert [done.returncode for done in ends.values()] == [0, 0, 1]
+    assert "two exports are named tsa" in ends["calibrated_tsa"].stderr
+    assert "with another --name" in ends["calibrated_tsa"].stderr
 
 
 def test_who_names_no_fitted_model_is_told_which_there_are(
@@ -281,12 +347,12 @@ def test_who_names_no_fitted_model_is_told_which_there_are(
     monkeypatch.chdir(tmp_path)
     paths = "processed/nylon/spline/within-0.model, processed/nylon/calibrated/within-0.model."
     for wrong in ("processed/nylon/spline/within-9.model", "processed/nilon/spline/within-0.model"):
-        assert export(wrong, "--format", "c").stderr.endswith(f"is not a file. Mend: name one of {paths}\n")
+        assert export(wrong, "--format", "c").stderr.endswith(f"is not there. Mend: name one of {paths}\n")
     assert (
         "is a folder. Mend: name a file in it, such as processed"
         in export("processed/nylon/spline", "--format", "c").stderr
     )
-    assert f"fitted are {paths}" in export("processed/nylon/splne/within-0.model", "--format", "c").stderr
+    assert export("processed/nylon/splne/within-0.model", "--format", "c").stderr.endswith(f"name one of {paths}\n")
     with pytest.raises(SystemExit):
         arguments(["--help"])
     ending = capsys.readouterr().out.splitlines()[-2:]

@@ -1,5 +1,6 @@
 """A csv of questions as it stands: every cell where its header says, every column known, nothing guessed."""
 
+import difflib
 from collections.abc import Collection
 from pathlib import Path
 
@@ -17,6 +18,7 @@ IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the m
     "file.delimiter": ("columns", "part the columns by commas, and write numbers with a point: 3.5"),
     "file.encoding": ("file", "save it as CSV in UTF-8"),
 }
+MOST = 10  # wrong columns that are named
 WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
 
 
@@ -30,9 +32,10 @@ def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
         mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
         field, mend = IN_WORDS.get(error.field, (error.field, mend))
         raise BadInput(path, field, error.problem, mend) from None
-    for name in cells.columns:
-        if name not in known:
-            raise BadInput(path, key_name(name), "is not a column that is read", _meant(name, known))
+    wrong = [name for name in cells.columns if name not in known]
+    if wrong:
+        are = "are not columns that are read" if len(wrong) > 1 else "is not a column that is read"
+        raise BadInput(path, ", ".join(map(key_name, wrong[:MOST])), are, _all_meant(wrong[:MOST], known))
     twice = cells.columns[cells.columns.duplicated()]
     if len(twice):
         raise BadInput(path, twice[0], "is a column twice", "keep one")
@@ -58,6 +61,24 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
             bad.append(BadRow(int(row) + 1, name, f"is {short(cell)}", ", no number", mend))
     endless = np.isinf(pd.to_numeric(cells, errors="coerce").to_numpy(np.float64))
     return bad + of_mask(endless, name, "is without end", "", "write a number")
+
+
+def _all_meant(names: list[str], known: Collection[str]) -> str:
+    """What to write for each of several wrong columns; where one is near none, which columns there are."""
+    if len(names) == 1:
+        return _meant(names[0], known)
+    near = {name: column for name in names if (column := _nearest(name, known))}
+    mends = [f"{column} for {key_name(name)}" for name, column in near.items()]
+    others = ", ".join(key_name(name) for name in names if name not in near)
+    left = [f"known are {', '.join(known)}: take {others} out, or write one of them"] * bool(others)
+    return "; ".join([f"write {', '.join(mends)}"] * bool(mends) + left)
+
+
+def _nearest(name: str, known: Collection[str]) -> str:
+    """The column that a misspelt or shortened one stands for; empty where none or several may be meant."""
+    begun = [column for column in known if len(name) > 2 and column.startswith(name)]
+    close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(known), n=1)
+    return close[0] if close else ""
 
 
 def _meant(name: str, known: Collection[str]) -> str:

@@ -10,6 +10,11 @@ LEAST_STROKES = 4  # to foresee any
 AHEAD = 3  # strokes that are foreseen, at most
 
 
+def most_ahead(strokes: int) -> int:
+    """How many strokes ahead a string of so many strokes tells errors."""
+    return max(0, min(AHEAD, strokes - LEAST_STROKES))
+
+
 def last_strokes(points: pd.DataFrame) -> dict[str, int]:
     """The last stroke of each string."""
     return {str(string): int(last) for string, last in points.groupby("string")["stroke"].max().items()}

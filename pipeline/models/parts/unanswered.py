@@ -15,6 +15,7 @@ from .beyond import also, beyond, held
 from .prediction_intervals import Intervals
 from .reach import reached_mm
 from .recorded_pairs import around
+from .rolling_origin import AHEAD, LEAST_STROKES
 
 SHOWN = 5  # questions of which the reason is printed; the file has all
 
@@ -86,6 +87,7 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
 
 def _measured(ahead: int) -> str:
     """How many strokes after the last recorded one an error could be measured."""
+    rule = f"a string tells as many as it has strokes beyond its first {LEAST_STROKES}, at most {AHEAD}"
     if not ahead:
-        return "errors were measured in recorded strokes only"
-    return f"errors were measured up to {ahead} stroke{'s' * (ahead > 1)} ahead"
+        return f"errors were measured in recorded strokes only: {rule}"
+    return f"errors were measured up to {ahead} stroke{'s' * (ahead > 1)} ahead: {rule}"

@@ -1,0 +1,111 @@
+"""What was recorded of each condition, for whoever loads an export: its range is wider, and is checked alone.
+
+The header's first comment and the graphs' metadata hold the same sentences.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from ..ground.kinematics import Array
+from ..ground.units import unit_of
+from ..models.parts.box import MARGIN, room
+from ..models.parts.conditions import MEASURED
+from ..models.parts.rolling_origin import most_ahead
+from .interface import Source
+
+FEW = 4  # values of a condition that are named each
+ALONE = (
+    "Each number is checked alone: also a twist that was never recorded around that value is answered "
+    "(pipeline.predict says of which)."
+)
+
+
+def values_recorded(dataset: Path, last_stroke: int) -> dict[str, str]:
+    """Of each measured column of a dataset that differs up to a stroke, its values with their twists, in words.
+
+    Empty where no such dataset is there.
+    """
+    points = _columns(dataset, ["stroke", "motor_turns", *MEASURED])
+    points = points[points["stroke"] <= last_stroke] if len(points) else points
+    words = {}
+    for name in MEASURED if len(points) else ():
+        values = points[name].to_numpy(float)
+        if np.isfinite(values).all() and values.max() > values.min():
+            words[name] = _in_words(values, points["motor_turns"].to_numpy(float), name)
+    return words
+
+
+def strokes_foreseen(dataset: Path) -> tuple[int, int] | None:
+    """How many strokes a dataset's longest string has, and how many ahead errors are measured; None where unknown."""
+    points = _columns(dataset, ["string", "stroke"])
+    if not len(points):
+        return None
+    strokes = int(points.groupby("string")["stroke"].nunique().max())
+    return strokes, most_ahead(strokes)
+
+
+def recorded(source: Source) -> str:
+    """A sentence for each condition that the export is told or does not read: what was recorded of it."""
+    ranges = {field.name: (field.low, field.high) for field in source.inputs.fields if field.name in MEASURED}
+    sentences = [
+        f"{name}: recorded were {source.values.get(name) or _unwidened(name, *ends)}{_room(name)}."
+        for name, ends in ranges.items()
+    ]
+    return " ".join([*sentences, ALONE]) if sentences else ""
+
+
+def unread(source: Source) -> str:
+    """What varied in training and the model does not read, with what was recorded of it; empty for nothing."""
+    varied = source.inputs.unread.items()
+    words = [f"{name}, {source.values.get(name) or _unwidened(name, *ends)}" for name, ends in varied]
+    sentences = [f"Varied in training, and this model does not read it: {'; '.join(words)}."] if words else []
+    if "direction" in source.deaf:
+        sentences.append(
+            "This model does not read direction: winding and unwinding get one answer, though they differ."
+        )
+    if "stroke" in source.deaf:
+        sentences.append("This model does not read stroke: every stroke gets one answer.")
+    return " ".join(sentences)
+
+
+def _columns(dataset: Path, names: list[str]) -> pd.DataFrame:
+    """Columns of a dataset, which may be large; an empty table where there is no such dataset."""
+    try:
+        return pq.read_table(dataset, columns=names).to_pandas()[names]
+    except (OSError, pa.ArrowException, KeyError):
+        return pd.DataFrame(columns=names)
+
+
+def _in_words(values: Array, turns: Array, name: str) -> str:
+    """Values that lie together, and the twists that were recorded with them; all of them where these are too many."""
+    order, unit = np.argsort(values, kind="stable"), f" {unit_of(name)}"
+    values, turns = values[order], turns[order]
+    wide = room(name, float(values[0]), float(values[-1]))
+    groups = np.split(np.arange(len(values)), np.flatnonzero(np.diff(values) > wide) + 1)
+    if len(groups) > FEW:
+        return f"{values[0]:.4g} to {values[-1]:.4g}{unit}"
+    return " and ".join(
+        f"{_span(values[group])}{unit} (twists {turns[group].min():.4g} to {turns[group].max():.4g} turns)"
+        for group in groups
+    )
+
+
+def _span(values: Array) -> str:
+    """From where to where values reach."""
+    low, high = (f"{end:.4g}" for end in (values[0], values[-1]))
+    return low if low == high else f"{low} to {high}"
+
+
+def _unwidened(name: str, low: float, high: float) -> str:
+    """The recorded range of a column by the range of the box, which has room on either side."""
+    wide = MARGIN.get(name, 0.0) * (high - low) / (1.0 + 2.0 * MARGIN.get(name, 0.0))
+    return f"{low + wide:.4g} to {high - wide:.4g} {unit_of(name)}"
+
+
+def _room(name: str) -> str:
+    """How much wider than recorded a column's range is."""
+    return f"; its range here is {MARGIN[name]:.0%} wider at either end" if name in MARGIN else ""
