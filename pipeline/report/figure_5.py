@@ -23,6 +23,9 @@ LEARNED: tuple[dict[str, Any], ...] = (
     {"color": "#d55e00", "ls": "", "marker": ".", "ms": 4.0, "mew": 0, "zorder": 3},
     {"color": "#00684c", "ls": "", "marker": "x", "ms": 3.0, "mew": 0.7},
 )
+BAR: dict[str, Any] = {"ls": "-", "lw": 2.2, "marker": "", "solid_capstyle": "butt"}
+FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an axis may begin within its decade
+CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
@@ -50,6 +53,50 @@ def _logarithmic(axes: Axes) -> None:
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
+def as_bars(middle: Array, size: Array, width: float) -> tuple[Array, Array]:
+    """Each size over the whole of its range, and a gap behind it: nothing joins ranges to a line.
+
+    `middle` and `width` in the unit of what is given, `size` in that of the error; from shape (ranges,) to shape
+    (3 · ranges,).
+    """
+    gap = np.full_like(middle, np.nan)
+    ends = np.column_stack([middle - 0.5 * width, middle + 0.5 * width, gap])
+    return ends.ravel(), np.column_stack([size, size, gap]).ravel()
+
+
+def foot_of(sizes: list[Array]) -> float:
+    """The lowest size that an axis shows: below a quarter of what the best model usually has lie lucky ranges alone.
+
+    Errors in the unit of the axis, each of shape (ranges,).
+    """
+    usual = [float(np.nanmedian(size)) for size in sizes if np.isfinite(size).any()]
+    least = FOOT * min((size for size in usual if size > 0.0), default=1.0)
+    decade = 10.0 ** np.floor(np.log10(least))
+    return float(max(step * decade for step in STEPS if step * decade <= least * (1.0 + 1e-9)))
+
+
+def _footed(row: list[Axes], unit: str) -> None:
+    """Smaller errors of a row of axes stand on its foot, and the label says so."""
+    lines = [line for axes in row for line in axes.get_lines()]
+    by_model: dict[str, list[Array]] = {}
+    for line in lines:
+        by_model.setdefault(str(line.get_label()), []).append(np.asarray(line.get_ydata(), float))
+    foot = foot_of([np.concatenate(sizes) for sizes in by_model.values()])
+    is_below = False
+    for line in lines:
+        size = np.asarray(line.get_ydata(), float)
+        is_below = is_below or bool((size < foot).any())
+        line.set_ydata(np.where(size < foot, foot, size))
+        line.set_clip_on(False)
+    least = min(
+        (float(np.nanmin(size)) for sizes in by_model.values() for size in sizes if np.isfinite(size).any()),
+        default=foot,
+    )
+    for axes in row:
+        axes.set_ylim(bottom=max(foot, CLEAR * least))
+    row[0].set_ylabel(f"rms error ({unit})" + (f"\non the axis: {foot:g} or less" if is_below else ""))
+
+
 def _drawn(
     curve: Axes, below: Axes, shown: pd.DataFrame, way: tuple[str, str, str], style: dict[str, Any], ends: Ends
 ) -> None:
@@ -58,7 +105,10 @@ def _drawn(
     ordered = shown.dropna().sort_values(given) if style.get("ls") == "--" else shown
     curve.plot(ordered[given], ordered[label], **style)
     middle, size = by_range(shown[given].to_numpy(float), (shown[label] - shown[answer]).to_numpy(float), *ends)
-    below.plot(middle, size, **{**style, "ls": style.get("ls") or "-", "lw": 1.1})
+    if style.get("ls"):
+        below.plot(middle, size, **{**style, "lw": 1.1})
+    else:
+        below.plot(*as_bars(middle, size, (ends[1] - ends[0]) / BINS), **{**style, **BAR})
 
 
 def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str) -> Figure:
@@ -78,7 +128,7 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
     shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
         given, answer, _ = way
-        unit = (MILLIMETRES, "rms error (mm)") if row == 0 else (TURNS, "rms error (turns)")
+        curve_label, unit = ((MILLIMETRES, "mm"), (TURNS, "turns"))[row]
         for column, stroke in enumerate(strokes):
             curve, below = grid[2 * row, column], grid[2 * row + 1, column]
             below.sharex(curve)
@@ -94,8 +144,9 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
             _logarithmic(below)
             first = column == 0
             letter = "abcdef"[3 * row + column]
-            name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", unit[0] if first else "")
-            name(below, f"error of ({letter}) along the stroke", label[1], unit[1] if first else "")
+            name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if first else "")
+            name(below, f"error of ({letter}) along the stroke", label[1], "")
+        _footed(list(grid[2 * row + 1]), unit)
     if strokes:
         figure.legend(handles=grid[0, 0].get_lines(), loc="outside lower center", ncols=4)
     figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")

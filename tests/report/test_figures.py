@@ -7,7 +7,7 @@ import pytest
 from pipeline.ground import schemas
 from pipeline.report.drawing import save
 from pipeline.report.figure_4 import figure_4
-from pipeline.report.figure_5 import by_range, figure_5
+from pipeline.report.figure_5 import as_bars, by_range, figure_5, foot_of
 from pipeline.report.figures import best_other
 from pipeline.report.made_by import MadeBy
 from pipeline.report.winding import with_median, with_nominal
@@ -115,6 +115,32 @@ def test_an_error_is_a_root_mean_square_along_the_stroke_and_breaks_where_nothin
     assert len(middle) == len(size) == 24 and middle[0] == pytest.approx(10.0 / 48.0)
     assert size[[0, -1]] == pytest.approx([3.0, np.sqrt(3.0)])
     assert np.isnan(size[1:-1]).all()  # one point makes no root mean square
+
+
+def test_a_lucky_range_stands_on_the_axis_which_says_so_and_stretches_nothing(dataset, learned):
+    lucky = {title: points.copy() for title, points in learned.items()}
+    points = lucky["Spline model"]
+    chosen = points[(points["stroke"] == 1) & (points["phase"] == "winding")].index[:12]
+    points.loc[chosen, "forward_mm"] = points.loc[chosen, "displacement_mm"] + 1e-7
+    usual, stretched = (figure_5(with_nominal(dataset), of_models, "m") for of_models in (learned, lucky))
+    assert usual.axes[3].get_ylim()[0] == pytest.approx(0.008) and stretched.axes[3].get_ylim()[0] == 0.002
+    assert usual.axes[3].get_ylabel() == "rms error (mm)"
+    assert stretched.axes[3].get_ylabel() == "rms error (mm)\non the axis: 0.002 or less"
+    drawn = {line.get_label(): np.asarray(line.get_ydata(), float) for line in stretched.axes[3].get_lines()}
+    assert np.nanmin(drawn["Spline model, held-out points"]) == 0.002
+
+
+def test_a_bar_is_as_wide_as_its_range_and_is_joined_to_no_other():
+    x, y = as_bars(np.array([1.0, 3.0]), np.array([0.2, np.nan]), 2.0)
+    assert x[[0, 1, 3, 4]].tolist() == [0.0, 2.0, 2.0, 4.0] and np.isnan(x[[2, 5]]).all()
+    assert y[[0, 1]].tolist() == [0.2, 0.2] and np.isnan(y[2:]).all()
+
+
+@pytest.mark.parametrize(
+    ("sizes", "foot"), [([0.02, 0.02, 1e-6], 0.005), ([0.08, 9.0, 0.08], 0.02), ([np.nan, np.nan, np.nan], 0.2)]
+)
+def test_an_axis_begins_at_a_quarter_of_the_best_models_usual_error(sizes, foot):
+    assert foot_of([np.array([5.0, 6.0]), np.array(sizes)]) == pytest.approx(1.0 if np.isnan(sizes[0]) else foot)
 
 
 def test_the_third_model_is_the_best_of_the_others():

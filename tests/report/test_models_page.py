@@ -154,6 +154,19 @@ def test_no_label_of_the_leaks_figure_touches_the_panel_beside_it():
     plt.close(figure)
 
 
+def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
+    with plt.rc_context(STYLE):
+        figure = figure_leak(made_leak(), made_metrics(), "made")
+        figure.canvas.draw()
+        for axes in figure.axes:
+            legend = axes.get_legend().get_window_extent()
+            assert legend.y1 < axes.get_window_extent().y0 and legend.y0 > figure._supxlabel.get_window_extent().y1
+    plt.close(figure)
+    assert figure.get_suptitle().startswith("made: what training on the forward error alone does to the inverse")
+    assert "\n" not in figure.get_suptitle()
+    assert "A mark is one training" in figure.get_supxlabel() and "the inverse magnifies it" in figure.get_supxlabel()
+
+
 def test_the_page_names_the_file_of_every_fit_and_how_it_is_used():
     """No page named a .model file, and two commands need one."""
     forward = FORWARD | {"spline": [0.05]}
