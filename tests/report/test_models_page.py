@@ -9,6 +9,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
+from in_a_browser import clicked, needs_browser
 
 from pipeline.ground import schemas
 from pipeline.report.drawing import STYLE
@@ -16,6 +17,7 @@ from pipeline.report.fitted import lines_at_end, lines_on_files
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.models import columns, main, numbers, page, sentences
+from pipeline.report.web.markdown import web_page
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "calibrated": "Calibrated model"}
 # model → RMSE forward in mm by seed; inverse is five times as much, later 0.01 more
@@ -165,6 +167,27 @@ def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
     assert figure.get_suptitle().startswith("made: what training on the forward error alone does to the inverse")
     assert "\n" not in figure.get_suptitle()
     assert "A mark is one training" in figure.get_supxlabel() and "the inverse magnifies it" in figure.get_supxlabel()
+
+
+def test_the_spread_of_the_seeds_stands_on_a_line_of_its_own():
+    shown = web_page("# a\n\n| model | all |\n| --- | --- |\n| INN (2–3) | **0.120** (0.118–0.125) |\n", None)
+    assert "<strong>0.120</strong><br><small>(0.118\u2060–\u20600.125)</small></td>" in shown
+    assert shown.count("<small>") == 1
+
+
+@needs_browser
+def test_every_table_fits_a_page_of_1200_pixels_even_where_every_cell_has_a_spread(tmp_path):
+    seeds = {model: [0.120, 0.118, 0.125] for model in ("inn", "mlp", "diagnosed", "floor", "floor_blind")}
+    some = made_metrics(seeds)
+    metrics = pd.concat([some, some[some["stroke"] == "1"].assign(stroke="5")])
+    titles = {"inn": "Conditional INN", "mlp": "MLP model", "diagnosed": "Diagnosed simulator"}
+    (tmp_path / "models.html").write_text(web_page(page(numbers(metrics, titles, ["mlp"]), "made"), None))
+    script = """<script>
+      const all = [...document.querySelectorAll(".scroll")];
+      const wide = all.filter(table => table.scrollWidth > table.clientWidth);
+      document.title = [innerWidth, all.length, all[0].querySelectorAll("th").length, wide.length].join("|");
+    </script></body>"""
+    assert clicked(tmp_path / "models.html", script, tmp_path) == "1200|4|13|0"
 
 
 def test_the_page_names_the_file_of_every_fit_and_how_it_is_used():

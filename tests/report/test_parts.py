@@ -2,10 +2,10 @@
 
 import json
 import shutil
-import subprocess
 
 import programs
 import pytest
+from in_a_browser import clicked, needs_browser
 from made_verdict import made_verdict
 from test_diagnoses import FINE, TIED
 from test_index import Seen
@@ -80,17 +80,7 @@ def test_an_index_that_fails_leaves_the_pages_of_before(reports, tmp_path):
     assert {path.name: path.read_text() for path in (place / "pages").iterdir()} == before
 
 
-def clicked(page, script, place):
-    """The title of a page after a script at its end ran in a browser."""
-    copy = page.with_name("clicked.html")
-    copy.write_text(page.read_text().replace("</body>", script))
-    command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={place / 'home'}"]
-    done = subprocess.run([*command, "--dump-dom", copy.as_uri()], capture_output=True, text=True, timeout=120)
-    copy.unlink()
-    return done.stdout.partition("<title>")[2].partition("</title>")[0]
-
-
-@pytest.mark.skipif(not shutil.which("chromium"), reason="there is no chromium here")
+@needs_browser
 def test_a_browser_shows_some_rows_sorts_all_of_them_and_shows_one_verdict_alone(reports, tmp_path):
     click = """<script>
       const rows = () => [...document.querySelectorAll("#runs tbody tr")].filter(row => !row.hidden);
@@ -109,7 +99,7 @@ def test_a_browser_shows_some_rows_sorts_all_of_them_and_shows_one_verdict_alone
     assert said == "15|‹ before 1 to 15 of 60 next › show all|m-2-19|5|true|20"
 
 
-@pytest.mark.skipif(not shutil.which("chromium"), reason="there is no chromium here")
+@needs_browser
 def test_a_click_enlarges_a_figure_and_another_ends_it(reports, tmp_path):
     click = """<script>
       const shown = () => document.querySelector("dialog").open, said = [shown()];

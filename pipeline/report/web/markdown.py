@@ -14,11 +14,12 @@ from .page import anchor, document
 
 INDEX = Markup('<a href="../index.html">All reports</a>')
 RANGE, UNBROKEN = re.compile(r"(?<=\d)–(?=\d)"), "\u2060–\u2060"  # no line ends between lowest and highest
+SPREAD = re.compile(rf"(\d(?:</strong>)?) (\([\d.]+{UNBROKEN}[\d.]+\))</td>")  # behind a number: on a line of its own
 DEEPEST = 2  # headings below are not in the contents
 
 
 def _table_open(_: RendererHTML, tokens: Sequence[Token], at: int, options: OptionsDict, env: EnvType) -> str:
-    return '<div class="scroll"><table class="sortable">\n'
+    return '<div class="scroll"><table class="sortable dense">\n'
 
 
 def _table_close(_: RendererHTML, tokens: Sequence[Token], at: int, options: OptionsDict, env: EnvType) -> str:
@@ -79,5 +80,6 @@ def web_page(text: str, mark: MadeBy | None) -> str:
             address = str(child.attrGet("href") or "")
             if child.type == "link_open" and "://" not in address and address.endswith(".md"):
                 child.attrSet("href", address.removesuffix(".md") + ".html")
-    body = Markup(markdown.renderer.render(tokens, markdown.options, {}))
+    rendered = SPREAD.sub(r"\1<br><small>\2</small></td>", markdown.renderer.render(tokens, markdown.options, {}))
+    body = Markup(rendered)
     return document(title, body, mark, places, above=INDEX)
