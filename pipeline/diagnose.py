@@ -37,7 +37,8 @@ class Options:
 
     `together`: several runs of one rig in one diagnosis. The library lacks the mechanisms in `without`; `judge_file`
     holds a judge in place of the library's. `rivals`: write `next_runs.json` too, every run that could be made next and
-    what each explanation foretells of it. A program that holds what was read of runs gives a `reader`.
+    what each explanation foretells of it. A program that holds what was read of runs gives a `reader`. The
+    figure wears `mark`.
     """
 
     together: bool = False
@@ -45,6 +46,7 @@ class Options:
     judge_file: Path | None = None
     rivals: bool = False
     reader: Reader | None = None
+    mark: str = ""
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ def decide(folders: list[Path], out: Path, options: Options) -> Decided:
     if options.rivals:
         fixed_load = bool((content["next_run"] or {}).get("fixed_load"))
         write_text(out / "next_runs.json", json.dumps(foretold(study, runs[0], fixed_load)) + "\n")
-    optional("the page of figures", name, lambda: draw(study, content, out / "diagnosis"))
+    optional("the page of figures", name, lambda: draw(study, content, out / "diagnosis", options.mark))
     write_block(content, out)
     of_string = runs[0].actuator in STRING_ACTUATORS
     rests = optional(ZEROS, name, lambda: [Rests.of(recorded) for recorded in recordings]) if of_string else None
@@ -171,7 +173,7 @@ def main() -> int:
     arguments = parsed(__doc__ or "")
     folders: list[Path] = arguments.run_dir
     reader = partial(read_recorded, processed=arguments.processed) if arguments.processed else None
-    options = Options(arguments.together, frozenset(arguments.without), arguments.judge, reader=reader)
+    options = Options(arguments.together, frozenset(arguments.without), arguments.judge, False, reader, arguments.mark)
     if arguments.together:
         began_s = time.process_time()
         print(diagnose(folders, arguments.out, options))

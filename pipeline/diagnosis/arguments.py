@@ -38,6 +38,7 @@ def parsed(description: str) -> argparse.Namespace:
         metavar="FILE",
         help="write what each diagnosis took, starting apart, as JSON by run",
     )
+    parser.add_argument("--mark", default="", metavar="TEXT", help="a line on the figure: what made the recording")
     arguments = parser.parse_args()
     folder_to_write(arguments.out)
     arguments.run_dir = [folder if folder.name else folder.resolve() for folder in arguments.run_dir]

@@ -6,12 +6,14 @@ In equal bins of time strokes beat with the bins, and what differs between windi
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import SubFigure
+from matplotlib.ticker import MaxNLocator
 
 from ..ground.kinematics import Array
 from .drivers import Drivers
 from .panels import BAND, BINS, MOTION, SHADES, ways
 from .stroke_means import stroke_means
 
+TICKS = 5  # steps between numbers below a panel, at most
 GAP = 4.0  # bins: points further apart are not joined by a line
 STILL_C = 0.1  # a temperature that moves by less is followed by nothing that a sensor shows
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
@@ -100,3 +102,4 @@ def _draw(axes: Axes, places: Array, means: dict[str, Array], floor: float, labe
     axes.set_xlabel(label, fontsize=8)
     axes.tick_params(labelsize=7)
     axes.ticklabel_format(axis="x", useOffset=False)
+    axes.xaxis.set_major_locator(MaxNLocator(TICKS))

@@ -70,9 +70,9 @@ def warning(content: Verdict, words: Vocabulary) -> str:
     return "\n".join(lines)
 
 
-def page(study: Study, content: Verdict, path: Path) -> None:
+def page(study: Study, content: Verdict, path: Path, mark: str = "") -> None:
     """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
-    write_page(drawn(study, content), path)
+    write_page(drawn(study, content, mark), path)
 
 
 def as_adopted(study: Study, verdict: Verdict) -> Array | None:
@@ -90,8 +90,8 @@ def as_adopted(study: Study, verdict: Verdict) -> Array | None:
     return at_its_best_zero(problem, content, Path("run.yaml"), run)
 
 
-def drawn(study: Study, content: Verdict) -> Figure:
-    """The page as a figure of matplotlib, known to no window and no notebook."""
+def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
+    """The page as a figure of matplotlib, known to no window and no notebook; `mark` stands beneath its title."""
     problem, drivers, floor = study.problem, study.problem.drivers, study.floor
     ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
     states = {"nominal": study.nominal, "calibrated": study.base, "as diagnosed": study.state}
@@ -105,7 +105,7 @@ def drawn(study: Study, content: Verdict) -> Figure:
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
     vocabulary = Vocabulary.of(problem.system)
-    warned = warning(content, vocabulary)
+    warned = "\n".join(filter(None, (mark, warning(content, vocabulary))))
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])

@@ -24,12 +24,12 @@ def write_words(content: Verdict, system: System, folders: list[Path], out: Path
     return words
 
 
-def draw(study: Study, content: Verdict, path: Path) -> None:
+def draw(study: Study, content: Verdict, path: Path, mark: str = "") -> None:
     """Draw the page of figures; what draws takes 40 MB, and is imported when the search has let go of more."""
     study.search.linear.let_go()
     from . import figures
 
-    figures.page(study, content, path)
+    figures.page(study, content, path, mark)
 
 
 def write_block(content: Verdict, out: Path) -> None:

@@ -16,9 +16,10 @@ rule diagnose:
         **NEEDS["diagnose"],
     params:
         content=content,
+        mark=mark_of_run,
         code=fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
         "diagnose {wildcards.run}"
     shell:
         "exec python -m pipeline.diagnose raw/{wildcards.run:q} --processed processed --out reports/diagnosis"
-        " --note-refusals > {log:q} 2>&1"
+        " --note-refusals --mark {params.mark:q} > {log:q} 2>&1"

@@ -17,6 +17,14 @@ def note_of(mark):
     return f"\n{note(unpacked(mark))}\n"
 
 
+# On the figure of a diagnosis: nothing, unless its recording is of another synthetic rig than the default one.
+def mark_of_run(wildcards):
+    if wildcards.run not in SYNTHETIC or not OTHER_RIG:
+        return ""
+    mark = unpacked(mark_of("synthetic"))
+    return f"recorded by {mark.name} {mark.digest} on another synthetic rig: {mark.rig}"
+
+
 def mark_of_material(wildcards):
     own = ["synthetic"] if wildcards.material == SYNTHETIC_MATERIAL else []
     return mark_of("models", "keep_lossy", *own)

@@ -35,7 +35,7 @@ def conceal(tmp_path_factory: pytest.TempPathFactory):
 def undrawn(request, monkeypatch):
     """No page of figures is drawn in a test, which takes 2 s, but by what makes the page for those that look at it."""
     if not request.node.path.name.startswith("test_diagnosis_page"):
-        monkeypatch.setattr(figures, "page", lambda study, content, path: None)
+        monkeypatch.setattr(figures, "page", lambda study, content, path, mark="": None)
 
 
 def kept(found):

@@ -25,6 +25,8 @@ from pipeline.run.description import Adopted
 from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
+MARK = "recorded by ci.yaml abc1234 on another synthetic rig: set-up small"
+
 
 @pytest.fixture(scope="module")
 def drawn(studied, tmp_path_factory, request):
@@ -34,9 +36,17 @@ def drawn(studied, tmp_path_factory, request):
     kept, draw, page = [], figures.drawn, tmp_path_factory.mktemp("drawn") / "page"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(figures, "drawn", lambda *told: kept.append(draw(*told)) or kept[-1])
-        figures.page(found, content, page)
+        figures.page(found, content, page, MARK)
     assert page.with_suffix(".png").is_file() and page.with_suffix(".pdf").is_file()
     return kept[0], content
+
+
+def test_the_figure_wears_the_mark_of_what_recorded_it_and_its_numbers_do_not_crowd(drawn) -> None:
+    figure, _ = drawn
+    assert figure.subfigs[0].get_suptitle().splitlines()[0] == MARK
+    for axes in figure.subfigs[-1].axes:
+        low, high = axes.get_xlim()
+        assert sum(low <= place <= high for place in axes.get_xticks()) <= 6
 
 
 def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what_the_words_say(drawn) -> None:

@@ -8,6 +8,6 @@ from pipeline.diagnosis import figures
 from pipeline.diagnosis.verdict import fingerprint
 from pipeline.systems import systems
 
-figures.page = lambda study, content, path: None
+figures.page = lambda study, content, path, mark: None
 fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*")
 systems()
