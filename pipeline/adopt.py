@@ -146,8 +146,7 @@ def main() -> None:
 
 def adopt(source: Path, folder: Path) -> None:
     """Put what a diagnosis names into a run's `run.yaml`, and say what that does. Raises BadInput."""
-    run, content = read_run(folder), read_diagnosis(source)
-    path = (folder / "run.yaml").resolve()
+    run, content, path = read_run(folder), read_diagnosis(source), (folder / "run.yaml").resolve()
     acting = [entry for entry in content["simulation"] if isinstance(entry, dict)]
     ids = list(dict.fromkeys(str(entry.get("id")) for entry in acting))
     names = listing(ids)
@@ -177,7 +176,8 @@ def adopt(source: Path, folder: Path) -> None:
         print("\n".join(wrapped(f"{same}{'' if named else nothing}", "")))
         return
     write(path, made)
-    report = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
+    doubt = before_after.against_advice(content, Vocabulary.of(run.system), taken_out(folder))
+    report = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was", *doubt]
     report += sentences(content)
     others = origin[-1]["tied"] if origin else []
     if others:
@@ -186,7 +186,7 @@ def adopt(source: Path, folder: Path) -> None:
         report.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
     predict = adopted_predictions(folder, run.system.driver, run.system.load, ids)
     meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
-    out = ["To take all of it out of run.yaml again:", taken_out(folder)]
+    out = ["To take all of it out of run.yaml again:", taken_out(folder)] * (not doubt)
     show([*report, *errors, before_after.NEXT, *predict, *meant, WEIGHED_ANEW, *out])
 
 

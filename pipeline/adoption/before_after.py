@@ -8,12 +8,14 @@ from ..diagnosis.content import Simulated, Verdict
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
 from ..diagnosis.words import unseen
+from ..diagnosis.words.advice import contrary
 from ..diagnosis.words.dimensions import LEAVES, name_of
 from ..diagnosis.words.error_table import aligned
 from ..diagnosis.words.exactness import assumed
 from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
 from ..diagnosis.words.rivals import called
 from ..diagnosis.words.to_measure import BESIDE
+from ..diagnosis.words.vocabulary import Vocabulary
 from ..ground.command import program_name
 from ..ground.errors import BadInput
 from ..ground.units import unit_of
@@ -26,6 +28,15 @@ NEXT = (
 )
 WORSE = 1.1  # times the error before: less may be chance
 HARDLY, MOST = 0.05, 8  # sigma: a dimension that stayed; dimensions that are named
+
+
+def against_advice(content: Verdict, words: Vocabulary, out: str) -> list[str]:
+    """That adopting goes against the advice of the verdict, where it does, with the line `out` that takes it out."""
+    whether = contrary(content, words)
+    if not whether:
+        return []
+    done = "This goes against the verdict's advice and is adopted all the same"
+    return [f"{done}. The verdict says: {whether} To take it out of run.yaml again:", out]
 
 
 def dimensions(content: Verdict) -> list[str]:

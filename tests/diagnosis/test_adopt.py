@@ -282,6 +282,22 @@ def test_adopting_names_the_dimensions_that_fit_and_those_to_measure_again(folde
     assert "Measure the separator again: calibration moved it by more than 2 tolerances." in said
 
 
+def test_adopting_against_the_verdict_s_advice_says_so_with_the_way_back(folder: Path, diagnosis: Path) -> None:
+    """A verdict said "Do not adopt before the separator is measured again", and adopting it said nothing of that."""
+    content = judged(diagnosis, "explained", [])
+    fit = {"heldout": {}, "noise_floor_mm": 0.01}
+    for sigma, says in ((2.9, True), (1.9, False)):
+        evidence = {"moved_sigma": {"separator_mm": sigma}, "strokes_left_out": []}
+        diagnosis.write_text(json.dumps({**content, "fit": fit, "evidence": evidence}))
+        done = programs.run("pipeline.adopt", diagnosis, folder)
+        said = flat(done)
+        assert done.returncode == 0 and read_run(folder).simulation, done.stderr
+        against = "against the verdict's advice and is adopted all the same. The verdict says: Do not adopt before the"
+        assert (against in said) == says, said
+        assert said.count(f"python -m pipeline.adopt --remove {folder}") == 1
+        assert programs.run("pipeline.adopt", "--remove", folder).returncode == 0
+
+
 def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder: Path, diagnosis: Path) -> None:
     before = (folder / "run.yaml").read_bytes()
     os.chmod(folder / "run.yaml", 0o640)

@@ -8,6 +8,7 @@ from .quantity import listing
 from .vocabulary import Vocabulary
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
+MAY = "You may adopt"
 
 
 def worse(content: Verdict) -> str:
@@ -36,4 +37,13 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     sizes = f"; of its sizes report that of {listing(reportable)} alone" if reportable else "; do not report its sizes"
     sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
     other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
-    return f"You may adopt this to predict motions like the recorded ones{other}{sizes}."
+    return f"{MAY} this to predict motions like the recorded ones{other}{sizes}."
+
+
+def contrary(content: Verdict, words: Vocabulary) -> str:
+    """The advice that adopting would go against; nothing where it lets adopt, or where a file does not tell enough."""
+    try:
+        whether = of_adopting(content, words) if content["verdict"] in ("explained", "ambiguous") else MAY
+    except (LookupError, TypeError, ValueError, AttributeError):  # a file without evidence gives no advice
+        return ""
+    return "" if whether.startswith(MAY) else whether
