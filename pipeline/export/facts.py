@@ -5,6 +5,7 @@ The header's first comment and the graphs' metadata hold the same sentences.
 
 import math
 from pathlib import Path
+from typing import Any
 
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -17,12 +18,16 @@ from .interface import Source
 from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
+SAME = (
+    "A small configuration such as config/ci.yaml changes no setting of this model: from the same recordings it makes "
+    "the same file. Its tables are marked as no results for their other models and fewer seeds."
+)
 MOST_STRINGS = 3  # whose zero is named
 
 
 def facts(source: Source) -> dict[str, str]:
     """Sentences by what they are of: `zero`, `strokes`, `fit`, and where there is such `recorded` and `unread`."""
-    known = {"zero": _zero(source), "strokes": _strokes(source), "fit": _fit(source)}
+    known = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
     return known | {name: text for name, text in (("recorded", recorded(source)), ("unread", unread(source))) if text}
 
 
@@ -75,17 +80,17 @@ def _strokes(source: Source) -> str:
     )
 
 
-def _fit(source: Source) -> str:
-    """Whether the model's own settings are the usual ones, and where they are not, whether it is a small fit."""
-    settings = settings_of(source.name)
+def fit(name: str, model: Any) -> str:
+    """Whether a fitted model's own settings are the usual ones, and where they are not, whether it is a small fit."""
+    settings = settings_of(name)
     if settings is None:
-        return "This model has no settings, so it is no small fit."
-    mine, usual = values(source.model.settings), values(settings())
-    apart = [name for name in usual if mine[name] != usual[name]]
-    words = ", ".join(f"{name} {mine[name]} instead of {usual[name]}" for name in apart)
+        return f"This model has no settings, so it is no small fit. {SAME}"
+    mine, usual = values(model.settings), values(settings())
+    apart = [setting for setting in usual if mine[setting] != usual[setting]]
+    words = ", ".join(f"{setting} {mine[setting]} instead of {usual[setting]}" for setting in apart)
     if not apart:
-        return "Made with the usual settings of this model."
-    small = any(name in AMOUNTS and _less(mine[name], usual[name]) for name in apart)
+        return f"Made with the usual settings of this model, so it is no small fit. {SAME}"
+    small = any(setting in AMOUNTS and _less(mine[setting], usual[setting]) for setting in apart)
     return f"{'Small fit, not a result' if small else 'Settings of your own'}: {words}."
 
 

@@ -99,7 +99,7 @@ def comparison(
     whole = metrics[metrics["angle_band"] == "all"]
     strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
     strokes = [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)]
-    which = [shown_of(strokes_there, paper.STROKES), missing_of(strokes_there, paper.STROKES)]
+    which = [shown_of(strokes_there, paper.STROKES, material), missing_of(strokes_there, paper.STROKES)]
     missing = " ".join(filter(None, which))
     is_other_rig = material == SYNTHETIC and bool(mark.rig)
     why_off = another_rig(mark) if is_other_rig else why_apart(whole, material)

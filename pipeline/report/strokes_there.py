@@ -45,12 +45,20 @@ def missing_of(strokes: Sequence[int], wanted: Sequence[int]) -> str:
     return f"{NOT_SHOWN}: {missing}. The material has {known}." if missing else ""
 
 
-def shown_of(strokes: Sequence[int], wanted: Sequence[int]) -> str:
-    """A sentence on which of the strokes a table shows, why these, and where all are; empty where it shows all."""
+def rows_of(material: str) -> str:
+    """The file that holds the numbers of every stroke of a material."""
+    return f"processed/{material}/metrics.parquet"
+
+
+def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> str:
+    """A sentence on which of a material's strokes a table shows, why these, and where all are; empty if it shows all.
+
+    The file that it names is the one that the table was made of, so it is there wherever the table is.
+    """
     tabled_strokes = tabled(strokes, wanted)
     if len(tabled_strokes) >= len(strokes):
         return ""
     named = ", ".join(f"n={stroke}" for stroke in tabled_strokes)
     reason = "the paper's rows" if set(tabled_strokes) <= set(wanted) else "spread over them, as none of the paper's is"
     whole = f"{len(strokes)} strokes, {ranges(strokes)}"
-    return f"{SHOWN} {named} of the {whole}: {reason}. All strokes are rows of reports/metrics.csv, column stroke."
+    return f"{SHOWN} {named} of the {whole}: {reason}. All strokes are rows of {rows_of(material)}, column stroke."

@@ -18,7 +18,7 @@ from .marks import add_mark, mark_from
 from .plain_markdown import note, plain
 from .sidecar import Column, describe
 from .stroke_conditions import add_dataset, dataset_from
-from .strokes_there import missing_of, shown_of, tabled, there_of
+from .strokes_there import missing_of, rows_of, shown_of, tabled, there_of
 from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
 from .titles import titles_of
 
@@ -70,12 +70,12 @@ def of_what(metrics: pd.DataFrame, number: int, titles: dict[str, str], runs: Se
     )
 
 
-def columns(number: int) -> list[Column]:
-    """What the columns of the csv hold."""
+def columns(number: int, material: str) -> list[Column]:
+    """What the columns of a material's csv hold."""
     unit = {1: "mm", 2: "turns of the motor"}[number]
     words = [
         "the model's title",
-        "n: the stroke's number since the string was new; shown are the paper's three, reports/metrics.csv has all",
+        f"n: the stroke's number since the string was new; shown are the paper's three, {rows_of(material)} has all",
         *(f"{metric} of the {paper.MAPS[number]} error on held-out winding points in {unit}, median over the seeds;"
           " empty where the material has no such stroke" for metric in ("mean of the size", "largest size", "RMSE")),
     ]  # fmt: skip
@@ -98,7 +98,8 @@ def write(
     strokes = there_of(shown(metrics, number)["stroke"])
     printed = rows(metrics, number, titles, tabled(strokes, paper.STROKES))
     what = of_what(metrics, number, titles, runs)
-    which = [words for words in (shown_of(strokes, paper.STROKES), missing_of(strokes, paper.STROKES)) if words]
+    shown_strokes = shown_of(strokes, paper.STROKES, material)
+    which = [words for words in (shown_strokes, missing_of(strokes, paper.STROKES)) if words]
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
     notes = (plain(what), *which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
     write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))
@@ -107,7 +108,7 @@ def write(
     notes = (" ".join([what, *which]), *apart, sentence(mark))
     write_text(stem.with_suffix(".tex"), to_latex(number, printed, label, warning(mark), notes))
     title = f"Table {'I' * number}: {paper.TITLES[number].lower()}, {material}"
-    describe(stem.with_suffix(".csv"), title, columns(number), mark)
+    describe(stem.with_suffix(".csv"), title, columns(number, material), mark)
 
 
 @program

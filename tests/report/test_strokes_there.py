@@ -32,8 +32,8 @@ def test_what_is_not_shown_is_said():
 
 def test_which_strokes_are_shown_and_why_is_said():
     """Tables of 42 strokes had three rows a model, without a word why."""
-    where = "All strokes are rows of reports/metrics.csv, column stroke."
+    where = "All strokes are rows of processed/nylon/metrics.parquet, column stroke."
     rows = "Shown are n=1, n=5, n=9 of the 42 strokes, 1 to 42: the paper's rows. "
-    assert shown_of(range(1, 43), (1, 5, 9)) == rows + where
-    assert "21 to 29: spread over them, as none of the paper's is" in shown_of(range(21, 30), (1, 5, 9))
-    assert shown_of([1, 5, 9], (1, 5, 9)) == shown_of([2, 3], (1, 5, 9)) == ""
+    assert shown_of(range(1, 43), (1, 5, 9), "nylon") == rows + where
+    assert "21 to 29: spread over them, as none of the paper's is" in shown_of(range(21, 30), (1, 5, 9), "nylon")
+    assert shown_of([1, 5, 9], (1, 5, 9), "m") == shown_of([2, 3], (1, 5, 9), "m") == ""

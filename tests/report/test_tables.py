@@ -137,12 +137,12 @@ def test_eight_strokes_give_no_empty_row_where_a_person_reads(tmp_path):
 
 def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_path):
     write(made_metrics(strokes=range(1, 13)), 1, TITLES, SMALL, tmp_path)
-    words = "Shown are n=1, n=5, n=9 of the 12 strokes, 1 to 12: the paper's rows. All strokes are rows of reports"
+    words = "Shown are n=1, n=5, n=9 of the 12 strokes, 1 to 12: the paper's rows. All strokes are rows of processed/"
     for text in ((tmp_path / "table_1.md").read_text(), (tmp_path / "table_1.tex").read_text()):
         assert words in text
     assert words in comparison(made_metrics(strokes=range(1, 13)), "m", TITLES)
     columns = json.loads((tmp_path / "table_1.csv-metadata.json").read_text())["tableSchema"]["columns"]
-    assert "shown are the paper's three, reports/metrics.csv has all" in columns[1]["dc:description"]
+    assert "shown are the paper's three, processed/" in columns[1]["dc:description"]
     for number in (1, 2):
         write(made_metrics(strokes=range(1, 13)), number, TITLES, SMALL, tmp_path)
     assert html_table(tmp_path, 1, "").count("Shown are n=1, n=5, n=9 of the 12 strokes") == 1

@@ -15,6 +15,7 @@ from .vocabulary import Vocabulary
 SHARES = (0.25, 0.5, 0.75)  # of the way of a stroke
 REVERSAL = 0.1  # of the plan's range: a smaller way back is no stroke
 ALIKE, AT = 1e-4, 0.01  # of the reading's range: strokes that differ by less are the same; of the motion's: one place
+DIGITS, FAR_DIGITS = 6, 4  # of a reading: within what was recorded its hundredths count, outside it is a guess
 MOST = 3  # strokes that differ; the others are counted
 
 
@@ -82,7 +83,8 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
         for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
             name = f"{_called(numbers)}{f' ({OUTSIDE})' if stroke.out else ''}" if share == SHARES[0] else ""
             gap = f"{'-' if falling < rising else '+'}{size(abs(falling - rising), words.unit)}"
-            rows.append([name, f"{motion:.4g}", f"{rising:.6g}", f"{falling:.6g}", gap])
+            digits = FAR_DIGITS if stroke.out else DIGITS
+            rows.append([name, f"{motion:.4g}", f"{rising:.{digits}g}", f"{falling:.{digits}g}", gap])
     more = len(kinds) - MOST
     kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
     left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
