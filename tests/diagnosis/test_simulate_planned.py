@@ -351,6 +351,13 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
         assert float(row[3]) - float(row[2]) == pytest.approx(0.2, abs=1e-3) and row[4] == "+0.20 mm"
         assert float(row[2]) == pytest.approx(float(row[1]) ** 2 / 10.0 - 0.1, abs=1e-3)
     other = loop_table.lines(strokes_table(0.05).assign(outside=1.0), words, "displacement_mm")
+    far = [
+        re.split(r" {2,}", line)[-4:-1]
+        for line in loop_table.lines(strokes_table(1 / 3).assign(outside=1.0), words, "displacement_mm")[2:]
+    ]
+    assert all(len(cell.strip("-").replace(".", "").lstrip("0")) <= 4 for row in far for cell in row), (
+        "6 digits of a guess"
+    )
     assert "2 (outside)" in other[5] and "3 (outside)" in other[8] and max(map(len, other)) <= 100
     many = pd.concat(
         [strokes_table(0.1 * k).assign(time_s=lambda made, k=k: made["time_s"] + 60.0 * k) for k in range(5)]
