@@ -22,4 +22,4 @@ rule diagnose:
         "diagnose {wildcards.run}"
     shell:
         "exec python -m pipeline.diagnose raw/{wildcards.run:q} --processed processed --out reports/diagnosis"
-        " --note-refusals --mark {params.mark:q} > {log:q} 2>&1"
+        " --note-refusals {params.mark:q} > {log:q} 2>&1"

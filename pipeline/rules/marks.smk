@@ -20,9 +20,9 @@ def note_of(mark):
 # On the figure of a diagnosis: nothing, unless its recording is of another synthetic rig than the default one.
 def mark_of_run(wildcards):
     if wildcards.run not in SYNTHETIC or not OTHER_RIG:
-        return ""
+        return []
     mark = unpacked(mark_of("synthetic"))
-    return f"recorded by {mark.name} {mark.digest} on another synthetic rig: {mark.rig}"
+    return ["--mark", f"recorded by {mark.name} {mark.digest} on another synthetic rig: {mark.rig}"]
 
 
 def mark_of_material(wildcards):
