@@ -1,4 +1,4 @@
-"""The command of a diagnosis is told a mark where another rig than the default one recorded, and no bare option else."""
+"""A diagnosis is told a mark where another rig than the default one recorded, and no bare option elsewhere."""
 
 import subprocess
 import sys
