@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from ..run.course import longest_s
+from ..ground.kinematics import Array
+from ..run.course import Course, longest_s
+from ..run.limits import NEAR
 from ..run.strokes import label, of_samples
 from .recorded_run import RecordedRun
 from .working_samples import PHASES, Record
@@ -41,3 +43,22 @@ def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
         for name, lasted_s in longest.items():
             lasted_s.append(longest_s(time_s, phase == name))
     return {f"longest_{name}_s": max(lasted_s) for name, lasted_s in longest.items()}
+
+
+def reversals(recorded: Sequence[RecordedRun]) -> dict[str, dict[str, list[list[float]]]]:
+    """Where the motion of some runs turned, at its tops and at its bottoms, in the motion's unit.
+
+    Each place is its lowest and its highest reversal: those so near each other that a plan may turn anywhere between.
+    """
+    courses = [Course.of(each.samples, each.run.system.driver) for each in recorded]
+    whole = max(float(course.way.max()) for course in courses) - min(float(course.way.min()) for course in courses)
+    turned = [course.turns(whole)[1] for course in courses]
+    at_end = {end: np.concatenate([each[top] for each in turned]) for end, top in (("top", True), ("bottom", False))}
+    return {"turned": {end: _places(values, whole) for end, values in at_end.items()}}
+
+
+def _places(values: Array, whole: float) -> list[list[float]]:
+    """Values, of shape (reversals,), as stretches whose neighbours are within reach of each other."""
+    ordered = np.sort(values)
+    cuts = np.flatnonzero(np.diff(ordered) > 2.0 * NEAR * whole) + 1
+    return [[float(part[0]), float(part[-1])] for part in np.split(ordered, cuts) if len(part)]

@@ -12,7 +12,7 @@ from ..run.description import Run
 from . import apart, engine, expected, faint, heldout, own_rate, verdict, without_last
 from .adopted_effects import adopted_effects
 from .content import Adoption, Verdict
-from .covered import pauses
+from .covered import pauses, reversals
 from .judge import Judge
 from .not_kept import not_kept
 from .outcome import Study, rms
@@ -57,7 +57,7 @@ def diagnosed(
     if earlier:
         content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
     content["evidence"] |= of_run_yaml(study, runs)
-    content["evidence"]["covered"] |= verdict.tidy(pauses(recorded))
+    content["evidence"]["covered"] |= verdict.tidy(pauses(recorded) | reversals(recorded))
     if lonely := spikes_found(recorded):
         content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]

@@ -7,6 +7,7 @@ SHORT_S = 1.0  # not worth a word
 LONGER = 2.0  # times the longest stand that was recorded: what is slow goes on in a longer one
 SLOWER = 0.5  # of the slowest stroke's speed: what lasts goes on in a slower one
 OTHER = 1.25  # times as slow or as fast as any stroke: another speed, where it matters or nobody knows whether it does
+NEAR = 0.1  # of the recorded range: a reversal so near a recorded one was recorded
 ROOM = 0.05  # of what was recorded, or of a limit: a motion that leaves it by less stays inside, however it was rounded
 
 

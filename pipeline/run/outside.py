@@ -10,10 +10,9 @@ from ..ground import spans
 from ..ground.units import unit_of
 from .course import Course, Mask, Recorded
 from .description import Run
-from .limits import LONGER, ROOM, SHORT_S, from_on, least_speed, longest_stand_s, most_speed, up_to
+from .limits import LONGER, NEAR, ROOM, SHORT_S, from_on, least_speed, longest_stand_s, most_speed, up_to
 
 SOME = f"{100.0 * ROOM:.0f} %"  # the room, as a person reads it
-NEAR = 0.1  # of the recorded range: so near it was recorded
 
 Part = tuple[Mask, str, str]  # rows of a plan that are outside, of shape (samples,); what it asks for there; the mend
 

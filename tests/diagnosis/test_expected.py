@@ -248,7 +248,12 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
 def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
     text = " ".join(page(content(evidence__covered=COVERED)).split())
     known = "0 to 30.7 turns, 1.52 to 2.1 turns/s, 19.9 to 20.1 N, holds of up to 6 s, rests of up to 2 min"
-    assert f"like those recorded. A plan has an error band within {known} and reversals near recorded ones:" in text
+    wider = "(speeds, holds and rests reach further than recorded):"
+    band = f"like those recorded. A plan has an error band within {known} and reversals near"
+    assert f"{band} recorded ones {wider}" in text, "an older file"
+    turned = {"turned": {"top": [[14.9, 15.1], [30.0, 30.7]], "bottom": [[0.0, 0.0]]}}
+    text = " ".join(page(content(evidence__covered=COVERED | turned)).split())
+    assert f"{band} 14.9 to 15.1 turns and 30 to 30.7 turns at the top and 0 turns at the bottom {wider}" in text
     assert "creep stays in the string; without --after-recording a plan is of the string as it was before." in text
     assert "--motion PLAN.csv --after-recording --out FILE.csv" in text, "the command can be pasted as it stands"
     passing = page(content(mechanisms=content()["mechanisms"][:1]))

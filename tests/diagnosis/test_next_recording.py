@@ -130,7 +130,10 @@ def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_ag
     removed = [line.strip() for line in text.splitlines() if "adopt --remove" in line]
     assert [shlex.split(line)[-1] for line in removed] == ["raw/nylon-3", "raw/nylon-3-next"]
     assert text.index("new_run nylon-3-next") < text.index("adopt --remove") < text.index("--together")
-    assert "Do it before you adopt" in page(rubbing()) and "not weighed again" in WEIGHED_ANEW
+    assert (
+        "If you have adopted it already, first take it out of each run" in " ".join(page(rubbing()).split())
+        and "not weighed again" in WEIGHED_ANEW
+    )
 
 
 def test_of_an_adopted_slow_effect_a_second_load_is_asked_for_where_no_hold_can_be_foretold():
@@ -146,6 +149,6 @@ def test_a_test_that_the_recording_holds_already_is_marked_as_done():
     made = rubbing()
     made["evidence"] |= {"loaded": True, "covered": COVERED | {"load": [13.2, 26.4]}}
     text = " ".join(page(made).split())
-    assert "This recording has what tells the effect from others. Only if you need to be surer" in text
+    assert "before adopting, record again what tells the effect from others, which this recording has:" in text
     assert "a lag follows the speed) (this recording has it)." in text
     assert "this recording has it" not in page(rubbing())

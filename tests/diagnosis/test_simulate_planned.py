@@ -12,7 +12,7 @@ import yaml
 from made_content import SYSTEMS, content
 from made_recording import recording
 
-from pipeline.diagnosis.covered import covered, pauses
+from pipeline.diagnosis.covered import covered, pauses, reversals
 from pipeline.diagnosis.legs import Rig
 from pipeline.diagnosis.library import mechanisms
 from pipeline.diagnosis.own_rate import at_own_rate
@@ -311,6 +311,8 @@ def test_a_plan_at_the_ends_of_the_range_that_the_page_says_has_a_band_everywher
     evidence = {"covered": known, "motor_turns": [float(end) for end in recorded.ends]}
     made = content(mechanisms=[entry for entry in content()["mechanisms"] if entry["id"] == id_], alternatives=[])
     said = within(made | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
+    known |= reversals([one])
+    assert reversals([one])["turned"]["top"][-1][-1] == pytest.approx(recorded.ends[1], rel=0.01)
     slow, fast, holds_s = map(
         float, re.search(r", ([0-9.]+) to ([0-9.]+) turns/s, .*holds of up to (.*?) s", said).groups()
     )

@@ -416,12 +416,13 @@ def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_record
     timeless = [entry | {"parameters": {}} for entry in content()["mechanisms"]]
     said = steps(content(**ALONE, mechanisms=timeless, evidence__covered=covered))
     holds = "holds of up to 3.7 s and rests of up to 6.5 s under 24.8 N or more."
-    assert f"This one has loads of 24.8 to 36.9 N, speeds of 1.9 to 5.8 turns/s, and {holds}" in said
+    assert f"Recorded so far: loads of 24.8 to 36.9 N, speeds of 1.9 to 5.8 turns/s, {holds}" in said
+    assert "Optional, to be surer of a name, after step 1: before adopting, record what tells" in said
     assert "record what tells the effect from others: - friction_hysteresis: " in said
     assert "- creep: a hold under load, then a rest without it" in said
     covered["speed_per_s"] = [5.0, 5.8]
     under_one = steps(content(**ALONE, mechanisms=timeless, evidence__loaded=False, evidence__covered=covered))
-    assert "This one has one load, one speed, 5.8 turns/s, and holds of up to" in under_one
+    assert "Recorded so far: one load, one speed, 5.8 turns/s, holds of up to" in under_one
     longest = "(13 s or longer each, twice the longest one here, under 36.9 N as recorded here)."
     assert longest in under_one and longest.replace("36.9", "24.8 to 36.9") in said
     made = content(**ALONE, evidence__covered=covered)
@@ -429,6 +430,25 @@ def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_record
     assert "Its speeds count as two: the fastest is 3.1 times the slowest. Its loads count as more than one." in said
     assert "no second speed: 2.9 or 11.6 turns/s, half or twice, would do. It has no second load: 18.4 or" in under_one
     assert "what tells the effect from others" not in steps(), "where explanations tie a run is proposed"
+
+
+def test_what_improves_nothing_on_unseen_strokes_is_no_number_to_report_without_that():
+    """A page said "may be no more than a good fit", and then "sure" and TO REPORT."""
+    shares = {"evidence__moved_sigma": NEAR, "fit__heldout__explained_mm": 0.80}
+    firm = confident(0.9, 0.85, **ALONE, **shares)
+    text = " ".join(page(firm).split())
+    nothing = "on the unseen strokes the explanation improves nothing"
+    assert "probable, 90 %" in text and "sure, 90 %" not in text
+    assert f'TO REPORT only with the words "{nothing}": friction_hysteresis' in text and "TO REPORT:" not in text
+    assert f"Make sure of the name before you adopt or report it, for {nothing}: record" in text
+    small = firm | {"mismatch": firm["mismatch"] | {"rms_mm": 0.1}}
+    for entry in small["mechanisms"]:
+        entry["rms_mm"] = {"value": 0.09, "low": 0.08, "high": 0.1}
+    text = " ".join(page(small).split())
+    assert f'TO REPORT only with the words "{nothing}, and is too small to show there"' in text
+    assert "so they say nothing of it" in text and "good fit" not in text and "Make sure of the name" not in text
+    better = " ".join(page(confident(0.9, 0.85, **ALONE, evidence__moved_sigma=NEAR)).split())
+    assert "- TO REPORT: friction" in better and "Optional, to be surer of a name: before adopting, record" in better
 
 
 def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_intervals():

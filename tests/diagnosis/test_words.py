@@ -799,10 +799,10 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
         "a probability of 52 %. "
     )
     assert "friction_hysteresis + thermal: probability 31 %; leaves 0.070 mm rms (2.3 times the noise)." in text
-    assert "friction_hysteresis + sensor_drift: probability 6 %; leaves" in text
+    assert "friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 8.7" in text
     assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
     beaten = text[text.index("Why no other") :]
-    assert beaten.index("sensor_drift: probability") < beaten.index("creep: probability less than 1 %; leaves")
+    assert beaten.index("+ sensor_drift 6 %") < beaten.index(" creep less than 1 % 0.060 mm (2.0)")
     rule = "Kept are the likeliest explanations, until together they reach 80 % of what the library has."
     kept = (
         "These 2 have 83 %; all others of the library 13 %; physics that the library lacks 4 %. None of these is impos"
@@ -812,8 +812,8 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
     assert "Here the best one alone has 99 %; all others" in text
-    none = "probability less than 1 % (with one more effect it is an explanation that leaves less)"
-    assert f"creep: {none}; leaves" in text
+    none = "Why less likely, where nothing else is said: with one more effect it is an explanation that leaves less."
+    assert " creep less than 1 % 0.060 mm (2.0) " in text and none in text
 
 
 def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_none():
@@ -993,10 +993,23 @@ def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
         "times the noise). It is 2.0 times less likely than the best one, chiefly since it fits the recording worse."
         in likely
     )
-    assert (
-        "It is 8.7 times less likely than the best one, chiefly since a further effect would add less to it" in beaten
-    )
-    assert "creep: probability less than 1 %" in beaten and "It is 130 times less likely than the best one." in beaten
+    assert "friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 8.7 " in beaten
+    assert "friction_hysteresis + sensor_drift: chiefly since a further effect would add less to it." in beaten
+    assert " creep less than 1 % 0.060 mm (2.0) 130 " in beaten
+
+
+def test_the_reason_that_most_rivals_share_stands_once_and_what_is_hardly_likely_has_its_row_alone():
+    """Eight sentences of three lines differed by a name and two numbers."""
+    made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
+    shared = [{"aspect": "fit", "log_odds": -0.9, "more": -1.2}]
+    for place in (1, 2):
+        made["evidence"]["explanations"][place]["because"] = shared
+    made["evidence"]["explanations"][4]["because"] = [{"aspect": "size", "log_odds": -0.9, "more": 1.0}]
+    beaten = " ".join(told(made).split("Why no other explanation")[1].split())
+    assert beaten.count("it fits the recording worse") == 1
+    assert "Why less likely, where nothing else is said: chiefly since it fits the recording worse." in beaten
+    assert "friction_hysteresis + creep + wear: chiefly since it has more effects." in beaten
+    assert "friction_hysteresis + sensor_drift: Weighed sample by sample" in beaten and " creep: W" not in beaten
 
 
 def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():

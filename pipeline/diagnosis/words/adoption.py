@@ -7,7 +7,7 @@ from pathlib import Path
 from ...ground.command import command, program_name
 from ..content import Verdict
 from ..library import mechanisms
-from . import advice, holdout, unseen, worth
+from . import advice, holdout, in_vain, worth
 from .dimensions import far_moved
 from .prediction import AFTER_RECORDING
 from .quantity import listing
@@ -148,7 +148,7 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     """The command that puts what is named into run.yaml; `out` is the folder of the diagnosis."""
     if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
         return []
-    if unseen.harmful(content, words):
+    if in_vain.harmful(content, words):
         return [advice.worse(content)]
     source = out / "diagnosis.json"
     lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, words.load)}):"]

@@ -1,9 +1,8 @@
 """Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
 
 from ..content import Verdict
-from . import holdout, report, unseen
+from . import holdout, in_vain, report
 from .dimensions import far_moved, name_of
-from .level import NO_BETTER
 from .quantity import listing
 from .vocabulary import Vocabulary
 
@@ -20,19 +19,18 @@ def against(content: Verdict, words: Vocabulary) -> str:
     """The advice to adopt nothing, where it is given; else nothing."""
     if content["verdict"] == "unknown":
         return NOTHING_NAMED
-    return worse(content) if unseen.harmful(content, words) else ""
+    return worse(content) if in_vain.harmful(content, words) else ""
 
 
 def of_adopting(content: Verdict, words: Vocabulary) -> str:
     """What to do about adopting what is named, by what the page says of it already; nothing decides anew here."""
-    if unseen.harmful(content, words):
+    if in_vain.harmful(content, words):
         return worse(content)
     far = [f"the {name_of(name)}" for name in far_moved(content)]
     if far:
         return f"Do not adopt before {listing(far)} {'is' if len(far) == 1 else 'are'} measured again."
-    errors = unseen.errors(content, words)
-    if errors is not None and errors[2] > NO_BETTER * errors[1]:
-        return f"Adopting gains nothing: on the {holdout.strokes(content)} the explanation improves nothing."
+    if in_vain.improves_nothing(content, words):
+        return f"Adopting gains nothing: {in_vain.said(content, words)}."
     reportable = report.own_sizes(content, words)
     sizes = f"; of its sizes report that of {listing(reportable)} alone" if reportable else "; do not report its sizes"
     sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes

@@ -1,11 +1,15 @@
 """The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
 
+from typing import Any
+
 from ...run.course import ALIKE
 from ...run.limits import LONGER, SHORT_S, share_of_slowest
 from ..content import Verdict
 from ..library import mechanisms
-from .quantity import duration, ends, listing, span
+from .quantity import at, duration, ends, listing, span
 from .vocabulary import Vocabulary
+
+WIDER = "speeds, holds and rests reach further than recorded"
 
 
 def within(content: Verdict, words: Vocabulary) -> str:
@@ -30,5 +34,24 @@ def within(content: Verdict, words: Vocabulary) -> str:
     stands_s = {name: max(LONGER * known[f"longest_{name}_s"], SHORT_S) for name in ("hold", "rest")}
     parts += [f"{name}s of up to {duration(longest_s)}" for name, longest_s in stands_s.items()]
     if any(library[id_].remembers_turns for id_ in acting if id_ in library):
-        parts.append("reversals near recorded ones")
-    return listing(parts)
+        parts.append(f"reversals near {_turned(known, words, high - low)}")
+    return f"{listing(parts)} ({WIDER})"
+
+
+def _turned(known: dict[str, Any], words: Vocabulary, whole: float) -> str:
+    """The motions near which a plan may turn, at the top and at the bottom; `whole` is the recorded range."""
+    turned = known.get("turned")
+    if not turned:
+        return "recorded ones"
+    places = {
+        end: listing([_place(low, high, words, whole) for low, high in turned[end]])
+        for end in ("top", "bottom")
+        if turned[end]
+    }
+    return " and ".join(f"{where} at the {end}" for end, where in places.items())
+
+
+def _place(low: float, high: float, words: Vocabulary, whole: float) -> str:
+    """One place, or a stretch without a gap in which a plan may turn anywhere."""
+    least, most = at(low, words.motion_unit, whole), at(high, words.motion_unit, whole)
+    return most if least == most else span(low, high, words.motion_unit, whole)

@@ -4,7 +4,7 @@ from ..bounds import at_bound
 from ..content import Verdict, mismatch_of
 from ..library import mechanisms
 from ..time_constants import time_constants_s
-from . import probability, rivals
+from . import in_vain, probability, rivals
 from .dimensions import far_moved, name_of
 from .missing_signs import missing
 from .quantity import duration, listing, percent, size
@@ -36,7 +36,8 @@ def is_likely(content: Verdict, id_: str) -> bool:
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
     """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `while`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
-    return at_limit(content) or (f"no other {listing(list(lacks), 'and no other')} was recorded" if lacks else "")
+    not_recorded = f"no other {listing(list(lacks), 'and no other')} was recorded" if lacks else ""
+    return at_limit(content) or in_vain.doubt(content, words) or not_recorded
 
 
 def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
@@ -71,8 +72,7 @@ def limits(content: Verdict) -> str:
 
 def at_limit(content: Verdict) -> str:
     """The dimensions that stand at their limit and are to be measured again: names are provisional while they do."""
-    known_dimensions = content["parameters"]
-    limited = [f"the {name_of(name)}" for name in at_bound(far_moved(content)) if name in known_dimensions]
+    limited = [f"the {name_of(name)}" for name in at_bound(far_moved(content)) if name in content["parameters"]]
     return f"{listing(limited)} {'stand at their' if len(limited) > 1 else 'stands at its'} limit" if limited else ""
 
 

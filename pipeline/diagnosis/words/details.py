@@ -32,6 +32,7 @@ from . import (
     tolerances,
     unexplained_pattern,
     unseen,
+    unseen_doubts,
     verdict,
     worth,
 )
@@ -63,7 +64,7 @@ def details_text(
             [
                 *doubts,
                 *adoption.cautions(content),
-                *unseen.cautions(content, words),
+                *unseen_doubts.cautions(content, words),
                 *slow_look_alikes.lines(content, words),
                 *tolerances.doubts(content, words),
                 *suspicious(content),

@@ -7,18 +7,19 @@ from ...ground.command import command, program_name
 from ..content import Verdict
 from ..library import mechanisms
 from ..time_constants import time_constants_s
-from . import commands, expectation, holdout, recipe, second_load, unseen, worth
+from . import commands, expectation, holdout, in_vain, recipe, second_load, unseen, worth
+from .dimensions import far_moved
 from .missing_signs import ALIKE, missing, recorded
 from .quantity import duration, listing, number, quantity, times
 from .vocabulary import Vocabulary
 
 AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
 HERE = " (this recording has it)"
-ONLY_IF = "Only if you need to be surer of a name, record what tells the effect from others:"
-ALL_HERE = (
-    "This recording has what tells the effect from others. Only if you need to be surer of a name, record it again:"
-)
-BEFORE = f"Do it before you adopt; later, first take it out of each run ({program_name('adopt')} --remove)."
+OPTIONAL = "Optional, to be surer of a name{after}: before adopting, {record}"
+NEEDED = "Make sure of the name before you adopt or report it, for {vain}: {record}"
+RECORD = "record what tells the effect from others:"
+ALL_HERE = "record again what tells the effect from others, which this recording has:"
+BEFORE = f"If you have adopted it already, first take it out of each run ({program_name('adopt')} --remove)."
 EXPECT = "Which numbers to expect of it: details.txt."
 WHERE = "The {} are in details.txt. {}"
 ANEW = (
@@ -91,7 +92,7 @@ def of_names(
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
     again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
-    head = ALL_HERE if ids and has == set(ids) else ONLY_IF
+    head = _head(content, words, ALL_HERE if has == set(ids) else RECORD)
     made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
     if brief > 1:
         what = "tests, the numbers to expect and the commands" if brief > 3 else "commands"
@@ -99,6 +100,14 @@ def of_names(
         numbers = [EXPECT] if numbers and brief < 4 else []
     tests_shown = [] if brief > 3 else tests
     return [[head, *tests_shown, *([] if brief and run else held(content, words, tests)), *numbers, *made]]
+
+
+def _head(content: Verdict, words: Vocabulary, record: str) -> str:
+    """Whether making sure of a name is needed or optional, and when; it agrees with the advice on adopting."""
+    doubt = in_vain.doubt(content, words)
+    if doubt:
+        return NEEDED.format(vain=doubt, record=record)
+    return OPTIONAL.format(after=", after step 1" if far_moved(content) else "", record=record)
 
 
 def _again(old: Path, load: str) -> str:
@@ -177,4 +186,4 @@ def held(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
             if content["evidence"]["loaded"]
             else second_load.sentence(content, words, most)
         )
-    return [" ".join([f"This one has {loads}, {speeds}, and {stands}{under}.", *counts])]
+    return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]

@@ -14,6 +14,9 @@ VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
 WORTH = 0.01  # of a probability: what is less is not said
 LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
 ADDS = 0.2  # noise floors: what takes away less adds nothing
+SEVERAL = 3  # effects that add nothing: from so many on it is said once
+NOTHING_BESIDE = "beside it, it adds nothing"
+NOTHING_MORE = " Where nothing is said of it, an effect adds nothing beside it."
 STANDS = {"hold": "in a hold", "rest": "in a rest"}
 HEAD = (
     "Each was put in the place of the best explanation ({best}, which leaves {left}), and beside it. In brackets: how "
@@ -28,10 +31,15 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     best = called([entry["id"] for entry in content["mechanisms"]])
     left = size(first[f"left_{words.ending}"], words.unit)
+    why = {_name(entry): _why(entry, first, content, words) for entry in _nearest_first(others, words)}
+    often = sum(reason.endswith(NOTHING_BESIDE) for reason in why.values()) >= SEVERAL
+    alike: dict[str, list[str]] = {}
+    for name, reason in why.items():
+        alike.setdefault(reason.removesuffix(f"; {NOTHING_BESIDE}") if often else reason, []).append(name)
     return [
-        HEAD.format(best=best, left=left),
+        f"{HEAD.format(best=best, left=left)}{NOTHING_MORE * often}",
         *_standing(content, first, others, words),
-        *(f"{_name(entry)}: {_why(entry, first, content, words)}." for entry in _nearest_first(others, words)),
+        *(f"{listing(names)}: {reason}." for reason, names in alike.items()),
     ]
 
 
@@ -82,7 +90,7 @@ def _beside(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[s
         return []
     saved = math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
     if saved < ADDS * floor:
-        return ["beside it, it adds nothing"]
+        return [NOTHING_BESIDE]
     return [f"beside it, it takes away {size(saved, words.unit)} more, too little for one effect more"]
 
 

@@ -6,6 +6,7 @@ from . import left_out
 from .quantity import percent
 
 HELD_STANDINGS = ("named", "tied")
+LARGER_LEAVES_LESS = "with one more effect it is an explanation that leaves less"  # of a probability of 0
 SEEN = 0.005  # a probability that is worth a word
 WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
 OF_NONE = (
@@ -30,7 +31,7 @@ def said(explanation: Part) -> str:
     if share is None:
         return ""
     if share == 0.0:
-        return "probability less than 1 % (with one more effect it is an explanation that leaves less)"
+        return f"probability less than 1 % ({LARGER_LEAVES_LESS})"
     return f"probability {percent(share)}"
 
 

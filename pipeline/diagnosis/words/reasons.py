@@ -27,16 +27,26 @@ LEAST = 1.05  # times less likely: less is alike
 
 def why(explanation: Part, best: Part | None) -> str:
     """How many times less likely an explanation is than the best one, and chiefly since what; nothing where unknown."""
+    less, reasons = less_often(explanation, best), chiefly(explanation)
+    return f"It is {less} times less likely than the best one{f', {reasons}' if reasons else ''}." if less else ""
+
+
+def less_often(explanation: Part, best: Part | None) -> str:
+    """How many times less likely an explanation is than the best one: 37; nothing where unknown, or hardly less."""
     mine, first = explanation.get("probability"), (best or {}).get("probability")
     if not mine or not first or first < LEAST * mine:
         return ""
+    less = first / mine
+    return times(less) if less < 1000.0 else number(less, 1)
+
+
+def chiefly(explanation: Part) -> str:
+    """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
     because = explanation.get("because") or []
     seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS]
     reasons = [f"since {reason(cause)}" for cause in seen or because]
     how = "partly" if seen and because[0] not in seen else "chiefly"
-    chiefly = f", {how} {' and '.join(reasons)}" if reasons else ""
-    less = first / mine
-    return f"It is {times(less) if less < 1000.0 else number(less, 1)} times less likely than the best one{chiefly}."
+    return f"{how} {' and '.join(reasons)}" if reasons else ""
 
 
 def reason(cause: Part) -> str:

@@ -5,7 +5,7 @@ import math
 from ..content import Part, Verdict
 from ..interface import physics
 from ..search import EXPLAINED
-from . import left_out, probability
+from . import left_out, less_likely, probability
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
 from .reasons import why
@@ -14,7 +14,7 @@ from .vocabulary import Vocabulary
 
 CLOSEST = 4  # explanations that are shown where none does
 SHOWN = 8  # of those that were beaten
-RARE = 0.005  # a probability below which an explanation needs no further word
+RARE = 0.01  # a probability below which an explanation needs no further word
 VISIBLE = 0.4  # noise floors: smaller gains need no further word
 DEVIATIONS = "standard deviations"
 COUNTS = (
@@ -28,20 +28,33 @@ def rejected(content: Verdict, words: Vocabulary) -> list[str]:
     """Why each explanation that was beaten was: how much worse it is, where, and following what."""
     first = next(iter(entries(content, "named", "not enough")), None)
     shown = likeliest([explanation for explanation in entries(content, "beaten") if explanation is not first])[:SHOWN]
-    lines = [
-        _with_rule(with_why(_beaten(explanation, first, content, words), explanation, first), explanation, content)
-        for explanation in shown
-        if first
-    ]
-    larger = likeliest(entries(content, "not needed"))[: SHOWN - len(lines)]
-    lines += [
-        _with_rule(with_why(_not_needed(explanation, content, words), explanation, first), explanation, content)
-        for explanation in larger
-    ]
+    shown = shown if first else []
+    larger = likeliest(entries(content, "not needed"))[: SHOWN - len(shown)]
+    if first and less_likely.known([*shown, *larger], first, content):
+        lines = _in_table(likeliest([*shown, *larger]), first, content, words)
+    else:
+        sentences = [(explanation, _beaten(explanation, first, content, words)) for explanation in shown if first]
+        sentences += [(explanation, _not_needed(explanation, content, words)) for explanation in larger]
+        lines = [_with_rule(with_why(sentence, each, first), each, content) for each, sentence in sentences]
     lines += [COUNTS] if any(DEVIATIONS in line for line in lines) else []
     lines += [
         f"{called([])}: leaves {left(explanation, content, words)}." for explanation in entries(content, "nothing")
     ]
+    return lines
+
+
+def _in_table(shown: list[Part], first: Part, content: Verdict, words: Vocabulary) -> list[str]:
+    """The rivals in a table, then a sentence of each that is worth one: what is hardly likely has its row alone."""
+    lines = less_likely.table(shown, first, content, words)
+    for explanation in shown:
+        remark = ""
+        if explanation["probability"] >= RARE and explanation["standing"] == "not needed":
+            remark = _not_needed(explanation, content, words)
+        elif explanation["probability"] >= RARE:
+            remark = f"{called(explanation['ids'])}: {_differs(explanation, first, content, words)}"
+        rule = left_out.reason_of(content, explanation["ids"])
+        remark = remark or (f"{called(explanation['ids'])}:" if rule else "")
+        lines += [" ".join(part for part in (remark, rule) if part)] if remark else []
     return lines
 
 
@@ -79,25 +92,33 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _beaten(explanation: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
-    ending = words.ending
+    """What a beaten explanation leaves, and how its prediction differs from the best one."""
     summary = told(explanation, content, words)
+    if explanation.get("probability") is not None and explanation["probability"] < RARE:
+        return f"{summary}."
+    if explanation[f"left_{words.ending}"] <= ALIKE * first[f"left_{words.ending}"] and (
+        explanation["worse"] > 0.0 or not explanation.get("balanced")
+    ):
+        summary += f", {_beside(explanation, first, words)}"
+    return f"{summary}. {_differs(explanation, first, content, words)}"
+
+
+def _differs(explanation: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
+    """How the prediction of a beaten explanation differs from the best one, and how much nearer that is."""
+    ending = words.ending
     where = place(explanation["location"], content["evidence"], words)
     where = where if where == EVERYWHERE else f"mostly {where}"
     follows = f" This difference follows {words.follows(explanation['driver'])}." if explanation["driver"] else ""
-    if explanation.get("probability") is not None and explanation["probability"] < RARE:
-        return f"{summary}."
     gap = size(explanation[f"gap_{ending}"], words.unit)
     differs = f"Its prediction differs from the best one by {gap} rms, {where}.{follows}"
     if explanation[f"left_{ending}"] > ALIKE * first[f"left_{ending}"]:
-        return f"{summary}. {differs}"
+        return differs
     if explanation["worse"] > 0.0:
         far = f"by {times(math.sqrt(explanation['worse']))} {DEVIATIONS}"
-        less = f"Weighed sample by sample, the best one is nearer to the recording {far}"
-        return f"{summary}, {_beside(explanation, first, words)}. {less}. {differs}"
+        return f"Weighed sample by sample, the best one is nearer to the recording {far}. {differs}"
     if explanation.get("balanced"):
-        return f"{summary}. Its effects are large and cancel each other almost fully: that is no explanation."
-    preferred = UNWEIGHED if explanation.get("probability") is None else ""
-    return f"{summary}, {_beside(explanation, first, words)}. {preferred}{differs}"
+        return "Its effects are large and cancel each other almost fully: that is no explanation."
+    return f"{UNWEIGHED if explanation.get('probability') is None else ''}{differs}"
 
 
 def _beside(explanation: Part, first: Part, words: Vocabulary) -> str:

@@ -1,12 +1,25 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
 from ..content import Verdict
-from . import certainty, chances, effects, holdout, left_out, own_size, probability, rivals, slow_look_alikes, unseen
+from . import (
+    certainty,
+    chances,
+    effects,
+    holdout,
+    in_vain,
+    left_out,
+    own_size,
+    probability,
+    rivals,
+    slow_look_alikes,
+    unseen,
+)
 from .dimensions import far_moved
 from .quantity import listing, percent, size
 from .vocabulary import Vocabulary
 
 TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote stands once
+ONLY_WITH = f'{TO_REPORT} only with the words "{{}}"'  # where nothing that no fit has seen bears the numbers out
 LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
 ONLY_PART = (
@@ -46,7 +59,7 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
 def _unseen(content: Verdict, words: Vocabulary) -> str:
     """That the errors on strokes that no fit has seen can be reported, where they can; ends a statement."""
     errors = unseen.errors(content, words)
-    if errors is None or holdout.status(content) != holdout.UNSEEN or unseen.harmful(content, words):
+    if errors is None or holdout.status(content) != holdout.UNSEEN or in_vain.harmful(content, words):
         return ""
     return f"; the errors on the {holdout.strokes(content)} above"
 
@@ -58,6 +71,8 @@ def _sure(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
     word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
     named = listing([f"{id_} ({word[id_]}, {percent(shares[id_])})" for id_ in sure])
     remark = "" if brief > 1 else slow_look_alikes.remark(content, words, sure)
+    vain = in_vain.said(content, words)
+    remark = f", though {vain}{remark}" if vain else remark
     return [f"at work: {named}{remark}"] if sure else []
 
 
@@ -85,7 +100,9 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
     of_each = f", of each {own_size.PART}" if all_in_part else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
-    return [f"{TO_REPORT}: {'; '.join(sizes)}{of_each} (rms, 90 % interval){also}{provided}"]
+    vain = in_vain.said(content, words)
+    head = ONLY_WITH.format(vain) if vain else TO_REPORT
+    return [f"{head}: {'; '.join(sizes)}{of_each} (rms, 90 % interval){also}{provided}"]
 
 
 def _open(content: Verdict, words: Vocabulary) -> list[str]:

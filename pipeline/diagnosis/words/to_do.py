@@ -4,7 +4,7 @@ from pathlib import Path
 
 from ...ground.command import command
 from ..content import Verdict
-from . import advice, deciding_run, holdout, make_sure, report, to_decide, to_measure, to_use, unseen
+from . import advice, deciding_run, holdout, in_vain, make_sure, report, to_decide, to_measure, to_use, unseen
 from .adoption import dimensions_came, predictions
 from .brief import FULL, Brief
 from .dimensions import far_moved, name_of
@@ -34,7 +34,7 @@ def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | 
 
 def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, brief: Brief) -> list[list[str]]:
     """The steps where something is named."""
-    if unseen.harmful(content, words):
+    if in_vain.harmful(content, words):
         return [
             [f"{advice.worse(content)} Record the rig once more, with more strokes, and diagnose both runs together."],
             *to_decide.step(content, words, brief.run),

@@ -4,8 +4,7 @@ import math
 
 from ...ground.command import program_name
 from ..content import Verdict
-from . import holdout, level
-from .level import NO_BETTER
+from . import holdout
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
 
@@ -47,53 +46,6 @@ def worse(content: Verdict, words: Vocabulary) -> str:
             f"alone it is worse than that ({size(error, words.unit)})."
         )
     return f" But on the {holdout.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
-
-
-def cautions(content: Verdict, words: Vocabulary) -> list[str]:
-    """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
-    unseen_errors = errors(content, words)
-    if unseen_errors is None:
-        return []
-    nominal, calibrated, explained = unseen_errors
-    noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
-    named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
-    named_helps = named and explained < nominal  # then the first line says it
-    if calibrated > WORSE * nominal and not named_helps:
-        sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
-        sentences.append(
-            f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
-            " What calibration alone learnt does not hold later: do not adopt its dimensions."
-        )
-    if harmful(content, words):
-        sentences.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
-        sentences += other_choice(content)
-    elif named and explained > NO_BETTER * calibrated:
-        sentences.append(f"On the {strokes} the explanation improves nothing: it may be no more than a good fit.")
-    if partly(content, words) and content["verdict"] != "unknown":
-        lies = level.place_of_missing(content, words)
-        sentences.append(f"{still_missing(content, words, explained / noise, named)} {lies}".rstrip())
-    return [*sentences, *level.beaten(content, words)]
-
-
-def harmful(content: Verdict, words: Vocabulary) -> bool:
-    """Whether what is named makes the simulator worse on strokes that no fit has seen."""
-    unseen_errors = errors(content, words)
-    if unseen_errors is None or content["verdict"] not in ("explained", "ambiguous"):
-        return False
-    _, calibrated, explained = unseen_errors
-    return explained > max(WORSE * calibrated, calibrated + 0.1 * float(content["fit"][f"noise_floor_{words.ending}"]))
-
-
-def other_choice(content: Verdict) -> list[str]:
-    """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
-    chosen = content["evidence"].get("chosen_without_them")
-    if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
-        return []
-    name = " + ".join(chosen) or "no effect"
-    return [
-        f"Without those strokes the same procedure chose {name}, and that is what errs there. So the recording is too "
-        "short to choose, and what is named above has not been tried on strokes that it has not seen."
-    ]
 
 
 def partly(content: Verdict, words: Vocabulary) -> bool:

@@ -24,6 +24,7 @@ from . import (
     tolerances,
     unexplained_pattern,
     unseen,
+    unseen_doubts,
 )
 from .brief import FULL, Brief, first_sentence
 from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
@@ -79,7 +80,7 @@ def _sections(
     first = [
         *doubts,
         *adoption.cautions(content),
-        *_shorter([*unseen.cautions(content, words), *_left(content, words)], brief.doubts),
+        *_shorter([*unseen_doubts.cautions(content, words), *_left(content, words)], brief.doubts),
         *_provisional(content, words, brief.doubts),
         *spikes.on_page(content, words),
     ]

@@ -6,7 +6,7 @@ from .. import design
 from ..adopt import NO_USE
 from ..content import NextRun, Verdict, proposal
 from ..design import PLAIN, deviations
-from . import parting, probability, rivals, unseen
+from . import in_vain, parting, probability, rivals
 from .quantity import listing, number, quantity, size, times
 from .vocabulary import Vocabulary
 
@@ -128,7 +128,7 @@ def aside(content: Verdict) -> str:
 def otherwise(content: Verdict, words: Vocabulary) -> str:
     """What to do with what ties without the run."""
     count = 1 + len(content["alternatives"])
-    if unseen.harmful(content, words):
+    if in_vain.harmful(content, words):
         return f"report all {count} explanations and adopt none"
     return f"report the best explanation as one of {count}"
 

@@ -1,0 +1,35 @@
+"""What must be known first of a simulator that errs on strokes that no fit has seen."""
+
+from ..content import Verdict
+from . import holdout, in_vain, level, unseen
+from .quantity import size
+from .vocabulary import Vocabulary
+
+
+def cautions(content: Verdict, words: Vocabulary) -> list[str]:
+    """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
+    unseen_errors = unseen.errors(content, words)
+    if unseen_errors is None:
+        return []
+    nominal, calibrated, explained = unseen_errors
+    noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
+    named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
+    named_helps = named and explained < nominal  # then the first line says it
+    if calibrated > unseen.WORSE * nominal and not named_helps:
+        sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
+        sentences.append(
+            f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
+            " What calibration alone learnt does not hold later: do not adopt its dimensions."
+        )
+    if in_vain.harmful(content, words):
+        sentences.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
+        sentences += in_vain.other_choice(content)
+    elif in_vain.improves_nothing(content, words):
+        means = (
+            "so they say nothing of it" if in_vain.too_small(content, words) else "it may be no more than a good fit"
+        )
+        sentences.append(f"O{in_vain.said(content, words)[1:]}: {means}.")
+    if unseen.partly(content, words) and content["verdict"] != "unknown":
+        lies = level.place_of_missing(content, words)
+        sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
+    return [*sentences, *level.beaten(content, words)]
