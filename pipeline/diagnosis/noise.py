@@ -17,6 +17,7 @@ MEMORY_S, FEWEST, MOST = 1.2, 6, 30  # lags of the colour: over so long, but so 
 FADING = 0.98  # a lag: by so much the autocovariance is damped
 # of noise fed through the fit; estimates of the colour, each from the last; parts of a recording
 DRAWS, ROUNDS, BLOCKS = 6, 3, 40
+FLAT = 0.9  # times the robust spread: noise of a smaller standard deviation is no normal one
 SETTLED = 300  # samples, after which drawn noise has forgotten where it began
 
 
@@ -153,7 +154,18 @@ def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
     Noise that grows loud for a while does so in its innovations; something that happened does not.
     Both of shape (samples,), in the reading's unit; `first` counts samples since the start of each run.
     """
-    innovations = whiten(own[None], noise.ar, first)[0]
-    spreads = [1.4826 * float(np.median(np.abs(block))) for block in in_blocks(innovations, len(noise.ar))]
-    factor = max(float(np.sqrt(np.mean(np.square(spreads)))) / noise.innovation, 1.0)
+    blocks = in_blocks(whiten(own[None], noise.ar, first)[0], len(noise.ar))
+    spreads = 1.4826 * np.array([np.median(np.abs(block)) for block in blocks])
+    factor = max(float(np.sqrt(np.mean(np.square(spreads)))) * flatter(blocks, spreads) / noise.innovation, 1.0)
     return replace(noise, floor=noise.floor * factor, innovation=noise.innovation * factor)
+
+
+def flatter(blocks: list[Array], spreads: Array) -> float:
+    """Standard deviation of noise over its robust spread: 1 of a normal one, 0.78 where all values are equally likely.
+
+    A reading that hops among the steps of a coarse sensor is like that. It is that of the middle block, and 1 where it
+    may be a normal one's. Blocks of shape (samples,), spreads of shape (blocks,), both in the reading's unit.
+    """
+    shapes = [float(np.std(block)) / spread for block, spread in zip(blocks, spreads, strict=True) if spread > 0.0]
+    shape = float(np.median(shapes)) if shapes else 1.0
+    return shape if shape < FLAT else 1.0

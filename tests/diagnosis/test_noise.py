@@ -1,6 +1,7 @@
 """Floor and colour of noise come back, although smooth columns swallow part of it."""
 
 import numpy as np
+import pytest
 from scipy.signal import lfilter
 
 from pipeline.diagnosis.noise import estimate
@@ -29,3 +30,11 @@ def test_a_column_of_zeros_and_the_scale_of_the_others_change_no_noise() -> None
     other = estimate(target, scaled, np.arange(2000), 0.05)
     assert abs(other.floor / plain.floor - 1.0) < 1e-6 and np.allclose(other.ar, plain.ar, atol=1e-6)
     np.testing.assert_array_equal(scaled, kept)  # they are another's
+
+
+@pytest.mark.parametrize(("draw", "most"), [("normal", 0.04), ("uniform", 0.04)])
+def test_the_floor_of_noise_is_its_standard_deviation_whatever_its_shape(draw: str, most: float) -> None:
+    generator = np.random.default_rng(3)
+    noise = generator.standard_normal(4000) if draw == "normal" else generator.uniform(-(3**0.5), 3**0.5, 4000)
+    columns = np.vander(np.linspace(-1.0, 1.0, 4000), 8).T.copy()
+    assert estimate(noise, columns, np.arange(4000), 0.025, trim=0.25).floor == pytest.approx(1.0, abs=most)
