@@ -1010,6 +1010,10 @@ def test_the_reason_that_most_rivals_share_stands_once_and_what_is_hardly_likely
     assert "Why less likely, where nothing else is said: chiefly since it fits the recording worse." in beaten
     assert "friction_hysteresis + creep + wear: chiefly since it has more effects." in beaten
     assert "friction_hysteresis + sensor_drift: Weighed sample by sample" in beaten and " creep: W" not in beaten
+    made["evidence"]["explanations"][1]["probability"] = None
+    beaten = " ".join(told(made).split("Why no other explanation")[1].split())
+    assert "+ sensor_drift 6 % 0.030 mm (1.0) 8.7 " in beaten, "one that was not weighed takes the table from no other"
+    assert " creep: leaves 0.060 mm rms" in beaten
 
 
 def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():

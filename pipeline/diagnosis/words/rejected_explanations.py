@@ -30,12 +30,14 @@ def rejected(content: Verdict, words: Vocabulary) -> list[str]:
     shown = likeliest([explanation for explanation in entries(content, "beaten") if explanation is not first])[:SHOWN]
     shown = shown if first else []
     larger = likeliest(entries(content, "not needed"))[: SHOWN - len(shown)]
-    if first and less_likely.known([*shown, *larger], first, content):
-        lines = _in_table(likeliest([*shown, *larger]), first, content, words)
-    else:
-        sentences = [(explanation, _beaten(explanation, first, content, words)) for explanation in shown if first]
-        sentences += [(explanation, _not_needed(explanation, content, words)) for explanation in larger]
-        lines = [_with_rule(with_why(sentence, each, first), each, content) for each, sentence in sentences]
+    weighed = [each for each in likeliest([*shown, *larger]) if each.get("probability") is not None]
+    lines: list[str] = []
+    if first and less_likely.known(weighed, first, content):
+        lines = _in_table(weighed, first, content, words)
+        shown, larger = ([each for each in group if each not in weighed] for group in (shown, larger))
+    sentences = [(explanation, _beaten(explanation, first, content, words)) for explanation in shown if first]
+    sentences += [(explanation, _not_needed(explanation, content, words)) for explanation in larger]
+    lines += [_with_rule(with_why(sentence, each, first), each, content) for each, sentence in sentences]
     lines += [COUNTS] if any(DEVIATIONS in line for line in lines) else []
     lines += [
         f"{called([])}: leaves {left(explanation, content, words)}." for explanation in entries(content, "nothing")
