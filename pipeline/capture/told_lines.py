@@ -4,9 +4,15 @@ from pathlib import Path
 
 from ..run.capture_json import CaptureJson, Lost
 from .commit import recover_command
-from .fields import TIME
+from .fields import TIME, is_known
+from .unnamed import named
 
 SIZES_TOLD = 5  # of holes
+
+
+def counted(count: int, what: str) -> str:
+    """So many of a thing: 1 line, 2 lines."""
+    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def missing(holes: list[Lost]) -> str:
@@ -18,10 +24,10 @@ def missing(holes: list[Lost]) -> str:
     for size in sorted(sizes, reverse=True)[:SIZES_TOLD]:
         times = sizes[size]
         often, first = (f"{len(times)} times ", "first ") if len(times) > 1 else ("", "")
-        words = f"{often}about {size} sample{'s' * (size != 1)} missing"
+        words = f"{often}about {counted(size, 'sample')} missing"
         parts.append(f"{words}, {first}after the device's time {times[0]:g}")
     if smaller:
-        parts.append(f"and {sum(len(sizes[size]) for size in smaller)} smaller holes, see capture.json")
+        parts.append(f"and {counted(sum(len(sizes[size]) for size in smaller), 'smaller hole')}, see capture.json")
     return "; ".join(parts)
 
 
@@ -30,24 +36,35 @@ def clock_of(info: CaptureJson) -> str:
     return next((name for name in info["columns"] if TIME.fullmatch(name)), "time")
 
 
+def _names(info: CaptureJson) -> str:
+    """The option that names the columns: as they are called now, or as they may be called if these are no names."""
+    columns = tuple(info["columns"])
+    known = all(is_known((name,)) for name in columns)
+    return f"--columns {','.join(columns)}" if known else named(len(columns))
+
+
 def tell_lines(info: CaptureJson, folder: Path) -> None:
     """Say what was recorded, what was no line of numbers and where samples seem to be missing."""
     lines = info["lines"]
-    text = f", {lines['text']} lines of text passed over" if lines["text"] else ""
-    print(f"{folder}: {info['exit_status']}, {info['samples']['received']} samples, {lines['bad']} bad lines{text}")
+    text = f", {counted(lines['text'], 'line')} of text passed over" if lines["text"] else ""
+    samples, bad = counted(info["samples"]["received"], "sample"), counted(lines["bad"], "bad line")
+    print(f"{folder}: {info['exit_status']}, {samples}, {bad}{text}")
     if lines["unnamed"]:
         again = f"{recover_command(folder)} --columns {','.join(info['columns'])} reads them too"
-        print(f"{folder}: {lines['unnamed']} lines of numbers came before anything named their columns; {again}")
-    print(f"{folder}: the columns are {', '.join(info['columns'])}; if not, --recover {folder} --columns names them")
+        came = f"{counted(lines['unnamed'], 'line')} of numbers came before anything named their columns"
+        print(f"{folder}: {came}; {again}")
+    rename = f"if not, put their names in the order in which they are printed: {recover_command(folder)} {_names(info)}"
+    print(f"{folder}: the columns are {', '.join(info['columns'])}; {rename}")
     if lines["swapped_headers"]:
-        again = f"named the columns in another order {lines['swapped_headers']} times"
+        again = f"named the columns in another order {counted(lines['swapped_headers'], 'time')}"
         print(f"{folder}: the rig {again}; the fields are put back into the first one's")
     if lines["other_headers"]:
-        print(f"{folder}: the rig named other columns {lines['other_headers']} times; lines after that are bad ones")
+        others = f"named other columns {counted(lines['other_headers'], 'time')}"
+        print(f"{folder}: the rig {others}; lines after that are bad ones")
     if not lines["device_time"]:
         print(f"{folder}: the rig prints no time, so lost lines cannot be seen; print millis() first in every line")
     if info["holes"]:
         print(f"{folder}: {missing(info['holes'])}")
     if lines["time_backward"]:
-        sentence = f"the device's time stands or falls back {lines['time_backward']} times"
+        sentence = f"the device's time stands or falls back {counted(lines['time_backward'], 'time')}"
         print(f"{folder}: {sentence}: was it reset, or is the time another column than {clock_of(info)}?")

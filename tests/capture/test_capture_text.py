@@ -230,7 +230,7 @@ def test_a_rig_that_prints_is_recorded_byte_for_byte(rig, tmp_path):
     assert not (folder / "recording.csv").exists()
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=60)
-    assert process.returncode == 0 and "45 samples, 1 bad lines" in said and "about 5 samples missing" in said
+    assert process.returncode == 0 and "45 samples, 1 bad line\n" in said and "about 5 samples missing" in said
     info = json.loads((folder / "capture.json").read_text())
     csv = (folder / "recording.csv").read_bytes()
     assert csv == HEADER.replace(b"\r", b"") + b"".join([*LINES[:20], *LINES[25:]]).replace(b"\r", b"")
@@ -355,9 +355,10 @@ def test_a_recording_without_names_is_named_afterwards_as_if_they_had_been_known
 def test_a_header_that_comes_again_names_the_lines_after_it_and_the_others_can_be_read_too(rig, tmp_path):
     ours, start = rig
     process, folder = start("--longest", "3"), tmp_path / "run-1"
-    number = 0
+    number, begun = 0, 0
     while process.poll() is None:
-        os.write(ours, (HEADER if number == 40 else b"") + line(number))
+        begun += (folder / "recording.lines").exists()  # on a busy machine it takes a while
+        os.write(ours, (HEADER if begun == 15 else b"") + line(number))
         number += 1
         time.sleep(0.05)
     said = process.stdout.read()
@@ -417,7 +418,7 @@ def test_a_time_that_falls_back_may_be_another_column(rig, tmp_path):
     folder.mkdir()
     (folder / "recording.lines").write_bytes(b"".join(LINES + LINES))
     said, _ = start("--recover", str(folder), "--columns", "t_ms,turns,mm").communicate(timeout=60)
-    assert "falls back 1 times: was it reset, or is the time another column than t_ms?" in said
+    assert "falls back 1 time: was it reset, or is the time another column than t_ms?" in said
 
 
 def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
