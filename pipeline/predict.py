@@ -30,7 +30,7 @@ from .models.interface import about, usual
 from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
 from .models.parts.questions import ASKED, EITHER, by_known, read_questions
 from .models.parts.recorded_pairs import pairs_of
-from .models.parts.saved_files import datasets, listed
+from .models.parts.saved_files import check_own, datasets, listed
 from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
 from .string.jump_notes import NAME, read_jumps
@@ -108,6 +108,7 @@ def main() -> None:
         print(f"beware: {note}", file=sys.stderr)
     points, columns = read_questions(arguments.questions, dataset)
     if arguments.saved:
+        check_own(arguments.saved, arguments.dataset)
         strings = points["string"].unique()
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)

@@ -250,6 +250,16 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     assert re.fullmatch(words, table["why"][4]) and table["why"][:3].isna().all()
 
 
+def test_a_saved_model_of_another_material_is_refused(dataset: Path, tmp_path: Path) -> None:
+    file = saved_model(dataset, pd.read_parquet(dataset), "polynomial", "other-0")
+    beside = tmp_path / "twine" / "dataset.parquet"
+    beside.parent.mkdir()
+    beside.write_bytes(dataset.read_bytes())
+    done = ask(beside, "stroke,direction,motor_turns\n2,1,9\n", "--saved", str(file))
+    assert done.returncode == 2 and f"was fitted to {dataset}, and {beside} is another" in done.stderr, done.stderr
+    assert f"Mend: ask with {dataset}" in done.stderr and not (beside.parent / "answers.csv").exists()
+
+
 def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: Path) -> None:
     text = "stroke,direction,motor_turns\n1,1,3\n"
     done = ask(dataset, text, "--saved", "spline/within-0.model", "--model", "spline")

@@ -8,10 +8,11 @@ from ..ground.errors import BadInput, program
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
+from ..run.description import Run
 from ..run.folder import read_run
-from .commit import recover
+from .commit import recover, recover_command
 from .fields import names
-from .lines_to_csv import recover_lines
+from .lines_to_csv import CSV, recover_lines
 from .log import LINES
 from .motion import read_legs
 from .session import capture, capture_lines
@@ -32,11 +33,28 @@ def tell(info: CaptureJson, folder: Path) -> None:
     if info["exit_status"] == "aborted":
         print(f"{folder}: aborted means ended before the rig was done; what was recorded is used like any run's")
     try:
-        read_run(folder)
+        run = read_run(folder)
+        if "lines" in info:
+            check_channels(run, folder)
     except BadInput as error:
         print(f"{error} Until then nothing can use this run.")
     else:
         tell_of_its_string(folder, info)
+
+
+def check_channels(run: Run, folder: Path) -> None:
+    """Raise BadInput where the columns of printed lines, as they are named, are not those of the run's channels."""
+    import pandas as pd  # for which no rig should wait
+
+    from ..run.channels import Channels
+
+    channels, first = Channels(run, folder / CSV, folder / "run.yaml"), pd.read_csv(folder / CSV, nrows=1)
+    try:
+        channels.look(first)
+        channels.samples(first)
+    except BadInput as error:
+        other = f"; or, with the names in the order in which they are printed: {recover_command(folder)} --columns ..."
+        raise BadInput(error.file, error.field, error.problem, f"{error.mend}{other}") from None
 
 
 def tell_of_its_string(folder: Path, info: CaptureJson) -> None:

@@ -19,11 +19,11 @@ def strokes_of(setup: str) -> str:
         parts = [(part["top_turns"], part["load_n"], part.get("repeat", 1)) for part in content["motion"]["strokes"]]
         kinds = [(*kind, sum(part[2] for part in same)) for kind, same in groupby(parts, key=lambda part: part[:2])]
         count = sum(repeat for *_, repeat in kinds)
-        spans = [f"{repeat} to {top:g} turns under {load:g} N" for top, load, repeat in kinds]
+        spans = [f"{repeat} from 0 up to {top:g} turns under {load:g} N" for top, load, repeat in kinds]
     except (OSError, ValueError, KeyError, TypeError, AttributeError, yaml.YAMLError):
         return ""
     whole = f"{count} stroke{'s' * (count != 1)}"
-    return f"{whole}, {', then '.join(spans)}" if len(kinds) <= MOST else whole
+    return f"{whole}: {', then '.join(spans)}" if len(kinds) <= MOST else whole
 
 
 def other_rig(synthetic: Mapping[str, Mapping[str, Any]], default: Mapping[str, Mapping[str, Any]]) -> str:

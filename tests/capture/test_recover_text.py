@@ -5,6 +5,8 @@ import subprocess
 
 import pytest
 import ready
+import yaml
+from made_recording import content
 
 from pipeline.capture.holes import MOST
 from pipeline.capture.lines_to_csv import recover_lines
@@ -44,6 +46,19 @@ def test_times_as_large_as_numbers_go_are_committed(folder, printed, holes):
     info = json.loads((folder / "capture.json").read_text())
     assert info["samples"]["received"] == printed.count("\n")
     assert [hole["samples_about"] for hole in info["holes"]] == holes
+
+
+def test_names_that_no_channel_has_are_said_with_the_command_that_mends_them(folder):
+    """A newcomer named the columns as his rig does: it ended as a success, and the next program refused the run."""
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    done = recover(folder, "--columns", "t_ms,turns,mm")
+    words = "there are no columns 'motor_turns' and 'displacement_mm', only t_ms, turns, mm"
+    assert done.returncode == 0 and words in done.stdout and "Until then nothing can use this run." in done.stdout
+    assert f"--recover {folder} --columns ..." in done.stdout and "Next:" not in done.stdout
+    done = recover(folder, "--columns", "time_ms,motor_turn,displacement_mm")
+    assert "there is no column 'motor_turns', only time_ms, motor_turn, displacement_mm" in done.stdout
+    done = recover(folder, "--columns", "time_ms,motor_turns,displacement_mm")
+    assert done.returncode == 0 and "nothing can use" not in done.stdout and "Next:" in done.stdout
 
 
 WRONG = [

@@ -69,7 +69,8 @@ def test_an_own_configuration_says_what_differs():
 
 def test_a_small_fit_says_that_it_records_another_rig_where_it_does():
     rig = other_rig(CI["synthetic"], DEFAULT["synthetic"])
-    assert rig == "set-up small (5 strokes, 4 to 20 turns under 20 N, then 1 to 16 turns under 30 N)"
+    strokes = "5 strokes: 4 from 0 up to 20 turns under 20 N, then 1 from 0 up to 16 turns under 30 N"
+    assert rig == f"set-up small ({strokes})"
     mark = made_by(merged(CI), DEFAULT, "ci.yaml", [*MODELS, "synthetic"], rig)
     assert f"It records another synthetic rig: {rig}. Fits: INN model 2 seeds" in sentence(mark)
     assert "rig" not in sentence(made_by(merged(CI), DEFAULT, "ci.yaml", MODELS, rig))  # another material has its own

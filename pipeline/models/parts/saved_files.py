@@ -4,6 +4,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from ...ground import seal
+from ...ground.errors import BadInput
 from ..interface import usual
 
 PROCESSED = Path("processed")  # of the folder that a program is started in
@@ -45,6 +46,13 @@ def listed(names: Collection[str]) -> str:
 def datasets() -> list[Path]:
     """The materials' datasets in `processed/`."""
     return [path for folder in _materials() if (path := folder / "dataset.parquet").is_file()]
+
+
+def check_own(file: Path, dataset: Path) -> None:
+    """Raise BadInput where a fitted model lies beside another dataset than this: it was fitted to that one's points."""
+    own = file.parent.parent / dataset.name
+    if own.is_file() and dataset.is_file() and not own.samefile(dataset):
+        raise BadInput("--saved", str(file), f"was fitted to {own}, and {dataset} is another", f"ask with {own}")
 
 
 def _materials() -> list[Path]:
