@@ -118,8 +118,9 @@ def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagn
     assert text.startswith(f"{content['run']}: explained: ") and "Why no other explanation" in text
     for one in (one for one in shown if one["standing"] == "beaten"):
         assert set(one["location"]) == {"motor_turns", "strokes", "phase", "share"} and one["gap_mm"] > 0.0
-        told = f"  {' + '.join(one['ids'])}: "
-        assert any(line.startswith(told) and "leaves " in line for line in text.splitlines())
+        name = f"  {' + '.join(one['ids'])}"
+        row, line = rf"{re.escape(name)}  +.* mm \([\d.]+\)", rf"{re.escape(name)}: .*leaves "  # of the table, or apart
+        assert re.search(rf"^({row}|{line})", text, re.MULTILINE)
     assert not re.search(r"\de[+-]\d", text)
 
 

@@ -66,7 +66,7 @@ def test_where_the_limits_allow_no_run_it_says_so_and_ends(place):
     assert done.returncode == 0, done.stdout
     found = settled(place)
     assert found["why"] == "no run" and found["verdict"] == "ambiguous" and found["spent"]["runs"] == 0
-    assert "no run that would raise the expected gap is allowed (one stroke under twice the load" in found["sentence"]
+    assert "gap is allowed: leg 2 asks for 40 N, and the rig hangs 15 to 25 N (one stroke under tw" in found["sentence"]
     assert not (place / "raw" / "poor-1-s1").exists()
 
 
