@@ -250,6 +250,13 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     assert re.fullmatch(words, table["why"][4]) and table["why"][:3].isna().all()
 
 
+def test_a_file_of_questions_that_is_not_there_is_said_to_be_missing(dataset: Path) -> None:
+    words = (dataset, dataset.with_name("nothere.csv"), "--out", dataset.with_name("answers.csv"))
+    done = programs.run("pipeline.predict", *words)
+    assert done.returncode == 2 and "nothere.csv" in done.stderr and "is not there" in done.stderr
+    assert "part columns by commas" not in done.stderr
+
+
 def test_a_saved_model_of_another_material_is_refused(dataset: Path, tmp_path: Path) -> None:
     file = saved_model(dataset, pd.read_parquet(dataset), "polynomial", "other-0")
     beside = tmp_path / "twine" / "dataset.parquet"

@@ -83,7 +83,7 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, BENEATH), ncols=2, fontsize=7)  # where no mark can lie
     figure.set_layout_engine("constrained", wspace=0.06)  # a label keeps off the panel beside it
     figure.suptitle(
-        f"{material}: what training on the forward error alone does to the inverse of an INN, and two cures"
+        f"{material}: what training on the forward error alone does to the inverse of an INN, and two remedies"
     )
     figure.supxlabel(READING, fontsize=7.5)
     return figure

@@ -16,8 +16,9 @@ FIGURES = {
     "figure_5": "Figure 5: models against the measurement, and their errors. The paper's figure has no error rows: a"
     " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out.",
     "figure_leak": "What training on the forward error alone does to the INN's inverse, by chance of its permutations,"
-    " and two cures: the error of both ways, or permutations that undo each other. A constant input comes out of the"
-    " network with a small error, and where θ had to pass through that output, the inverse magnifies it.",
+    " and what two remedies change: the error of both ways, or permutations that undo each other. A constant input"
+    " comes out of the network with a small error, and where θ had to pass through that output, the inverse"
+    " magnifies it.",
 }
 PAGES = {
     "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",

@@ -7,7 +7,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from .stroke_conditions import APART
-from .usual_model import ALONE, USUAL, WHY_USUAL, chosen_of, uses
+from .usual_model import ALONE, USUAL, WHY_USUAL, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
 from .web.table import table
 
@@ -47,6 +47,13 @@ def later_apart(models: Path) -> str:
     return next((line for line in lines if line.startswith(APART)), "")
 
 
+def errs_less(models: Path) -> str:
+    """Which other model of a material errs less than the one to take; empty where none does."""
+    titles, cells = read(models)
+    return weighed(titles, {(model, split): float(cell.split()[0]) for (model, split, way), cell in cells.items()
+                            if way == WAYS[0]})  # fmt: skip
+
+
 def words(reports: Path, materials: list[str]) -> Markup:
     """Why these models, the commands that use one, and what the simulator beside them is."""
     titles = {material: read(reports / material / "models.csv")[0] for material in materials}
@@ -63,6 +70,9 @@ def words(reports: Path, materials: list[str]) -> Markup:
         lines.append(
             f"Of {', '.join(others)} no spline was fitted: the first model by name that can be exported is shown."
         )
+    for material in materials:
+        if less := errs_less(reports / material / "models.csv"):
+            lines.append(f"{material}: {less}")
     for material in materials:
         if apart := later_apart(reports / material / "models.md"):
             lines.append(f"{material}: {apart}")

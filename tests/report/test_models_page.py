@@ -55,6 +55,16 @@ def test_columns_are_all_strokes_phases_and_bands_in_order():
     assert list(columns(later))[1:3] == ["n=8", "n=9"]
 
 
+def test_the_page_begins_with_the_model_to_take_and_who_errs_less():
+    titles = {"mlp": "MLP model", "spline": "Spline model"}
+    text = page(numbers(made_metrics(FORWARD | {"spline": [0.093]}), titles, ["mlp"]), "made")
+    begins = text.split("RMSE on held-out")[0]
+    assert "**Spline model** is the model to take, for it rises with the twist" in begins
+    less = "MLP model errs less, 0.051 mm against 0.093 mm (forward); on later strokes it has 0.061 mm against 0.103 mm"
+    assert f"On strokes like the recorded ones {less}." in begins
+    assert "model to take" not in page(numbers(made_metrics(), TITLES, ["mlp"]), "made")
+
+
 def test_cells_are_medians_with_their_spread_and_the_least_is_bold():
     text = page(numbers(made_metrics(), TITLES, ["mlp"]), "made")
     table = table_after(text, "## Forward, within strokes: RMSE in mm")

@@ -29,6 +29,8 @@ def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
     except BadInput as error:
         if "holds no samples" in error.problem:
             raise BadInput(path, "rows", "there are none", "write a header, and one question a line") from None
+        if not path.is_file():
+            raise
         mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
         field, mend = IN_WORDS.get(error.field, (error.field, mend))
         raise BadInput(path, field, error.problem, mend) from None
