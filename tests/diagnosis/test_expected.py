@@ -40,12 +40,12 @@ def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
     made, _ = diagnosed([RecordedRun(*read_samples(conceal(kind, kappa=3.0, rich=rich)[0]))])
     assert [entry["id"] for entry in made["mechanisms"]] == [kind]
     known = made["evidence"]["expected"]["explanations"]
-    assert known[0]["ids"] == [kind] and len(known) > 1 and kind not in known[1]["ids"]
-    for other in known[1:]:
+    assert known[0]["ids"] == [kind] and len(known) > 1
+    for other in (other for other in known[1:] if kind not in other["ids"]):  # a larger set copies the best one
         seen = [abs(other[key] - known[0][key]) for key in other.keys() & known[0].keys() if key.endswith("_mm")]
         assert max(seen) >= 2.0 * made["evidence"]["floor_mm"], "a number parts them"
     floor = made["evidence"]["floor_mm"]
-    for each in known:
+    for each in (each for each in known if each is known[0] or kind not in each["ids"]):
         assert each["plus_minus"].keys() == {key for key in each if key.endswith("_mm")}, "each number has its own"
         assert all(half >= 1.6 * floor for half in each["plus_minus"].values()), "the noise at least"
     assert known[0]["plus_minus"]["loop_as_before_mm"] < 20.0 * floor
