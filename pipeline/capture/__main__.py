@@ -3,14 +3,14 @@
 import math
 from pathlib import Path
 
-from ..ground.command import command
+from ..ground.command import command, recover_command
 from ..ground.errors import BadInput, program
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
 from ..run.description import Run
 from ..run.folder import read_run
-from .commit import recover, recover_command
+from .commit import recover
 from .fields import names
 from .lines_to_csv import CSV, recover_lines
 from .log import LINES

@@ -2,13 +2,12 @@
 
 import hashlib
 import json
-import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-from ..ground.command import command
+from ..ground.command import command, recover_command
 from ..ground.errors import BadInput
 from ..ground.files import write_text
 from ..run.capture_json import CaptureJson
@@ -149,14 +148,9 @@ def check_own(folder: Path, name: str, sha256: str) -> None:
 
 def unwritten(folder: Path, name: str, error: OSError) -> BadInput:
     """That a file of a recording could not be written when it had ended."""
-    mend = f"make room, then run {command('capture')} --recover {folder}"
+    mend = f"make room, then run {recover_command(folder)}"
     problem = f"could not be written ({error.strerror}); the recording is whole and kept"
     return BadInput(folder, name, problem, mend)
-
-
-def recover_command(folder: Path) -> str:
-    """What a person types to make a recording usable, or to read its lines again."""
-    return f"{command('capture')} --recover {shlex.quote(str(folder))}"
 
 
 def committed(folder: Path) -> CaptureJson:

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
-from ..ground.command import command
+from ..ground.command import recover_command
 from ..ground.errors import BadInput
 from ..ground.files import sha256, whole
 from ..run.capture_json import CaptureJson
 from . import holes
-from .commit import PIECE, check_own, committed, opening, recover_command, seal, unwritten
+from .commit import PIECE, check_own, committed, opening, seal, unwritten
 from .fields import names
 from .lines import Lines, Splitter
 from .log import LINES, in_use
@@ -90,7 +90,7 @@ def commit_lines(
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
             hole_count, hole_list = holes.find(times, printed.steps.usual)
     except FileExistsError:
-        mend = f"move it away, then run {command('capture')} --recover {folder}"
+        mend = f"move it away, then run {recover_command(folder)}"
         raise BadInput(folder, CSV, f"is there already; {LINES} is whole and kept", mend) from None
     except OSError as error:
         raise unwritten(folder, CSV, error) from None

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
+from ..ground.command import recover_command
 from ..ground.errors import BadInput
-from .commit import recover_command
 from .fields import MAX_LINE, is_known
 from .lines import Lines, Splitter
 from .log import Log

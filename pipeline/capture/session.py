@@ -11,7 +11,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from types import FrameType
 
-from ..ground.command import command
+from ..ground.command import recover_command
 from ..ground.errors import BadInput
 from ..run.capture_json import CaptureJson
 from ..wire.motion import Leg
@@ -80,7 +80,7 @@ def capture_lines(
             try:
                 outcome = follow(port, log, end_request, folder, columns, beginning, longest_s)
             except OSError as error:
-                mend = f"make room, then run {command('capture')} --recover {folder}"
+                mend = f"make room, then run {recover_command(folder)}"
                 raise BadInput(folder, LINES, f"could not be written ({error}); what it has is kept", mend) from None
             finally:
                 log.close()
@@ -129,7 +129,7 @@ def capture(
                 began = datetime.now(UTC)
                 outcome = record(port, log, hello, lambda: end_request() + stopped(), longest_s, beats=bool(legs))
             except OSError as error:
-                mend = f"make room, then run {command('capture')} --recover {folder}"
+                mend = f"make room, then run {recover_command(folder)}"
                 raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None
             finally:
                 log.close()

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from ..ground.command import recover_command
 from ..run.capture_json import CaptureJson, Lost
-from .commit import recover_command
 from .fields import TIME, is_known
 from .unnamed import named
 

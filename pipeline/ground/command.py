@@ -1,6 +1,7 @@
 """How a person starts a program of ours: a checkout's by `python -m pipeline.diagnose`, an installed one's by name."""
 
 import shlex
+from pathlib import Path
 
 HOUSE = __package__.partition(".")[0]  # `pipeline` in a checkout, `twistbench` where it is installed
 INSTALLED = HOUSE != "pipeline"
@@ -16,6 +17,11 @@ def program_name(program: str) -> str:
 def command(program: str) -> str:
     """What a person types to start a program, such as `new_run`, or `rig.record`, which has no short name."""
     return program_name(program) if INSTALLED and "." not in program else f"python -m {HOUSE}.{program}"
+
+
+def recover_command(folder: Path) -> str:
+    """What a person types to make a recording usable, or to read its lines again."""
+    return f"{command('capture')} --recover {shlex.quote(str(folder))}"
 
 
 def quoted(text: str) -> str:

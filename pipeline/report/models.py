@@ -17,7 +17,7 @@ from .plain_markdown import plain
 from .sidecar import Column, describe
 from .stroke_conditions import add_dataset, dataset_from, later_apart
 from .titles import titles_of
-from .usual_model import USUAL, WHY_USUAL, weighed
+from .usual_model import USUAL, to_take, weighed
 
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
 WHERE = ["stroke", "phase", "angle_band"]
@@ -134,7 +134,7 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
     return text
 
 
-def to_take(table_of: pd.DataFrame) -> list[str]:
+def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     """Lines that name the model to take, and one that errs less on strokes like the recorded ones; none without it."""
     whole = table_of[(table_of["column"] == "all") & ~table_of["model"].isin(FLOORS)]
     titles = {row["model"]: plain(row["title"]) for _, row in whole.iterrows()}
@@ -143,12 +143,12 @@ def to_take(table_of: pd.DataFrame) -> list[str]:
     forward = whole[whole["map"] == "forward"]
     errors_mm = {(row["model"], row["split"]): float(row["median"]) for _, row in forward.iterrows()}
     less = weighed(titles, errors_mm)
-    return [f"**{titles[USUAL]}** is the model to take, for {WHY_USUAL}. {less}".strip(), ""]
+    return [f"{to_take(f'**{titles[USUAL]}**')}. {less}".strip(), ""]
 
 
 def page(table_of: pd.DataFrame, material: str, apart: str = "") -> str:
     """Text of models.md of one material, from the table of `numbers`; `apart` says in what later strokes differ."""
-    text = [f"# {plain(material)}: every model beside the floor of the data", "", *to_take(table_of), NOTES]
+    text = [f"# {plain(material)}: every model beside the floor of the data", "", *on_model_to_take(table_of), NOTES]
     for split, name in SPLITS.items():
         for way in paper.MAPS.values():
             chosen = table_of[(table_of["split"] == split) & (table_of["map"] == way)]

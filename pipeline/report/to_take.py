@@ -1,44 +1,56 @@
 """Models.csv of each material → the index's table: the model to take, its errors, and beside it the simulator's."""
 
 import csv
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 from markupsafe import Markup
 
+from .fitted import FLOORS
 from .stroke_conditions import APART
-from .usual_model import ALONE, USUAL, WHY_USUAL, chosen_of, uses, weighed
+from .usual_model import ALONE, USUAL, chosen_of, to_take, uses, weighed
 from .web.page import Text, paragraph, together
 from .web.table import table
 
-FLOORS = ("floor", "floor_blind")
 WAYS, SPLITS = ("forward", "inverse"), ("within", "later")
 MODEL_HEADS = ["held-out points", "later strokes"]
 Name = Callable[[str], Text]  # the name of a material as a link to its part
-Cells = dict[tuple[str, str, str], str]  # model, split and way → RMSE, and times the floor that is
+Errors = dict[tuple[str, str, str], tuple[float, str]]  # model, split and way → RMSE, and how it is said
 
 
-def read(models: Path) -> tuple[dict[str, str], Cells]:
-    """Titles of the models of a material, and their errors on all points; nothing where the file is not there."""
-    titles, cells = dict[str, str](), Cells()
-    if not models.is_file():
-        return titles, cells
-    with open(models, encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            if row["column"] != "all" or row["model"] in FLOORS:
-                continue
-            titles[row["model"]] = row["title"]
-            times = f" ({float(row['ratio']):.2f} ×)" if row["ratio"] else ""
-            cells[row["model"], row["split"], row["map"]] = f"{float(row['median']):.3f}{times}"
-    return titles, cells
+class Models(NamedTuple):
+    """The models of a material: their titles, and their errors on all points."""
 
+    titles: dict[str, str]
+    errors: Errors
 
-def row(models: Path) -> list[str]:
-    """Title of the model to take, its errors both ways on both splits, and the diagnosed simulator's forward."""
-    titles, cells = read(models)
-    chosen = chosen_of(titles)
-    own = [cells.get((chosen, split, way), "") for way in WAYS for split in SPLITS]
-    return [titles.get(chosen, ""), *own, *(cells.get((ALONE, split, "forward"), "") for split in SPLITS)]
+    @classmethod
+    def read(cls, path: Path) -> "Models":
+        """Those of a models.csv; none where the file is not there."""
+        models = cls({}, {})
+        if not path.is_file():
+            return models
+        with open(path, encoding="utf-8", newline="") as file:
+            for line in csv.DictReader(file):
+                if line["column"] != "all" or line["model"] in FLOORS:
+                    continue
+                models.titles[line["model"]] = line["title"]
+                rmse, times = float(line["median"]), f" ({float(line['ratio']):.2f} ×)" if line["ratio"] else ""
+                models.errors[line["model"], line["split"], line["map"]] = rmse, f"{rmse:.3f}{times}"
+        return models
+
+    def row(self) -> list[str]:
+        """Title of the model to take, its errors both ways on both splits, and the diagnosed simulator's forward."""
+        chosen = chosen_of(self.titles)
+        keys = [(chosen, split, way) for way in WAYS for split in SPLITS]
+        keys += [(ALONE, split, WAYS[0]) for split in SPLITS]
+        return [self.titles.get(chosen, ""), *(self.errors[key][1] if key in self.errors else "" for key in keys)]
+
+    def weighed(self) -> str:
+        """Which other model errs less than the one to take; empty where none does."""
+        forward_mm = {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0]}
+        return weighed(self.titles, forward_mm)
 
 
 def later_apart(models: Path) -> str:
@@ -47,36 +59,29 @@ def later_apart(models: Path) -> str:
     return next((line for line in lines if line.startswith(APART)), "")
 
 
-def errs_less(models: Path) -> str:
-    """Which other model of a material errs less than the one to take; empty where none does."""
-    titles, cells = read(models)
-    return weighed(titles, {(model, split): float(cell.split()[0]) for (model, split, way), cell in cells.items()
-                            if way == WAYS[0]})  # fmt: skip
-
-
-def words(reports: Path, materials: list[str]) -> Markup:
+def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
     """Why these models, the commands that use one, and what the simulator beside them is."""
-    titles = {material: read(reports / material / "models.csv")[0] for material in materials}
-    chosen = {material: chosen_of(titles[material]) for material in materials}
+    chosen = {material: chosen_of(models.titles) for material, models in materials.items()}
     usual = [material for material, model in chosen.items() if model == USUAL]
     lines: list[Text] = []
     if usual:
-        title = titles[usual[0]][USUAL]
+        title = materials[usual[0]].titles[USUAL]
         export, _ = uses(usual[0] if len(usual) == 1 else "<material>", USUAL)
-        text = "{} is the model to take, for {}; the one that is exported: <code>{}</code>. Which errs least on what: "
-        text += "the page of every model, below."
-        lines.append(Markup(text).format(title, WHY_USUAL, export))
+        text = (
+            "{}; the one that is exported: <code>{}</code>. Which errs least on what: the page of every model, below."
+        )
+        lines.append(Markup(text).format(to_take(title), export))
     if others := [material for material, model in chosen.items() if model not in ("", USUAL)]:
         lines.append(
             f"Of {', '.join(others)} no spline was fitted: the first model by name that can be exported is shown."
         )
-    for material in materials:
-        if less := errs_less(reports / material / "models.csv"):
+    for material, models in materials.items():
+        if less := models.weighed():
             lines.append(f"{material}: {less}")
     for material in materials:
         if apart := later_apart(reports / material / "models.md"):
             lines.append(f"{material}: {apart}")
-    if named := next((titles[material][ALONE] for material in materials if ALONE in titles[material]), ""):
+    if named := next((models.titles[ALONE] for models in materials.values() if ALONE in models.titles), ""):
         lines.append(
             f"{named} is no model to take away: it needs the whole motion, so it can be neither exported nor asked. "
             "It is what a simulator with the named effects would err; where its error on later strokes is large, the "
@@ -87,7 +92,8 @@ def words(reports: Path, materials: list[str]) -> Markup:
 
 def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
     """Each material's model to take with its errors, the diagnosed simulator's beside them, and why beneath."""
-    rows: list[list[Text]] = [[name(material), *row(reports / material / "models.csv")] for material in materials]
+    by_material = {material: Models.read(reports / material / "models.csv") for material in materials}
+    rows: list[list[Text]] = [[name(material), *models.row()] for material, models in by_material.items()]
     head = ["Material", "model to take", *MODEL_HEADS, *MODEL_HEADS, *MODEL_HEADS]
     over: list[tuple[Text, int]] = [
         ("", 2),
@@ -95,4 +101,4 @@ def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
         ("inverse: RMSE in turns (× floor)", 2),
     ]
     over.append(("the diagnosed simulator, forward", 2))
-    return together([table(head, rows, texts=(0, 1), over=over, paged=True), words(reports, materials)])
+    return together([table(head, rows, texts=(0, 1), over=over, paged=True), words(reports, by_material)])

@@ -14,6 +14,11 @@ def chosen_of(models: Iterable[str]) -> str:
     return USUAL if USUAL in known else known[0] if known else ""
 
 
+def to_take(title: str) -> str:
+    """The sentence that names the usual model as the one to take."""
+    return f"{title} is the model to take, for {WHY_USUAL}"
+
+
 def weighed(titles: Mapping[str, str], errors_mm: Mapping[tuple[str, str], float]) -> str:
     """Which model of those to take away errs less than the chosen one on held-out points; empty where none does.
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 
 from .. import wire
-from ..ground.command import command
+from ..ground.command import recover_command
 from ..ground.errors import BadInput
 from ..ground.files import sha256
 from .folder import capture_info
@@ -64,6 +64,6 @@ def check_lines(path: Path) -> None:
     if (path.parent / "recording.lines").is_file() or "csv_sha256" in info:
         if sha256(path) == info.get("csv_sha256"):
             return
-        again = f"run {command('capture')} --recover {path.parent}"
+        again = f"run {recover_command(path.parent)}"
         problem = "its bytes are not those that capture.json was written for"
         raise BadInput(path, "csv_sha256", problem, f"{again}; recording.lines has what was printed")

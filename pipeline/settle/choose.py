@@ -75,10 +75,11 @@ def reachable(run: ProposedRun, limits: Limits | None) -> list[Leg]:
 
 def passed_over(refused: Sequence[tuple[str, str]]) -> str:
     """Runs that are not made, each a title and why not, in words: those of one reason together, a few by title."""
-    reasons = dict.fromkeys(reason for _, reason in refused)
+    by_reason: dict[str, list[str]] = {}
+    for title, reason in refused:
+        by_reason.setdefault(reason, []).append(title)
     words = []
-    for reason in reasons:
-        titles = [title for title, why in refused if why == reason]
+    for reason, titles in by_reason.items():
         more = f" and {len(titles) - SHOWN} others" if len(titles) > SHOWN else ""
         words.append(f"{reason} ({', '.join(titles[:SHOWN])}{more})")
     return "; ".join(words)

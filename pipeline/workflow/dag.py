@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from ..ground.command import recover_command
 from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
 from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, checked, run_name
@@ -82,7 +83,7 @@ def _place(plan: Plan, folder: Path) -> None:
         return
     try:
         if unfinished(folder):
-            mend = f"wait for the capture to end, or run python -m pipeline.capture --recover {folder}"
+            mend = f"wait for the capture to end, or run {recover_command(folder)}"
             plan.unfinished.append(LeftOut.of(run, BadInput(folder, "recording", "is unfinished", mend)))
             return
         read = read_run(folder)

@@ -21,7 +21,7 @@ from pipeline.report.index_head import shortened
 from pipeline.report.made_by import MadeBy
 from pipeline.report.page_parts import of_materials, of_runs
 from pipeline.report.summary import summary
-from pipeline.report.to_take import materials_table, row
+from pipeline.report.to_take import Models, materials_table
 from pipeline.report.usual_model import uses
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json
@@ -162,7 +162,7 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     medians = {"polynomial": ("Polynomial", 0.02, 0.4), "spline": ("Spline", 0.103, 0.153)}
     changed(reports / MATERIAL / "models.csv", folder, diagnosed=("Simulator", 0.01, 0.889), **medians)
     cells = ["0.103 (2.00 ×)", "0.153 (2.00 ×)"]
-    assert row(folder) == ["Spline", *cells, *cells, "0.010 (2.00 ×)", "0.889 (2.00 ×)"]
+    assert Models.read(folder).row() == ["Spline", *cells, *cells, "0.010 (2.00 ×)", "0.889 (2.00 ×)"]
     words = html.unescape(str(materials_table(tmp_path, [MATERIAL], str)))
     export, _ = uses(MATERIAL, "spline")
     assert export in words
@@ -178,8 +178,8 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
 
 
 def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_more(tmp_path, reports):
-    assert row(tmp_path / "none.csv") == [""] * 7
-    assert row(reports / MATERIAL / "models.csv")[:2] == ["Calibrated model", "0.093 (1.03 ×)"]
+    assert Models.read(tmp_path / "none.csv").row() == [""] * 7
+    assert Models.read(reports / MATERIAL / "models.csv").row()[:2] == ["Calibrated model", "0.093 (1.03 ×)"]
     words = str(materials_table(reports, [MATERIAL], str))
     assert f"Of {MATERIAL} no spline was fitted" in words and "no model to take away" not in words
 
