@@ -12,6 +12,7 @@ from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..ground.progress import clear, steps
 from . import sentences, written
+from .calibrate_again import calibrate_by
 from .from_folders import others_beside, strings
 from .health import Health
 from .questions import Answer, model_error, stroke_loss
@@ -54,7 +55,9 @@ def main() -> int:
         clear()
         if others := others_beside(string_health.string, arguments.run_dir):
             print(sentences.not_given(string_health.string, arguments.run_dir, others, arguments.out))
-        print(sentences.sentences(string_health, answers, arguments.level, bool(others)))
+        own = [folder for folder in arguments.run_dir if folder.resolve().name in string_health.runs]
+        by = calibrate_by(string_health.material, own, arguments.out)
+        print(sentences.sentences(string_health, answers, arguments.level, bool(others), by))
         print("".join(f"  {line}\n" for line in lines), end="")
     return 0
 

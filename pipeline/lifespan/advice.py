@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from .indicators import REFERENCE
 from .questions import Answer
 from .stroke_counts import strokes
 from .strokes_left import LEAST_STROKES, Span
@@ -33,13 +34,39 @@ def ask_again_after(answers: list[Answer]) -> int:
 
 
 def advice(answers: list[Answer]) -> str:
-    """One sentence: when to calibrate the model again and when to ask again."""
-    again = f"ask again after {strokes(ask_again_after(answers))}"
+    """When to calibrate the model again and when to ask again, each with the stroke at which that is."""
+    last = max((int(answer.n[-1]) for answer in answers if len(answer.n)), default=0)
+
+    def after(count: int) -> str:
+        return f"{strokes(count)}, at stroke {last + count}"
+
+    again = f"Ask again after {after(ask_again_after(answers))}."
     when = recalibrate_after(answers)
     if when is None:
-        return f"Advice: no reason to calibrate the model again is seen so far; {again}."
+        return f"Advice: no reason to calibrate your model again is seen so far. {again}"
     if when == 0:
-        return f"Advice: calibrate the model again now; {again}."
+        return f"Advice: calibrate your model again now. {again}"
     if drift(answers).state == "censored":
-        return f"Advice: the model need not be calibrated again within {strokes(when)}; {again}."
-    return f"Advice: calibrate the model again after about {strokes(when)}; {again}."
+        return f"Advice: your model need not be calibrated again within {strokes(when)}. {again}"
+    return f"Advice: calibrate your model again after about {after(when)}. {again}"
+
+
+def due(answers: list[Answer]) -> bool:
+    """Whether a time to calibrate the model again is foretold, or was passed."""
+    return drift(answers).state in ("passed", "one-sided", "interval")
+
+
+def rests_on(answers: list[Answer]) -> list[str]:
+    """Why the advice is what it is, and why new strokes can leave it as it is."""
+    error = next(answer for answer in answers if answer.question == "model_error")
+    limit, model = f"{error.limit:g} {error.unit}", f"a model calibrated on the first {REFERENCE} strokes"
+    why = {
+        "passed": f"{model} was off by {limit} at stroke {error.left.passed_at:.0f} already",
+        "no claim": f"nothing is foretold of {model}",
+        "censored": f"{model} is off by less than {limit} so long, in 9 of 10 futures",
+    }.get(drift(answers).state, f"{model} may be off by {limit} by then, the lower bound below")
+    seen = max(len(answer.n) for answer in answers)
+    half = "half of the nearest lower bound of those below is over then"
+    again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
+    anew = "Both follow from all strokes that are given: new strokes can leave them as they are"
+    return [f"Why calibrate: {why}.", f"Why ask again: {again}.", f"{anew}."]

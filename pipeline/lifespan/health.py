@@ -41,6 +41,7 @@ class Health:
     jumps: list[Jump] = field(default_factory=list)
     anew: list[str] = field(default_factory=list)
     tares: list[str] = field(default_factory=list)
+    material: str = ""
 
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
@@ -106,4 +107,5 @@ def health(runs: list[Recorded]) -> Health:
         tables.append(curves(stroke, low, high))
     table = pd.DataFrame([row | error for row, error in zip(rows, model_errors(tables), strict=True)])
     names = [recorded.run.run for recorded in runs]
-    return Health(first.run.string_id, names, table, left_out, seen, runs_anew(table), tares)
+    material = first.run.string.material if first.run.string else ""
+    return Health(first.run.string_id, names, table, left_out, seen, runs_anew(table), tares, material)

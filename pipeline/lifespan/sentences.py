@@ -7,7 +7,8 @@ import numpy as np
 
 from ..ground.command import command, program_name
 from ..string.zero import Jump
-from .advice import advice
+from .advice import advice, due, rests_on
+from .calibrate_again import AFTERWARDS
 from .claims_held import measured
 from .health import Health
 from .indicators import REFERENCE
@@ -23,8 +24,8 @@ UNFORESEEN = (
     "string is given the same three chances, so this string's own may be larger."
 )
 SYNTHETIC = (
-    "If these are of the synthetic rig: it takes a new string for each recording unless `--standing` is given. Let it "
-    f"do more strokes in one, by `--strokes 24` of {command('rig')}."
+    f"Only if you record the synthetic rig ({command('rig')}): start it with `--strokes 24`. Without `--standing` each "
+    "of its recordings is of a new string."
 )
 ZERO_OFF = (
     "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
@@ -53,7 +54,8 @@ def so_far(answer: Answer) -> str:
     last = answer.values[-min(after, LAST) :]
     of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
     if answer.unit != "1":
-        return f"So far: the model is off by {beside_limit(middle, answer.limit)} {answer.unit} (median of {of})."
+        off = f"a model calibrated on the first {REFERENCE} strokes is off by {beside_limit(middle, answer.limit)}"
+        return f"So far: {off} {answer.unit} (median of {of})."
     against = f"{of} against the first {REFERENCE}"
     if middle <= 0.0:
         return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
@@ -82,26 +84,27 @@ def seen(health: Health, beside: bool = False) -> list[str]:
     ]
 
 
-def sentence(answer: Answer, level: float, enough: bool = True) -> str:
-    """One question's answer in words; unless `told`, without the reason why there is none, which was said before."""
+def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
+    """One question's answer in words, a fact a sentence; unless `enough`, without the reason why there is none."""
     left, span = answer.left, answer.left.span(level)
-    limit = f"the model calibrated on the first strokes is off by {answer.limit:g} {answer.unit}"
+    limit = f"a model calibrated on the first {REFERENCE} strokes is off by {answer.limit:g} {answer.unit}"
     limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
     if span.state == "no claim":
-        return f"until {limit}: {f'no claim: {left.reason}' if enough else 'no forecast yet'}."
+        return [f"Until {limit}: {f'no claim: {left.reason}' if enough else 'no forecast yet'}."]
     if span.state == "passed":
-        return f"until {limit}: passed already at stroke {left.passed_at:.0f}."
-    most, further = f"{at_least(left.horizon)} strokes", "the forecast does not look further than"
+        return [f"Until {limit}: passed already at stroke {left.passed_at:.0f}."]
+    most = f"{at_least(left.horizon)} strokes"
+    further = f"The forecast does not look further than {most}."
     if span.state == "censored":
-        return f"until {limit}: more than {most} left in {percent(level)} of the futures; {further} {most}."
-    half = f"half of the futures stay below the limit for longer than {at_least(span.median)} strokes" if np.isfinite(
-        span.median) else f"at least half of the futures stay below the limit for all {most}"  # fmt: skip
+        return [f"Until {limit}: more than {most} left in {percent(level)} of the futures.", further]
+    half = f"Half of the futures stay below the limit for longer than {at_least(span.median)} strokes." if np.isfinite(
+        span.median) else f"At least half of the futures stay below the limit for all {most}."  # fmt: skip
     if span.state == "interval":
         ends = tail((1.0 - level) / 2.0)
         between = f"{at_least(span.low)} to {at_most(span.high)} strokes left in {percent(level)} of the futures"
-        return f"until {limit}: {between} ({ends} pass it sooner, {ends} later); {half}."
+        return [f"Until {limit}: {between} ({ends} pass it sooner, {ends} later).", half]
     least = f"at least {at_least(span.low)} strokes left in {percent(level)} of the futures"
-    return f"until {limit}: {least} ({tail(1.0 - level)} pass it sooner); {half}; {further} {most}."
+    return [f"Until {limit}: {least} ({tail(1.0 - level)} pass it sooner).", half, further]
 
 
 def law(answer: Answer) -> str:
@@ -114,10 +117,11 @@ def answered(answer: Answer, level: float, enough: bool) -> list[str]:
     """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
     state = answer.left.span(level).state
     within = "" if answer.left.drifts else " This change is within the noise of the strokes."
-    lines = [f"  {so_far(answer)}{within}", f"  {sentence(answer, level, enough)}"]
+    claim, *more = sentence(answer, level, enough)
+    lines = [f"  {so_far(answer)}{within}", f"  {claim}"]
     if state in ("no claim", "passed"):
         return lines
-    return [*lines, f"    {' '.join([measured(answer.question, state), law(answer)]).strip()}"]
+    return [*lines, *(f"    {line}" for line in (*more, measured(answer.question, state), law(answer)) if line)]
 
 
 def zero(jump: Jump) -> str:
@@ -147,15 +151,18 @@ def young(run: str) -> str:
     )
 
 
-def sentences(health: Health, answers: list[Answer], level: float, beside: bool = False) -> str:
-    """All answers in words, a few lines; `beside` as `seen` takes it."""
+def sentences(health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: str = "") -> str:
+    """All answers in words, a few lines; `beside` as `seen` takes it, `calibrate_by` how a model is calibrated."""
     lines, enough = seen(health, beside), not few(len(health.strokes))
     if enough:
         lines.append(f"  {advice(answers)}")
+        then = [calibrate_by, AFTERWARDS] if due(answers) else []
+        lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
     if health.left_out:
-        lines.append(
-            f"  {len(health.left_out)} strokes wind over another range than most of the first three and are left out."
-        )
+        count = len(health.left_out)
+        wind = "1 stroke winds over another range than most of the first three and is left out."
+        many = f"{count} strokes wind over another range than most of the first three and are left out."
+        lines.append(f"  {wind if count == 1 else many}")
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {note}" for note in health.tares]

@@ -9,6 +9,7 @@ from pipeline.ground.errors import BadInput
 from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.health import INDICATORS, health
 from pipeline.lifespan.questions import model_error, stroke_loss
+from pipeline.lifespan.sentences import sentences
 from pipeline.lifespan.stiffness import stiffness
 from pipeline.run.strokes import segment
 from pipeline.string.from_raw import read
@@ -92,6 +93,9 @@ def test_strokes_of_another_range_are_left_out(tmp_path):
     short = table["motor_turns"].where(~table.index.isin(range(114 * 6, 114 * 7)), table["motor_turns"] * 0.8)
     found = strings([folder(tmp_path, "a-1", table.assign(motor_turns=short))])[0]
     assert found.left_out == [7] and len(found.strokes) == 11
+    assert "\n  1 stroke winds over another range than most of the first three and is left out." in sentences(
+        found, [], 0.9
+    )
 
 
 def test_other_rigs_are_refused(tmp_path):

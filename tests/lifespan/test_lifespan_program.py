@@ -14,8 +14,9 @@ from made_life import folder, samples
 from made_recording import content
 
 from pipeline.ground.errors import BadInput
+from pipeline.lifespan import calibrate_again
 from pipeline.lifespan.__main__ import main
-from pipeline.lifespan.advice import advice, recalibrate_after
+from pipeline.lifespan.advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
 from pipeline.lifespan.from_folders import strings
@@ -24,6 +25,7 @@ from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
 from pipeline.lifespan.sentences import UNFORESEEN, beside_limit, sentence, so_far
 from pipeline.lifespan.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
+from pipeline.models.interface import usual
 from pipeline.rig import __main__ as rig
 
 ROOT = Path(__file__).parents[2]
@@ -45,7 +47,7 @@ def test_the_program_ends_well(done):
     assert ran.returncode == 0, ran.stderr
     assert "In our tests (120 synthetic strings) such an" in ran.stdout
     assert ran.stdout.splitlines()[1].startswith("  Advice: ") and "Such a zero" not in ran.stdout
-    assert "until 10 % of the stroke is lost" in ran.stdout and "A sudden end" in ran.stdout
+    assert "Until 10 % of the stroke is lost" in ran.stdout and "A sudden end" in ran.stdout
     assert (out / "lifespan.png").stat().st_size > 10_000
 
 
@@ -112,7 +114,7 @@ def test_the_axis_reaches_as_far_as_the_words_and_both_bounds_are_the_same_whole
     """The words said 197 strokes and beyond 240 where the axis ended after 96, and 9.52 strokes were `at least 10`."""
     for when in ([*[9.52] * 20, *[197.3] * 20, *[np.inf] * 160], [*[197.9] * 30, *[np.inf] * 170]):
         answer, axes = drawn.answer(*when), drawn(*when)
-        said = sentence(answer, 0.9)
+        said = " ".join(sentence(answer, 0.9))
         (least,) = re.findall(r"at least ([0-9]+) strokes left in 90 % of the futures", said)
         assert int(least) == int(answer.left.span(0.9).low)
         assert [f"at least {least} strokes left in 90 % of the futures"] == [text.get_text() for text in axes.texts]
@@ -162,9 +164,11 @@ def test_too_few_strokes_are_said_and_no_error(tmp_path):
     again = "as a new run (pipeline.new_run --like its first run), then name all runs"
     assert again in ran.stdout and "--strokes 24" in ran.stdout
     assert re.search(
-        r"So far: [0-9.]+ % of the stroke is lost \(.*\)\.\n  until .* lost: no forecast yet\.", ran.stdout
+        r"So far: [0-9.]+ % of the stroke is lost \(.*\)\.\n  Until .* lost: no forecast yet\.", ran.stdout
     )
-    assert re.search(r"So far: the model is off by [0-9.]+ mm \(.* 2 strokes\)\.\n  until .*: no forecast", ran.stdout)
+    model = "a model calibrated on the first 3 strokes is off by"
+    assert re.search(rf"So far: {model} [0-9.]+ mm \(.* 2 strokes\)\.\n  Until {model} 1 mm: no forecast", ran.stdout)
+    assert "\n  Only if you record the synthetic rig (" in ran.stdout
     assert "Advice" not in ran.stdout
     told = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
     assert told["first"] is None and told["questions"]["stroke_loss"]["strokes_left"]["low"] is None
@@ -212,29 +216,34 @@ def said_of(drawn_when, state):
 
 
 def test_the_sentence_says_what_is_sure_and_what_half_of_the_futures_do():
-    limit, furthest = "until 10 % of the stroke is lost:", "the forecast does not look further than 120 strokes."
+    limit, furthest = "Until 10 % of the stroke is lost:", "The forecast does not look further than 120 strokes."
     low, never = [10.0] * 9, [np.inf] * 60  # 9 of 100 pass at 10 strokes
-    least = "at least 66 strokes left in 90 % of the futures (10 % pass it sooner)"
-    assert said_of([*low, *[66.9] * 31, *never], "one-sided") == (
-        f"{limit} {least}; at least half of the futures stay below the limit for all 120 strokes; {furthest}"
-    )
-    assert said_of([*low, *[66.9] * 31, *[80.6] * 30, *never[:30]], "one-sided") == (
-        f"{limit} {least}; half of the futures stay below the limit for longer than 80 strokes; {furthest}"
-    )
-    assert said_of([*[20.9] * 10, *[40.9] * 80, *[89.1] * 10], "interval") == (
-        f"{limit} 20 to 90 strokes left in 90 % of the futures (5 % pass it sooner, 5 % later); half of the futures "
-        "stay below the limit for longer than 40 strokes."
-    )
-    assert said_of([*low, *[np.inf] * 91], "censored") == (
-        f"{limit} more than 120 strokes left in 90 % of the futures; {furthest}"
-    )
+    least = f"{limit} at least 66 strokes left in 90 % of the futures (10 % pass it sooner)."
+    assert said_of([*low, *[66.9] * 31, *never], "one-sided") == [
+        least,
+        "At least half of the futures stay below the limit for all 120 strokes.",
+        furthest,
+    ]
+    assert said_of([*low, *[66.9] * 31, *[80.6] * 30, *never[:30]], "one-sided") == [
+        least,
+        "Half of the futures stay below the limit for longer than 80 strokes.",
+        furthest,
+    ]
+    assert said_of([*[20.9] * 10, *[40.9] * 80, *[89.1] * 10], "interval") == [
+        f"{limit} 20 to 90 strokes left in 90 % of the futures (5 % pass it sooner, 5 % later).",
+        "Half of the futures stay below the limit for longer than 40 strokes.",
+    ]
+    assert said_of([*low, *[np.inf] * 91], "censored") == [
+        f"{limit} more than 120 strokes left in 90 % of the futures.",
+        furthest,
+    ]
 
 
 def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
     """Of two ends each leaves 5 % of the futures outside; an end that stands alone leaves 10 %."""
     when = np.arange(1.0, 201.0)
     said = said_of(when[:190].tolist() + [119.0] * 10, "interval")
-    assert "(5 % pass it sooner, 5 % later)" in said and np.mean(np.sort(when) < 10.0) < 0.05
+    assert "(5 % pass it sooner, 5 % later)" in said[0] and np.mean(np.sort(when) < 10.0) < 0.05
     alone = Left(when=np.concatenate([when[:100], np.full(100, np.inf)]), horizon=120.0).span(0.9)
     assert np.mean(when[:100] <= alone.low) * 100 / 200 == 0.10
 
@@ -258,7 +267,7 @@ def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
         assert so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, left)) == f"So far: {said} {against}"
     off = np.full(12, 0.841)
     told = so_far(Answer("model_error", "", "mm", n, off, off, 1.0, left))
-    assert told == "So far: the model is off by 0.84 mm (median of the last 3 strokes)."
+    assert told == "So far: a model calibrated on the first 3 strokes is off by 0.84 mm (median of the last 3 strokes)."
 
 
 def test_the_chance_of_a_sudden_end_in_words_is_the_one_in_the_futures():
@@ -299,28 +308,60 @@ def test_beside_a_claim_stands_how_often_its_kind_held_as_the_page_has_it():
 
 def claim(question, *when, passed=np.nan):
     left = Left("" if len(when) else "why", passed, np.sort(np.array(when, float)), horizon=240.0)
-    return Answer(question, "", "1", np.arange(1.0, 25.0), np.zeros(24), np.zeros(24), 0.1, left)
+    unit = "1" if question == "stroke_loss" else "mm"
+    return Answer(question, "", unit, np.arange(1.0, 25.0), np.zeros(24), np.zeros(24), 0.1, left)
+
+
+FIRST = "a model calibrated on the first 3 strokes"
 
 
 @pytest.mark.parametrize(
-    ("drift", "said"),
+    ("drift", "said", "why", "again"),
     [
-        ([9.5] * 50 + [np.inf] * 50, "calibrate the model again after about 9 strokes; ask again after 4 strokes."),
-        ([0.4] * 50 + [np.inf] * 50, "calibrate the model again now; ask again after 1 stroke."),
-        ([1.4] * 50 + [np.inf] * 50, "calibrate the model again after about 1 stroke; ask again after 1 stroke."),
-        ([np.inf] * 9, "the model need not be calibrated again within 240 strokes; ask again after 24 strokes."),
-        ([], "no reason to calibrate the model again is seen so far; ask again after 24 strokes."),
+        ([9.5] * 50 + [np.inf] * 50, "calibrate your model again after about 9 strokes, at stroke 33. Ask again after "
+         "4 strokes, at stroke 28.", f"{FIRST} may be off by 0.1 mm by then", "half of the nearest"),
+        ([0.4] * 50 + [np.inf] * 50, "calibrate your model again now. Ask again after 1 stroke, at stroke 25.",
+         f"{FIRST} may be off", "half of the nearest"),
+        ([1.4] * 50 + [np.inf] * 50, "calibrate your model again after about 1 stroke, at stroke 25. Ask again after "
+         "1 stroke, at stroke 25.", f"{FIRST} may be off", "half of the nearest"),
+        ([np.inf] * 9, "your model need not be calibrated again within 240 strokes. Ask again after 24 strokes, at "
+         "stroke 48.", f"{FIRST} is off by less than 0.1 mm so long", "the strokes seen have doubled then."),
+        ([], "no reason to calibrate your model again is seen so far. Ask again after 24 strokes, at stroke 48.",
+         f"nothing is foretold of {FIRST}", "the strokes seen have doubled then."),
     ],
-)
-def test_one_sentence_says_what_to_do_next(drift, said):
+)  # fmt: skip
+def test_the_advice_says_what_to_do_next_and_what_that_rests_on(drift, said, why, again):
     answers = [claim("stroke_loss", *[150.0] * 50, *[np.inf] * 50), claim("model_error", *drift)]
     assert advice(answers) == f"Advice: {said}"
+    reasons = rests_on(answers)
+    assert reasons[0].startswith(f"Why calibrate: {why}") and reasons[1].startswith(f"Why ask again: {again}")
 
 
 def test_a_model_that_is_off_already_is_to_be_calibrated_again_now():
     answers = [claim("stroke_loss", *[30.0] * 50, *[np.inf] * 50), claim("model_error", passed=20.0)]
-    assert advice(answers) == "Advice: calibrate the model again now; ask again after 15 strokes."
+    assert advice(answers) == "Advice: calibrate your model again now. Ask again after 15 strokes, at stroke 39."
+    assert rests_on(answers)[0] == f"Why calibrate: {FIRST} was off by 0.1 mm at stroke 20 already."
     assert recalibrate_after(answers) == 0
+
+
+def test_the_advice_gives_the_command_and_says_why_it_stays_after_a_calibration(tmp_path):
+    """ "Calibrate the model again" stood there without a command, and stayed there once it was done."""
+    said = []
+    for place in (tmp_path / "a b", tmp_path / "raw"):
+        place.mkdir()
+        run = folder(place, "a-1", samples(24, 0.004))
+        ran = programs.run("pipeline.lifespan", run, "--out", tmp_path / "out", cwd=tmp_path)
+        assert ran.returncode == 0, ran.stderr
+        said.append(ran.stdout)
+    elsewhere = f"--out {tmp_path / 'out' / 'calibrated'} (calibrates the simulator's dimensions"
+    assert f"    Calibrate it by: python -m pipeline.diagnose '{tmp_path}/a b/a-1' {elsewhere}" in said[0]
+    assert "    Calibrate it by: snakemake --cores 2 -- processed/UHMWPE/spline/within-0.model (fits" in said[1]
+    for text in said:
+        assert "After a calibration name only the runs recorded since." in text
+
+
+def test_the_model_that_is_fitted_again_is_the_usual_one():
+    assert usual() == calibrate_again.USUAL
 
 
 def bedded(strokes, first):

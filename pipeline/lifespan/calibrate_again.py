@@ -1,0 +1,30 @@
+"""How a model is calibrated again on a string's newest strokes: the command to paste, and what comes after it."""
+
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..ground.command import INSTALLED, command
+from .indicators import REFERENCE
+
+USUAL = "spline"  # the model to take where nobody says which; a test holds it to that of the models themselves
+AFTERWARDS = (
+    "This program cannot know that a model was calibrated again: it compares with the first "
+    f"{REFERENCE} strokes of the runs that it is given. After a calibration name only the runs recorded since."
+)
+
+
+def calibrate_by(material: str, runs: Sequence[Path], out: Path) -> str:
+    """The command that fits a model to a string's runs, and what it fits: in raw/ of a checkout the workflow does.
+
+    Elsewhere a diagnosis calibrates the dimensions of the simulator.
+    """
+    in_raw = not INSTALLED and all(run.resolve().parent == Path("raw").resolve() for run in runs)
+    if in_raw:
+        model = f"processed/{material}/{USUAL}/within-0.model"
+        fit = f"snakemake --cores 2 -- {shlex.quote(model)}"
+        return f"Calibrate it by: {fit} (fits the {USUAL} of {material} to all of its runs in raw/)."
+    named = " ".join(shlex.quote(str(run)) for run in runs)
+    together = " --together" if len(runs) > 1 else ""
+    fit = f"{command('diagnose')} {named}{together} --out {shlex.quote(str(out / 'calibrated'))}"
+    return f"Calibrate it by: {fit} (calibrates the simulator's dimensions on these runs)."
