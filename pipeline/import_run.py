@@ -183,7 +183,7 @@ def main() -> int:
     if arguments.file.is_dir():
         return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files)
     print(sentences := import_run(arguments.file, arguments.map, arguments.run, raw))
-    print(following(Path(sentences.partition(": ")[0]), recorded=True))
+    print("\n".join(following(Path(sentences.partition(": ")[0]), recorded=True)))
     return 0
 
 

@@ -183,7 +183,8 @@ def main() -> None:
     recorded = has_recording(folder)
     run = parse_run(content, folder / "run.yaml")
     others = others_recorded(folder, run, arguments.like)
-    print(f"{folder} is there; {following(folder, recorded, others)}")
+    print(f"{folder} is there{'' if recorded else '; nothing is recorded in it yet'}.")
+    print("\n".join(following(folder, recorded, others)))
     print(read_back(run) + (f"\n{tares(run, others)}" if others else ""))
     if "tolerance" not in content:
         print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")

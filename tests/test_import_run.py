@@ -50,7 +50,7 @@ def test_import_makes_a_run_folder_that_reads_like_any_other(foreign):
 def test_it_says_which_column_it_read_as_what_over_which_range(foreign):
     lines = import_run(foreign[0], foreign[1], "a-01", foreign[2]).splitlines()
     assert lines[0] == f"{foreign[2] / 'a-01'}: {len(GOOD)} samples"
-    assert "motor_turns 0 to 27 (from 1 in deg)" in lines[1] and "time_s 0 to " in lines[1]
+    assert "  motor_turns 0 to 27 (from 1 in deg)" in lines and lines[2].startswith("  time_s 0 to ")
 
 
 def test_a_displacement_the_wrong_way_is_mended_by_the_other_sign_of_its_own_scale(foreign):

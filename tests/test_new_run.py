@@ -83,8 +83,9 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
     status, told, said = new("a-01", "--channels", channels, "--file", '{comment: "%"}', samples=samples)
     assert status == 0, said
     most = samples["theta"].max() / 360
-    assert told.startswith(f"log.csv has {len(samples)} samples: time_s 0 to ")
-    assert f"; motor_turns 0 to {most:.4g} (from theta in deg); displacement_mm " in told, "ranges in our units"
+    assert told.startswith(f"log.csv has {len(samples)} samples. They are read as:\n  time_s 0 to ")
+    assert f"\n  motor_turns 0 to {most:.4g} (from theta in deg)\n  displacement_mm " in told, "ranges in our units"
+    assert max(map(len, told.splitlines())) < 120 + len(str(tmp_path)), "the next command was a line of 400 characters"
     written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")
     assert (
         written["channels"] == {"motor_turns": {"column": "theta", "unit": "deg"}} and written["file"]["comment"] == "%"
@@ -150,23 +151,30 @@ def test_what_was_recorded_before_it_was_described_is_checked_too(make_run, new)
 def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_path, monkeypatch):
     status, said, _ = new("a-01", "--string-id", "s1", samples=GOOD)
     folder = tmp_path / "raw" / "a-01"
-    assert status == 0 and "snakemake reads raw/ alone: diagnose it by" in said
-    assert f"python -m pipeline.diagnose {folder} --out reports/mine" in said
+    assert status == 0 and f"\n{folder} is there.\nNext: " in said
+    alone = f"python -m pipeline.diagnose {folder} --out reports/mine"
+    assert f"Next: diagnose it, as snakemake reads raw/ alone: {alone}\n" in said
     monkeypatch.chdir(tmp_path)
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
-    assert status == 0 and "make its reports with: snakemake --cores 2 (quick, with small fits" in said
-    assert "no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables), or ask only what" in said
+    small = "quick, small fits that are no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables"
     both = f"{folder} {folder.with_name('a-02')} --together --out reports/mine/a-02"
-    assert f"leaves out: python -m pipeline.diagnose {both}" in said
+    reports = [
+        "make its reports: snakemake --cores 2",
+        f"  {small}",
+        "  or ask only what the simulator leaves out: python -m pipeline.diagnose",
+    ]
+    assert status == 0 and f"\nNext: {chr(10).join(reports)} {both}\n" in said
     status, said, _ = new("a-03", "--string-id", "s1")
     folder = folder.with_name("a-03")
-    assert (
-        status == 0
-        and f"python -m pipeline.capture PORT {folder} " in said
-        and "; then make its reports with: " in said
-    )
     runs = " ".join(str(folder.with_name(f"a-0{number}")) for number in (1, 2, 3))
-    assert f"python -m pipeline.diagnose {runs} --together --out reports/mine/a-03" in said
+    assert status == 0 and said.splitlines()[:6] == [
+        f"{folder} is there; nothing is recorded in it yet.",
+        f"Next: record into it: python -m pipeline.capture PORT {folder}",
+        "  (add --text where the rig prints lines of numbers)",
+        f"Then: {reports[0]}",
+        *reports[1:2],
+        f"{reports[2]} {runs} --together --out reports/mine/a-03",
+    ]
 
 
 def made_like(tmp_path, monkeypatch, capsys, *more):
@@ -329,8 +337,8 @@ def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp
 
 def test_a_tolerance_is_read_back_in_the_unit_of_what_it_belongs_to(new):
     _, said, _ = new("a-01", "--tolerance", "{radius: 0.02, length_mm: 0.5}", samples=GOOD)
-    assert "radius 0.4 mm ± 0.008 mm (a share: 2 %); separator 8 mm ± 0.5 mm (default); " in said
-    assert "; length 400 mm ± 0.5 mm; scale 1 ± 0.005 (a share: 0.5 %, default); " in said
+    assert "\n  radius 0.4 mm ± 0.008 mm (a share: 2 %)\n  separator 8 mm ± 0.5 mm (default)\n" in said
+    assert "\n  length 400 mm ± 0.5 mm\n  scale 1 ± 0.005 (a share: 0.5 %, default)\n" in said
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from .description import Run
 
 
 def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
-    """One line: how many samples, and each channel with its column, its unit there, and its range in our units.
+    """How many samples, and a line each channel with its column, its unit there, and its range in our units.
 
     `samples` are the table with a column a channel, as `to_samples` gives it.
     """
@@ -21,4 +21,4 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
         parts += [f"in {channel.unit}"] if channel and channel.unit else []
         whence = f" ({' '.join(parts)})" if parts else ""
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
-    return f"{path.name} has {len(samples)} samples: {'; '.join(sentences)}"
+    return "\n  ".join([f"{path.name} has {len(samples)} samples. They are read as:", *sentences])

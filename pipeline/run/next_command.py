@@ -1,4 +1,4 @@
-"""The command that comes next for a run folder that was just made or recorded."""
+"""The commands that come next for a run folder that was just made or recorded."""
 
 import shlex
 from collections.abc import Sequence
@@ -7,11 +7,11 @@ from pathlib import Path
 from ..ground.command import INSTALLED, command
 
 MAIN = "snakemake --cores 2"
-QUICK = "quick, with small fits that are no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables"
+QUICK = "  quick, small fits that are no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables"
 
 
-def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> str:
-    """What is done next with a run folder: the main job, which is in the checkout, finds runs in raw/ alone.
+def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> list[str]:
+    """What is done next with a run folder, a line each: the main job, of a checkout, finds runs in raw/ alone.
 
     A run is diagnosed together with the `others` of the same string, so that what is learnt holds for all of them.
     """
@@ -20,12 +20,12 @@ def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> str:
         diagnose = f"{diagnose} --together --out {shlex.quote(str(Path('reports/mine') / folder.name))}"
     else:
         diagnose = f"{diagnose} --out reports/mine"
-    alone = f"or ask only what the simulator leaves out: {diagnose}"
-    in_raw = not INSTALLED and folder.parent.resolve() == Path("raw").resolve()
-    if not recorded:
-        capture = f"{command('capture')} PORT {shlex.quote(str(folder))}"
-        then = f"then make its reports with: {MAIN} ({QUICK}), {alone}" if in_raw else f"then diagnose it by {diagnose}"
-        return f"record into it with: {capture} (add --text where the rig prints lines of numbers); {then}"
-    if in_raw:
-        return f"make its reports with: {MAIN} ({QUICK}), {alone}"
-    return f"diagnose it by {diagnose}" if INSTALLED else f"snakemake reads raw/ alone: diagnose it by {diagnose}"
+    if not INSTALLED and folder.parent.resolve() == Path("raw").resolve():
+        reports = [f"make its reports: {MAIN}", QUICK, f"  or ask only what the simulator leaves out: {diagnose}"]
+    else:
+        reports = [f"diagnose it{'' if INSTALLED else ', as snakemake reads raw/ alone'}: {diagnose}"]
+    if recorded:
+        return [f"Next: {reports[0]}", *reports[1:]]
+    capture = f"{command('capture')} PORT {shlex.quote(str(folder))}"
+    text = "  (add --text where the rig prints lines of numbers)"
+    return [f"Next: record into it: {capture}", text, f"Then: {reports[0]}", *reports[1:]]

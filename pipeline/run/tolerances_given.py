@@ -40,7 +40,7 @@ def tolerances(run: Run) -> Iterator[Tolerance]:
 
 
 def read_back(run: Run) -> str:
-    """One line with each dimension, its tolerance in its own unit, and which of them nobody gave."""
+    """A line each dimension: its tolerance in its own unit, and whether nobody gave it."""
     parts = []
     for tolerance in tolerances(run):
         name, unit = tolerance.key.removesuffix(f"_{tolerance.unit}").replace("_", " "), f" {tolerance.unit}".rstrip()
@@ -48,7 +48,7 @@ def read_back(run: Run) -> str:
         notes += [] if tolerance.given else ["default"]
         note = f" ({', '.join(notes)})" if notes else ""
         parts.append(f"{name} {tolerance.value:.4g}{unit} ± {tolerance.sigma:.3g}{unit}{note}")
-    return f"Tolerances, one sigma each: {'; '.join(parts)}." if parts else ""
+    return "\n  ".join(["Tolerances, one sigma each:", *parts]) if parts else ""
 
 
 def tolerance_questions(run: Run, path: Path) -> list[BadInput]:

@@ -12,13 +12,13 @@ LIFE = 12  # strokes from which a forecast of a string's life is made; a test ho
 
 
 def next_steps(folder: Path, strokes: int, anew: bool = False) -> list[str]:
-    """Two lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput.
+    """Lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput.
 
     `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none.
     """
     run = read_run(folder)
     others = others_recorded(folder, run)
-    lines = [f"Next: {following(folder, recorded=True, others=others)}"]
+    lines = following(folder, recorded=True, others=others)
     if run.string is None:
         return lines
     if others or strokes >= LIFE:

@@ -50,8 +50,8 @@ def test_the_pages_example_is_imported_and_says_what_comes_next(tmp_path):
     command, following = re.search(r"```sh\n(.*)\n(.*)\n```", PAGE).groups()
     done = program(command, tmp_path)
     diagnose = "python -m pipeline.diagnose raw/nylon-20261121-01 --out reports/mine"
-    alone = f"or ask only what the simulator leaves out: {diagnose}"
-    assert done.stdout.splitlines()[-1] == f"make its reports with: {following} ({QUICK}), {alone}"
+    alone = f"  or ask only what the simulator leaves out: {diagnose}"
+    assert done.stdout.splitlines()[-3:] == [f"Next: make its reports: {following}", QUICK, alone]
     folder = tmp_path / "raw" / "nylon-20261121-01"
     _, samples = read_samples(folder)
     for name in ("time_s", "motor_turns", "displacement_mm"):

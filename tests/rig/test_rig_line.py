@@ -105,7 +105,7 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
         assert "write `tare: run` in run.yaml of example-2" in second
         both = "raw/example-1 raw/example-2"
         alone = f"python -m pipeline.diagnose {both} --together --out reports/mine/example-2\n"
-        assert f"or ask only what the simulator leaves out: {alone}Next: ask how long" in second
+        assert f"  or ask only what the simulator leaves out: {alone}Next: ask how long" in second
         assert second.endswith(f"by: python -m pipeline.lifespan {both} --out reports/mine\n")
         assert rig.stdout.readline() == "rig: recording 1 is recorded\n" and "example-2 --like" in rig.stdout.readline()
         assert rig.stdout.readline() == "rig: recording 2 is recorded\n"
