@@ -4,8 +4,8 @@ The model is fitted to the points of the material's dataset, held out or not, an
 (`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist that was not
 recorded around its load, or further ahead of the last recorded stroke than errors could be learnt, is answered, flagged
 (`inside` false, its reason in `why`) and given infinite bounds. With `--saved` a model that was fitted before answers,
-as its export does and without intervals. No question tells how long the string has stood: holds and rests are asked of
-`simulate --motion`.
+as its export does and without intervals; the same questions are flagged. No question tells how long the string has
+stood: holds and rests are asked of `simulate --motion`.
 """
 
 import sys
@@ -30,6 +30,7 @@ from .models.interface import about, usual
 from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
 from .models.parts.questions import ASKED, EITHER, by_known, read_questions
 from .models.parts.recorded_pairs import pairs_of
+from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
 from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
@@ -112,9 +113,9 @@ def main() -> None:
         strings = points["string"].unique()
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
-        pairs = pairs_of(dataset)
+        pairs, strokes = pairs_of(dataset), last_strokes(dataset)
         table = beside_questions(
-            points, columns, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs)
+            points, columns, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs, strokes)
         )
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:

@@ -233,14 +233,14 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     """Header and `predict` side by side gave slightly other numbers: one was fitted to fewer points."""
     points = pd.read_parquet(dataset)
     file = saved_model(dataset, points[points["block"] % 4 != 0], name, "within-0")
-    text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n12,1,9\n13,1,9\n2,1,90\n"
+    text = "stroke,direction,motor_turns\n2,1,9\n5,-1,14\n8,1,9\n13,1,9\n2,1,90\n"
     done = ask(dataset, text, "--saved", str(file))
     assert done.returncode == 0, done.stderr
     assert "without intervals; 2 of them outside of its export or of what was recorded." in done.stdout
     table = pd.read_csv(dataset.with_name("answers.csv"))
     assert table.columns.tolist() == ["motor_turns", "stroke", "direction", "displacement_mm", "inside", "why"]
     source = opened(file, None, Beside(dataset=dataset))
-    queries = np.array([[9, 2, 1], [14, 5, -1], [9, 12, 1]], float)
+    queries = np.array([[9, 2, 1], [14, 5, -1], [9, 8, 1]], float)
     meant = source.model.forward(source.inputs.points("motor_turns", queries))
     np.testing.assert_allclose(table["displacement_mm"][:3], meant, rtol=1e-5)
     assert table["inside"].tolist() == [True, True, True, False, False]
@@ -248,6 +248,29 @@ def test_a_saved_model_answers_as_itself_within_the_ranges_of_its_export(dataset
     assert table["why"][3] == "stroke 13 is above 12, the most that the export takes (TSA_BAD_STROKE)"
     words = r"twist 90 turns is above [\d.]+, the most that the export takes \(TSA_BAD_MOTOR_TURNS\)"
     assert re.fullmatch(words, table["why"][4]) and table["why"][:3].isna().all()
+
+
+def test_a_stroke_too_far_ahead_of_a_saved_model_is_flagged_as_it_is_of_one_that_is_fitted_anew(dataset: Path) -> None:
+    """Stroke 12 of a string of 6 was answered as inside, and nothing said that no error was ever measured there."""
+    points = pd.read_parquet(dataset)
+    text = "stroke,direction,motor_turns\n6,1,9\n8,1,9\n9,1,9\n12,-1,9\n13,1,9\n"
+    flagged = {}
+    for stem, known in (("far-0", points), ("later-0", points[points["stroke"] <= 5])):
+        file = saved_model(dataset, known, "spline", stem)
+        done = ask(dataset, text, "--saved", str(file))
+        assert done.returncode == 0, done.stderr
+        table = pd.read_csv(dataset.with_name("answers.csv"))
+        flagged[stem] = table["inside"].tolist()
+        assert np.isfinite(table["displacement_mm"]).all()
+        last = known["stroke"].max()
+        reason = (
+            f"stroke 9 is {9 - last} after {last}, the last that the model was fitted to; errors were measured up to 2 strokes"
+            " ahead: a string tells as many as it has strokes beyond its first 4, at most 3; the export answers, by the"
+            " model's law of n"
+        )
+        assert table["why"][2] == reason and f"  row 3: {reason}\n" in done.stdout
+        assert "TSA_BAD_STROKE" in table["why"][4] and "law of n" not in table["why"][4]
+    assert flagged == {"far-0": [True, True, False, False, False], "later-0": [True, False, False, False, False]}
 
 
 def test_a_file_of_questions_that_is_not_there_is_said_to_be_missing(dataset: Path) -> None:

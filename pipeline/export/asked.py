@@ -1,8 +1,10 @@
 """Questions answered by a saved model in Python, within the ranges of its export: what header and graphs say.
 
-They check each number alone. A pair of numbers around which nothing was recorded they answer, and it is flagged here.
+They check each number alone. A pair of numbers around which nothing was recorded they answer, and so they do a stroke
+that is further ahead than errors were measured: both are flagged here.
 """
 
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -15,22 +17,30 @@ from ..models.interface import about
 from ..models.parts.beyond import also, beyond, held, with_unit
 from ..models.parts.reach import reached_mm, unreached
 from ..models.parts.recorded_pairs import Paired
+from ..models.parts.rolling_origin import too_far
 from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source
 
 NEAR = 1e-6  # of the range: a twist that was brought to its end
 UNCHECKED = "the export answers, as it checks each number alone"
+FURTHER = "the export answers, by the model's law of n"
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 
 
 def answers(
-    source: Source, points: pd.DataFrame, known: str, file: Path, pairs: tuple[Paired, ...] = ()
+    source: Source,
+    points: pd.DataFrame,
+    known: str,
+    file: Path,
+    pairs: tuple[Paired, ...] = (),
+    strokes: Mapping[str, int] | None = None,
 ) -> pd.DataFrame:
     """The value of each question, in the answer's unit, whether it is `inside`, and `why` not.
 
-    Inside is what the export would answer, and what was recorded: an export checks each number alone, `pairs` are those
-    that were recorded. `points` have the dataset's columns, of which `known` is the twist or the contraction that is
-    asked about. Raises BadInput for a column that the model reads and the dataset of the `file` lacks.
+    Inside is what the export would answer and what was recorded: an export checks each number alone, `pairs` are those
+    that were recorded, `strokes` the last one of each string, after which errors were measured so many strokes ahead.
+    `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
+    BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
     value = np.asarray(getattr(source.model, MAPS[known])(points), float)
     why = np.full(len(points), "", object)
@@ -51,13 +61,27 @@ def answers(
         for row, least_mm, most_mm in zip(rows, *reached, strict=True):
             why[row] = f"{held(value[row], float(least_mm), float(most_mm))} (TSA_HELD)"
     turns = points["motor_turns"].to_numpy(float) if known == "motor_turns" else value
+    refused = why != ""
     for paired in pairs:
         for row, reason in enumerate(paired.never(points, turns)):
             why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")
+    for row, reason in _too_far(source, points, strokes or {}):
+        why[row] = why[row] if refused[row] else also(why[row], f"{reason}; {FURTHER}")
     inside = why == ""
     for paired in pairs:
         why[:] = [also(*both) for both in zip(why, paired.gaps(points), strict=True)]
     return pd.DataFrame({ANSWER[known]: value, "inside": inside, "why": why})
+
+
+def _too_far(source: Source, points: pd.DataFrame, strokes: Mapping[str, int]) -> Iterator[tuple[int, str]]:
+    """Places and reasons of the questions further ahead than errors were measured, by a model of its last stroke."""
+    if source.foreseen is None:
+        return
+    trained, ahead = source.inputs.last_stroke, source.foreseen[1]
+    for row, (string, stroke) in enumerate(zip(points["string"].astype(str), points["stroke"], strict=True)):
+        last = min(strokes.get(string, trained), trained)
+        if stroke > last + ahead:
+            yield row, too_far(stroke, last, ahead, "the last that the model was fitted to")
 
 
 def _reason(source: Source, field: Field, value: object) -> str:

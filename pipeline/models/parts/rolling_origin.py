@@ -15,6 +15,14 @@ def most_ahead(strokes: int) -> int:
     return max(0, min(AHEAD, strokes - LEAST_STROKES))
 
 
+def too_far(stroke: float, last: float, ahead: int, last_is: str = "the last recorded") -> str:
+    """Say that a stroke is further after the last one than the `ahead` strokes for which errors could be measured."""
+    rule = f"a string tells as many as it has strokes beyond its first {LEAST_STROKES}, at most {AHEAD}"
+    measured = f"up to {ahead} stroke{'s' * (ahead > 1)} ahead" if ahead else "in recorded strokes only"
+    after = f"stroke {stroke:.0f} is {stroke - last:.0f} after {last:.0f}, {last_is}"
+    return f"{after}; errors were measured {measured}: {rule}"
+
+
 def last_strokes(points: pd.DataFrame) -> dict[str, int]:
     """The last stroke of each string."""
     return {str(string): int(last) for string, last in points.groupby("string")["stroke"].max().items()}

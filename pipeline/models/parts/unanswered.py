@@ -15,7 +15,7 @@ from .beyond import also, beyond, held
 from .prediction_intervals import Intervals
 from .reach import reached_mm
 from .recorded_pairs import around
-from .rolling_origin import AHEAD, LEAST_STROKES
+from .rolling_origin import too_far
 
 SHOWN = 5  # questions of which the reason is printed; the file has all
 
@@ -81,13 +81,5 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
         return f"material {value} was not recorded; recorded: {', '.join(box.materials)}"
     number = float(value)  # type: ignore[arg-type]
     if name == "stroke" and number > last:
-        return f"stroke {number:.0f} is {number - last:.0f} after {last:.0f}, the last recorded; {_measured(ahead)}"
+        return too_far(number, last, ahead)
     return beyond(name, number, box.low[name], box.high[name], "was recorded")
-
-
-def _measured(ahead: int) -> str:
-    """How many strokes after the last recorded one an error could be measured."""
-    rule = f"a string tells as many as it has strokes beyond its first {LEAST_STROKES}, at most {AHEAD}"
-    if not ahead:
-        return f"errors were measured in recorded strokes only: {rule}"
-    return f"errors were measured up to {ahead} stroke{'s' * (ahead > 1)} ahead: {rule}"
