@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass, field
 
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
+from .told_lines import are, counted
 from .unnamed import UNSURE, Unnamed, named
 
 LISTED = 1000  # so many places are kept; all are counted
@@ -160,17 +161,22 @@ class Lines:
     def counts(self) -> str:
         """How many lines are samples, and how many are not."""
         if not self.columns and self.unnamed.count:
-            words = f"{self.unnamed.count} lines of numbers are kept, and nothing names their columns"
-            return words + (f"; {self.text} lines of text, {self.bad} bad" if self.text + self.bad else "")
+            kept = self.unnamed.count
+            words = f"{counted(kept, 'line')} of numbers {are(kept)} kept, and nothing names the columns"
+            return words + (f"; {counted(self.text, 'line')} of text, {self.bad} bad" if self.text + self.bad else "")
         before = f", {self.unnamed.count} before their names" if self.unnamed.count else ""
-        return f"{self.good} lines are read, {self.not_read} are not ({self.text} of text, {self.bad} bad{before})"
+        read = f"{counted(self.good, 'line')} {are(self.good)} read, {self.not_read} {are(self.not_read)} not"
+        return f"{read} ({self.text} of text, {self.bad} bad{before})"
 
     def problem(self, seconds: float = 0.0, recover: str = "") -> tuple[str, str]:
         """Why no line is read, and the mend by command `recover`; the lines came in so many seconds."""
         count, between, line = self.wrong
         to_name = f"name them in the order in which the rig prints them: {recover or 'add'}"
         if not count:
-            return f"{self.text + self.bad} lines came, and none of numbers", "check --baud, and what the rig prints"
+            return (
+                f"{counted(self.text + self.bad, 'line')} came, and none of numbers",
+                "check --baud, and what the rig prints",
+            )
         if self._foreign:
             return "the rig has named other columns since", "reset it, or end the run and begin another"
         columns = self._expected

@@ -15,6 +15,11 @@ def counted(count: int, what: str) -> str:
     return f"{count} {what}{'s' * (count != 1)}"
 
 
+def are(count: int) -> str:
+    """The verb of so many things."""
+    return "is" if count == 1 else "are"
+
+
 def missing(holes: list[Lost]) -> str:
     """Where samples seem to be missing: holes of the same size are told together, by the first of them."""
     sizes: dict[int, list[float]] = {}

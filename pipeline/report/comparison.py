@@ -13,7 +13,7 @@ from .agreement import agreement
 from .made_by import MadeBy
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
-from .stroke_conditions import add_dataset, dataset_from, later_apart
+from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
 from .strokes_there import missing_of, shown_of, tabled, there_of
 from .titles import titles_of
 
@@ -93,14 +93,18 @@ def another_rig(mark: MadeBy) -> str:
 
 
 def comparison(
-    metrics: pd.DataFrame, material: str, titles: dict[str, str], apart: str = "", mark: MadeBy = UNKNOWN
+    metrics: pd.DataFrame,
+    material: str,
+    titles: dict[str, str],
+    mark: MadeBy = UNKNOWN,
+    dataset: pd.DataFrame | None = None,
 ) -> str:
-    """Text of comparison.md of one material; `apart` says in what later strokes differ from what the models saw."""
+    """Text of comparison.md of one material; the points of `dataset` say in what its strokes differ."""
     whole = metrics[metrics["angle_band"] == "all"]
     strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
     strokes = [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)]
     which = [shown_of(strokes_there, paper.STROKES, material), missing_of(strokes_there, paper.STROKES)]
-    missing = " ".join(filter(None, which))
+    missing, apart = " ".join(filter(None, [*which, otherwise(dataset)])), later_apart(dataset)
     is_other_rig = material == SYNTHETIC and bool(mark.rig)
     why_off = another_rig(mark) if is_other_rig else why_apart(whole, material)
     why = [why_off, ""] if why_off else []
@@ -136,9 +140,9 @@ def main() -> None:
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
-    apart = later_apart(dataset_from(arguments.dataset))
+    dataset = dataset_from(arguments.dataset)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    write_page(arguments.out, comparison(metrics, material, titles_of(arguments.titles), apart, mark), mark)
+    write_page(arguments.out, comparison(metrics, material, titles_of(arguments.titles), mark, dataset), mark)
 
 
 if __name__ == "__main__":

@@ -83,9 +83,10 @@ def to_do_of(folder: Path) -> str:
     return " ".join(below.partition("\n\n")[0].partition("\n")[2].split())
 
 
-def adopts_nothing(folder: Path) -> bool:
-    """Whether a verdict advises against adopting anything."""
-    return "Adopt nothing:" in to_do_of(folder)
+def why_nothing(folder: Path) -> str:
+    """Why a verdict advises against adopting anything, in its own words; empty where it does not."""
+    reason = re.search(r"Adopt nothing: (.*?)(?=\.(\s|$))", to_do_of(folder))
+    return reason.group(1) if reason else ""
 
 
 def next_recording(folder: Path) -> str:

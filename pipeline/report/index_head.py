@@ -11,19 +11,20 @@ from .diagnoses import (
     UNDECIDED,
     VERDICTS,
     Content,
-    adopts_nothing,
     content_of,
     named_of,
     next_recording,
     sizes,
     tag,
     verdict_of,
+    why_nothing,
 )
 from .to_take import materials_table
 from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
 LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict
+NAMING = ("explained", "ambiguous")  # verdicts that name physics
 UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
 Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
 
@@ -41,12 +42,19 @@ def next_run(content: Content | None, folder: Path) -> str:
     return shortened(str((content or {}).get("next_experiment") or next_recording(folder)))
 
 
+def advice(verdict: str, folder: Path) -> str:
+    """That nothing is to be adopted, why, and what the verdict says all the same; empty where this is not advised."""
+    why = why_nothing(folder)
+    fits = "explains what was recorded, but " if verdict in NAMING else ""
+    return f"{fits}adopt nothing: {why}" if why else ""
+
+
 def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mapping[str, str], name: Name) -> Markup:
     """Each run's material, verdict, what it names, its sizes and the run to make next."""
     rows: list[list[Text]] = []
     for run, content in contents.items():
         folder = reports / "diagnosis" / run
-        names = Markup("<br>").join(filter(None, [named_of(content), "adopt nothing" * adopts_nothing(folder)]))
+        names = Markup("<br>").join(filter(None, [named_of(content), advice(verdict_of(content), folder)]))
         rows.append([name(run), of.get(run, ""), tag(verdict_of(content)), names])
         rows[-1] += [*sizes(content), next_run(content, folder)]
     head = ["Run", "Material", "Verdict", "Left out of the simulator", *SIZES, "Next run"]

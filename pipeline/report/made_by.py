@@ -31,6 +31,11 @@ class MadeBy:
     changed: tuple[str, ...] = ()
     rig: str = ""
 
+    @property
+    def version(self) -> str:
+        """The hash in words: two configurations of one name are the same where it is."""
+        return f"checksum of its settings {self.digest}"
+
     def packed(self) -> str:
         """All of it as one line of JSON, for a command line."""
         return json.dumps(asdict(self), sort_keys=True, ensure_ascii=False)
@@ -118,7 +123,7 @@ def sentence(mark: MadeBy) -> str:
         return "Made by hand: which configuration made its numbers is not known."
     rig = f" It records another synthetic rig: {mark.rig}." if mark.rig else ""
     fits = rig + (f" Fits: {mark.fits}." if mark.fits else "")
-    name = f"{mark.name} ({mark.digest})"
+    name = f"{mark.name} ({mark.version})"
     if mark.kind == "default":
         return f"Made by the default configuration, {name}.{fits}"
     if mark.kind == "small" and mark.fits:
@@ -133,7 +138,7 @@ def sentence(mark: MadeBy) -> str:
 def warning(mark: MadeBy) -> str:
     """The few words that stand on a figure or in a caption; empty for the default configuration."""
     heads = {"small": "small fit: not a result", "own": "your own configuration"}
-    return f"{heads[mark.kind]}, {mark.name} {mark.digest}" if mark.kind in heads else ""
+    return f"{heads[mark.kind]}, {mark.name} ({mark.version})" if mark.kind in heads else ""
 
 
 def called(files: list[str], options: bool) -> str:

@@ -12,16 +12,15 @@ from ..ground.files import write_text
 from . import paper
 from .comparison import line
 from .fitted import FLOORS, SPLITS, lines_on_files
+from .least import sentences
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .sidecar import Column, describe
-from .stroke_conditions import add_dataset, dataset_from, later_apart
+from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
 from .titles import titles_of
 from .usual_model import USUAL, to_take, weighed
 
-NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
 WHERE = ["stroke", "phase", "angle_band"]
-PAPER = "inn"  # the model whose defeats are told
 COLUMNS: list[Column] = [
     ("model", "string", "file of the model, or a floor"), ("title", "string", "its title"),
     ("direction", "boolean", "whether it knows winding from unwinding"),
@@ -108,32 +107,6 @@ def table(chosen: pd.DataFrame) -> list[str]:
     return lines
 
 
-def _named(rows: pd.DataFrame, words: Iterable[str]) -> str:
-    """Titles, each with a few words in brackets."""
-    return "; ".join(f"{plain(title)} ({word})" for title, word in zip(rows["title"], words, strict=True))
-
-
-def sentences(chosen: pd.DataFrame) -> list[str]:
-    """What one split and map says of all held-out points: to whom the INN loses, and who is near the floor."""
-    models = chosen[(chosen["column"] == "all") & ~chosen["model"].isin(FLOORS)].sort_values("median")
-    way, unit, split = chosen["map"].iloc[0], chosen["unit"].iloc[0], SPLITS[chosen["split"].iloc[0]]
-    text = []
-    for _, inn in models[models["model"] == PAPER].iterrows():
-        better = models[models["median"] < inn["median"]]
-        words = [
-            f"{row['median']:.3f} vs {inn['median']:.3f} {unit}"
-            + (", knows the direction" if row["direction"] and not inn["direction"] else "")
-            + (", within the spread of the seeds" if row["high"] >= inn["low"] else "")
-            for _, row in better.iterrows()
-        ]
-        whom = f"to: {_named(better, words)}." if words else "to no model."
-        text.append(f"The {plain(inn['title'])} loses {way}, {split}, {whom}")
-    near = models[models["direction"] & (models["ratio"] <= NEAR[way])]
-    goal = f"Of the models that know the direction, within {NEAR[way]:.2f} × their floor {way}, {split}"
-    text.append(f"{goal}: {_named(near, [f'{ratio:.2f}' for ratio in near['ratio']]) or 'none'}.")
-    return text
-
-
 def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     """Lines that name the model to take, and one that errs less on strokes like the recorded ones; none without it."""
     whole = table_of[(table_of["column"] == "all") & ~table_of["model"].isin(FLOORS)]
@@ -146,9 +119,11 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     return [f"{to_take(f'**{titles[USUAL]}**')}. {less}".strip(), ""]
 
 
-def page(table_of: pd.DataFrame, material: str, apart: str = "") -> str:
-    """Text of models.md of one material, from the table of `numbers`; `apart` says in what later strokes differ."""
+def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = None) -> str:
+    """Text of models.md of one material, from the table of `numbers`; the points say in what its strokes differ."""
     text = [f"# {plain(material)}: every model beside the floor of the data", "", *on_model_to_take(table_of), NOTES]
+    differ, apart = otherwise(dataset), later_apart(dataset)
+    text += [differ, ""] if differ else []
     for split, name in SPLITS.items():
         for way in paper.MAPS.values():
             chosen = table_of[(table_of["split"] == split) & (table_of["map"] == way)]
@@ -179,8 +154,8 @@ def main() -> None:
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    apart = later_apart(dataset_from(arguments.dataset))
-    text = "\n".join([page(table_numbers, material, apart), *lines_on_files(metrics, material)])
+    dataset = dataset_from(arguments.dataset)
+    text = "\n".join([page(table_numbers, material, dataset), *lines_on_files(metrics, material)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)

@@ -10,7 +10,9 @@ from ..ground import schemas
 from .strokes_there import ranges
 
 APART = "Later strokes under other conditions"
-KINDS = (("load_n", "at ", "N", "load"), ("top_turns", "to ", "turns", "twist"))
+OTHERWISE = "Recorded under other conditions"
+Kind = tuple[str, str, str, str]  # column, and in words: what stands before a size, its unit, what it is
+KINDS: tuple[Kind, ...] = (("load_n", "at ", "N", "load"), ("top_turns", "to ", "turns", "twist"))
 NEAR = 0.05  # of a load or a twist: what differs by less is the same
 
 
@@ -34,6 +36,11 @@ def _between(values: Iterable[float], unit: str) -> str:
     """Some sizes in words: 20 N, 16 to 20 turns."""
     low, high = (f"{size(values):.3g}" for size in (min, max))
     return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
+
+
+def _in_words(by_stroke: pd.DataFrame, kinds: Iterable[Kind]) -> str:
+    """Under which load and to which twist: at 20 N and to 16 turns."""
+    return " and ".join(f"{word}{_between(by_stroke[column], unit)}" for column, word, unit, _ in kinds)
 
 
 def _is_other_load(load_n: float, known: Iterable[float]) -> bool:
@@ -60,15 +67,40 @@ def later_apart(dataset: pd.DataFrame | None) -> str:
         return ""
     strokes = sorted({int(stroke) for _, stroke in others.index})
     kinds = [kind for kind, are_others in zip(KINDS, (loads.any(), twists.any()), strict=True) if are_others]
-    theirs, usual = (
-        " and ".join(f"{word}{_between(part[column], unit)}" for column, word, unit, _ in kinds)
-        for part in (others, seen)
-    )
+    theirs, usual = _in_words(others, kinds), _in_words(seen, kinds)
     what = " and ".join(f"another {kind}" for *_, kind in kinds)
     return (
         f"{APART}: n={ranges(strokes)} {'was' if len(strokes) == 1 else 'were'} recorded {theirs}, the others "
         f"{usual}. So these errors on later strokes are of {what} as well."
     )
+
+
+def _usual(sizes: pd.Series) -> float:
+    """The size that most strokes have, or nearly."""
+    return float(max(sizes, key=lambda size: (abs(sizes - size) <= NEAR * abs(size)).sum()))
+
+
+def otherwise(dataset: pd.DataFrame | None, strokes: Iterable[int] | None = None) -> str:
+    """A sentence on strokes of another load or twist than most have, of the named ones alone; empty where none is."""
+    if dataset is None:
+        return ""
+    by_stroke = conditions(dataset)
+    usual_n, usual_turns = _usual(by_stroke["load_n"]), _usual(by_stroke["top_turns"])
+    loads = by_stroke["load_n"].map(lambda load_n: _is_other_load(load_n, [usual_n]))
+    twists = by_stroke["top_turns"].map(lambda top_turns: _is_other_twist(top_turns, [usual_turns]))
+    number = by_stroke.index.get_level_values("stroke")
+    is_shown = number.isin(list(number if strokes is None else strokes))
+    is_other = loads | twists
+    others, rest = by_stroke[is_other & is_shown], by_stroke[~is_other]
+    if others.empty or rest.empty:
+        return ""
+    kinds = [kind for kind, are in zip(KINDS, (loads, twists), strict=True) if are[is_shown].any()]
+    by_condition: dict[str, list[int]] = {}
+    for at, condition in others.groupby(level="stroke"):
+        by_condition.setdefault(_in_words(condition, kinds), []).append(int(at))
+    named = "; ".join(f"n={ranges(numbers)} {words}" for words, numbers in by_condition.items())
+    in_part = " (of some strings)" * bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
+    return f"{OTHERWISE}: {named}{in_part}; the others {_in_words(rest, kinds)}."
 
 
 def labels(points: pd.DataFrame, strokes: list[int]) -> dict[int, str]:

@@ -3,11 +3,13 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from . import paper
 from .diagnoses import verdicts
 from .fitted import lines_at_end
 from .plain_markdown import spoken
 
 PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
+TABLE_FORMS = ("csv", "md", "tex")
 FIGURES = ("figure_4.png", "figure_5.png")
 WHOLE = {
     "index.html": "the way to all of it", "campaign/campaign.html": "what a new string teaches a model",
@@ -17,11 +19,13 @@ WHOLE = {
 
 def of_material(folder: Path, paths: set[Path]) -> list[str]:
     """Both tables of a material, its other pages and its fitted models; nothing of what was not asked for."""
+    names = {f"Table {'I' * number}": f"table_{number}" for number in paper.TABLES}
     text = [
-        spoken((folder / name).read_text(encoding="utf-8"))
-        for name in ("table_1.md", "table_2.md")
-        if folder / name in paths
+        spoken(path.read_text(encoding="utf-8")) for stem in names.values() if (path := folder / f"{stem}.md") in paths
     ]
+    for name, stem in names.items():
+        files = [str(path) for suffix in TABLE_FORMS if (path := folder / f"{stem}.{suffix}") in paths]
+        text += [f"{name}: {', '.join(files)}"] if files else []
     figures = [str(folder / name) for name in FIGURES if folder / name in paths]
     if figures:
         text.append(f"figures: {', '.join(figures)}")

@@ -17,7 +17,7 @@ from .made_by import MadeBy, sentence, warning
 from .marks import add_mark, mark_from
 from .plain_markdown import note, plain
 from .sidecar import Column, describe
-from .stroke_conditions import add_dataset, dataset_from
+from .stroke_conditions import add_dataset, dataset_from, otherwise
 from .strokes_there import missing_of, rows_of, shown_of, tabled, there_of
 from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
 from .titles import titles_of
@@ -91,21 +91,22 @@ def write(
     folder: Path,
     gone: Sequence[LeftOut] = (),
     jumped: Sequence[str] = (),
-    runs: Sequence[str] = (),
+    dataset: pd.DataFrame | None = None,
 ) -> None:
     """Write one table in all three forms; csv keeps the paper's strokes, the others show those that are there."""
     material, stem = str(metrics["material"].iloc[0]), folder / f"table_{number}"
     strokes = there_of(shown(metrics, number)["stroke"])
     printed = rows(metrics, number, titles, tabled(strokes, paper.STROKES))
-    what = of_what(metrics, number, titles, runs)
-    shown_strokes = shown_of(strokes, paper.STROKES, material)
-    which = [words for words in (shown_strokes, missing_of(strokes, paper.STROKES)) if words]
+    what = of_what(metrics, number, titles, [] if dataset is None else sorted(dataset["run"].unique()))
+    apart = otherwise(dataset, tabled(strokes, paper.STROKES))
+    strokes_told = shown_of(strokes, paper.STROKES, material), apart, missing_of(strokes, paper.STROKES)
+    which = [words for words in strokes_told if words]
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
     notes = (plain(what), *which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))
     write_text(stem.with_suffix(".md"), to_markdown(number, printed, warning(mark), notes))
     label = f"tab:{material}-{paper.MAPS[number]}"
-    apart = (*left_out.beneath("tex", gone), *jumps.beneath("tex", jumped))
-    notes = (" ".join([what, *which]), *apart, sentence(mark))
+    excepted = (*left_out.beneath("tex", gone), *jumps.beneath("tex", jumped))
+    notes = (" ".join([what, *which]), *excepted, sentence(mark))
     write_text(stem.with_suffix(".tex"), to_latex(number, printed, label, warning(mark), notes))
     title = f"Table {'I' * number}: {paper.TITLES[number].lower()}, {material}"
     describe(stem.with_suffix(".csv"), title, columns(number, material), mark)
@@ -126,9 +127,8 @@ def main() -> None:
     metrics, gone = schemas.read(arguments.metrics, schemas.METRICS), left_out.told(arguments)
     titles, mark = titles_of(arguments.titles), mark_from(arguments.made_by)
     dataset, jumped = dataset_from(arguments.dataset), read_jumps(arguments.jumps)
-    runs = [] if dataset is None else sorted(dataset["run"].unique())
     for number in paper.TABLES:
-        write(metrics, number, titles, mark, arguments.out_dir, gone, jumped, runs)
+        write(metrics, number, titles, mark, arguments.out_dir, gone, jumped, dataset)
 
 
 if __name__ == "__main__":

@@ -115,9 +115,8 @@ def main() -> None:
     for recorded_run in recorded:
         lossy = touched(recorded_run.strokes, checked_info(recorded_run.folder))
         if lossy:
-            print(
-                f"{recorded_run.run.run}: samples are missing in strokes {', '.join(map(str, sorted(lossy)))}", end=": "
-            )
+            named = f"stroke{'s' * (len(lossy) > 1)} {', '.join(map(str, sorted(lossy)))}"
+            print(f"{recorded_run.run.run}: samples are missing in {named}", end=": ")
             print("kept all the same" if arguments.keep_lossy else "left out")
             strokes_left[recorded_run.run.run] = frozenset() if arguments.keep_lossy else lossy
             if arguments.note_refusals and strokes_left[recorded_run.run.run] >= moving_strokes(recorded_run.strokes):

@@ -155,6 +155,13 @@ def test_what_is_read_as_what_is_a_sentence():
     assert read.lines.reading() == said
 
 
+def test_a_line_is_counted_as_one():
+    assert Read(BOOT[0] + HEADER + LINES[0]).lines.counts() == "1 line is read, 1 is not (1 of text, 0 bad)"
+    assert Read(BOOT[0] + HEADER + LINES[0] + LINES[1]).lines.counts().startswith("2 lines are read, 1 is not")
+    assert Read(LINES[0] + LINES[1]).lines.counts() == "1 line of numbers is kept, and nothing names the columns"
+    assert Read(b"ready\r\n").lines.problem()[0] == "1 line came, and none of numbers"
+
+
 @given(st.binary(max_size=600), st.binary(max_size=300), st.integers(1, 50))
 def test_no_bytes_make_it_raise(garbage, more, piece):
     for data in (garbage, HEADER + garbage, garbage + b"\n" + HEADER + more):

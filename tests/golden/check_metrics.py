@@ -44,7 +44,8 @@ def why_never(reports: Path) -> str:
         status = about.get("schema:creativeWorkStatus", STATUS["default"])
         if status != STATUS["default"]:
             of = about.get("schema:isBasedOn")
-            whose = f"another configuration, {of} ({about['schema:version']})" if of else "an unknown configuration"
+            name = f"{of} (checksum of its settings {about['schema:version']})"
+            whose = f"another configuration, {name}" if of else "an unknown configuration"
             return (
                 f"{path.parent}: these tables are of {whose} ({status}): so they cannot be the published ones, which "
                 f"are of the default configuration; {MAKES} makes those"

@@ -3,7 +3,6 @@
 from made_verdict import made_verdict
 
 from pipeline.report.diagnoses import (
-    adopts_nothing,
     content_of,
     explanations,
     named_of,
@@ -12,8 +11,9 @@ from pipeline.report.diagnoses import (
     sizes,
     verdict_of,
     verdicts,
+    why_nothing,
 )  # fmt: skip
-from pipeline.report.index_head import runs_table
+from pipeline.report.index_head import advice, runs_table
 from pipeline.report.summary import summary
 
 
@@ -64,12 +64,16 @@ def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_p
     bad = made(tmp_path, "a", NOTHING, **TIED)
     good = made(tmp_path, "b", NOTHING.replace("What to do", "What was done"), **TIED)
     asked = "Record the rig once more, with more strokes (see details.txt), and diagnose both runs together"
-    assert adopts_nothing(bad) and not adopts_nothing(good) and not adopts_nothing(tmp_path / "gone")
+    reason = "on the unseen strokes the explanation makes the simulator worse"
+    assert why_nothing(bad) == reason and why_nothing(good) == why_nothing(tmp_path / "gone") == ""
     assert next_recording(bad) == asked and next_recording(good) == next_recording(tmp_path / "gone") == ""
     words = {run: str(runs_table(tmp_path, {run: content_of(tmp_path / "diagnosis" / run)}, {}, str)) for run in "ab"}
-    assert "adopt nothing" in words["a"] and asked.partition(" (")[0] in words["a"]
+    assert f"<br>explains what was recorded, but adopt nothing: {reason}</td>" in words["a"]
+    assert asked.partition(" (")[0] in words["a"]
     assert ">ambiguous</abbr></span></td>" in words["a"]  # a click on a verdict shows the rows of that cell's words
     assert "adopt nothing" not in words["b"] and "Record" not in words["b"]
+    unknown = made(tmp_path, "d", NOTHING, **{**TIED, "verdict": "unknown"})
+    assert advice("unknown", unknown) == f"adopt nothing: {reason}"
     own = {**TIED, "next_experiment": "hold 20 N: for 15 minutes"}
     assert "hold 20 N</td>" in runs_table(tmp_path, {"a": own}, {}, str)
 

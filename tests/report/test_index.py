@@ -211,7 +211,7 @@ def test_an_index_of_nothing_says_so(tmp_path):
 def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
     tables = [str(reports / MATERIAL / f"table_{number}.md") for number in (1, 2)]
     said = summary(tables, reports, [MATERIAL], ["short"])
-    assert "TABLE I: " in said and "TABLE II: " in said
+    assert "TABLE I: " in said and "TABLE II: " in said and said.endswith(f"\nTable II: {tables[1]}\n")
     for other in ("index.html", "comparison", "models.html", "figure_", "diagnosis"):
         assert other not in said, other
     more = [*tables, str(reports / "index.html"), str(reports / MATERIAL / "models.html")]

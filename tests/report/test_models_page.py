@@ -16,7 +16,8 @@ from pipeline.report.drawing import STYLE
 from pipeline.report.fitted import lines_at_end, lines_on_files
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
-from pipeline.report.models import columns, main, numbers, page, sentences
+from pipeline.report.least import sentences
+from pipeline.report.models import columns, main, numbers, page
 from pipeline.report.web.markdown import web_page
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "calibrated": "Calibrated model"}
@@ -95,22 +96,40 @@ def told(metrics, directed, split="within", way="forward"):
     return sentences(found[(found["split"] == split) & (found["map"] == way)])
 
 
-def test_the_page_says_to_whom_the_inn_loses():
-    first, second = told(made_metrics(), ["mlp"])
-    assert first == (
-        "The INN model loses forward, within strokes, to: MLP model (0.051 vs 0.120 mm, knows the direction);"
-        " Calibrated model (0.093 vs 0.120 mm)."
+def test_the_page_says_who_is_best_where_and_how_the_inn_stands_among_the_others():
+    metrics = made_metrics({**FORWARD, "calibrated": [0.131]})
+    metrics.loc[(metrics["model"] == "inn") & (metrics["angle_band"] == "0-25%"), "value"] *= 0.1
+    best, columns_won, inn, near = told(metrics, ["mlp"])
+    assert best == (
+        "- Least error forward, within strokes: MLP model (0.051 mm);"
+        " of the models that are not told the direction INN model (0.120 mm)."
     )
-    assert second.endswith("within 1.05 × their floor forward, within strokes: MLP model (1.04).")
-    assert "Calibrated model (0.515 vs 0.650 turns)" in told(made_metrics(), ["mlp"], "later", "inverse")[0]
+    rest = "n=1, n=9, winding, unwinding, 25-50%, 50-75%, 75-100%"
+    assert columns_won == f"- Least error by column: INN model (0-25%); MLP model ({rest})."
+    assert inn == (
+        "- The INN model (0.120 mm) errs less than Calibrated model (0.131); more than MLP model (0.051)."
+        " It is not told the direction, without which the floor is 0.090 mm instead of 0.049 mm."
+    )
+    assert near.endswith("within 1.05 × their floor forward, within strokes: MLP model (1.04).")
+    assert "Calibrated model (0.705)" in told(metrics, ["mlp"], "later", "inverse")[2]
+
+
+def test_what_a_table_cannot_tell_apart_shares_the_least_error():
+    tied = told(made_metrics({**FORWARD, "calibrated": [0.0512]}), ["mlp"])
+    assert tied[0].startswith("- Least error forward, within strokes: MLP model, Calibrated model (0.051 mm); of the ")
+    assert tied[0].endswith("that are not told the direction Calibrated model (0.051 mm).")
+    assert tied[1] == "- Least error by column: MLP model (each); Calibrated model (each)."
 
 
 def test_the_page_says_when_the_inn_loses_to_none_or_hardly():
-    best = made_metrics({**FORWARD, "inn": [0.050]})
-    assert told(best, [])[0] == "The INN model loses forward, within strokes, to no model."
+    best = told(made_metrics({**FORWARD, "inn": [0.050]}), [])
+    assert best[0] == "- Least error forward, within strokes: INN model (0.050 mm)."
+    assert "(0.050 mm) errs less than MLP model (0.051, within the spread of the seeds), Calibrated model" in best[2]
+    assert "; more than no other model." in best[2]
     hardly = made_metrics({**FORWARD, "calibrated": [0.119]})
-    assert "Calibrated model (0.119 vs 0.120 mm, within the spread of the seeds)" in told(hardly, ["mlp"])[0]
-    assert told(made_metrics({**FORWARD, "mlp": [0.2]}), ["mlp"])[1].endswith(": none.")
+    assert "Calibrated model (0.119, within the spread of the seeds)" in told(hardly, ["mlp"])[2]
+    assert told(made_metrics({**FORWARD, "mlp": [0.2]}), ["mlp"])[-1].endswith(": none.")
+    assert len(told(made_metrics({name: FORWARD[name] for name in ("mlp", "floor", "floor_blind")}), ["mlp"])) == 3
 
 
 def test_a_split_that_was_left_out_is_said_to_be():

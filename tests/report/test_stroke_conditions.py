@@ -1,5 +1,6 @@
 """What strokes were recorded under: later ones of another load or twist are said, and a figure names a stroke by it."""
 
+import pandas as pd
 import programs
 import pytest
 from stages.nine_strokes import NINE
@@ -8,7 +9,7 @@ from test_models_page import made_metrics
 from pipeline.ground import schemas
 from pipeline.report.figure_4 import figure_4
 from pipeline.report.figure_5 import figure_5
-from pipeline.report.stroke_conditions import APART, labels, later_apart
+from pipeline.report.stroke_conditions import APART, OTHERWISE, labels, later_apart, otherwise
 from pipeline.report.to_take import materials_table
 from pipeline.report.winding import with_nominal
 
@@ -42,6 +43,23 @@ def test_later_strokes_like_the_others_need_no_word():
     assert later_apart(known) == ""
 
 
+def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_shown():
+    usual_n, top_turns = NINE["load_n"].median(), NINE["motor_turns"].max()
+    other, usual = f"{1.5 * usual_n:.3g} N", f"{usual_n:.3g} N"
+    points = with_last(1.5 * usual_n, 0.8)
+    text = otherwise(points)
+    assert text.startswith(f"{OTHERWISE}: n=9 at {other} and to {0.8 * top_turns:.3g} turns; the others at {usual} and")
+    assert otherwise(with_last(1.5 * usual_n)) == f"{OTHERWISE}: n=9 at {other}; the others at {usual}."
+    assert otherwise(points, [1, 5]) == otherwise(NINE) == otherwise(None) == otherwise(with_last(1.01 * usual_n)) == ""
+    points.loc[points["stroke"].isin([3, 4]), "load_n"] = 2.0 * usual_n
+    several = f"n=3 to 4 at {2.0 * usual_n:.3g} N and to {top_turns:.3g} turns; n=9 at {other} and to "
+    assert several in otherwise(points)
+    two = with_last().assign(string="b")
+    two.loc[two["stroke"] < 5, "load_n"] = 1.5 * usual_n
+    first_four = f"n=1 to 4 at {other} (of some strings); the others at {usual}."
+    assert otherwise(pd.concat([with_last().assign(string="a"), two])) == f"{OTHERWISE}: {first_four}"
+
+
 def test_a_figure_names_a_stroke_by_its_load_where_loads_differ_and_by_a_smaller_twist():
     usual_n, top_turns = NINE["load_n"].median(), NINE["motor_turns"].max()
     assert labels(NINE, [1, 9]) == {1: "n=1", 9: "n=9"}
@@ -65,6 +83,7 @@ def test_pages_with_later_strokes_say_what_differs(tmp_path, program):
         done = programs.run(f"pipeline.report.{program}", *words, *more)
         assert done.returncode == 0, done.stderr
         text = (folder / f"{program}.md").read_text()
+        assert text.count(OTHERWISE) == times // 2
         assert text.count(APART) == (folder / f"{program}.html").read_text().count(APART) == times
     assert APART not in text.split("later strokes")[0]
     if program == "models":

@@ -101,7 +101,7 @@ def test_every_form_of_a_small_fit_says_that_it_is_no_result_and_the_csv_keeps_i
     assert (tmp_path / "table_1.csv").read_text() == plain and plain.splitlines()[0] == HEADERS[1]
     for suffix in ("md", "tex"):
         text = (tmp_path / f"table_1.{suffix}").read_text()
-        assert "COMPARISON (small fit: not a result, ci.yaml abc1234)" in text
+        assert "COMPARISON (small fit: not a result, ci.yaml (checksum of its settings abc1234))" in text
         assert "Small fit, not a result: made by ci.yaml" in text and "2 seeds of 3 epochs" in text
     beside = json.loads((tmp_path / "table_1.csv-metadata.json").read_text())
     assert beside["url"] == "table_1.csv" and beside["schema:creativeWorkStatus"] == "small fit: not a result"
@@ -112,7 +112,7 @@ def test_a_result_carries_the_name_of_its_configuration_and_no_warning(tmp_path)
     write(made_metrics(), 2, TITLES, MadeBy("default.yaml", "abc1234", "default", "", ()), tmp_path)
     text = (tmp_path / "table_2.md").read_text()
     assert text.startswith("TABLE II: INVERSE KINEMATICS MODEL ERROR COMPARISON\n")
-    assert text.endswith("\nMade by the default configuration, default.yaml (abc1234).\n")
+    assert text.endswith("\nMade by the default configuration, default.yaml (checksum of its settings abc1234).\n")
 
 
 def test_a_jump_of_the_zero_stands_beneath_the_tables(tmp_path):
@@ -204,11 +204,31 @@ def test_comparison_of_another_rig_says_first_that_no_agreement_is_expected_and_
     assert "No agreement" not in comparison(metrics, "nylon", TITLES, mark=mark)
 
 
+def made_points(runs):
+    """A point of a stroke of each run, all of one string; the last of several under more load and wound less."""
+    points = pd.DataFrame({"run": runs, "string": "s", "stroke": range(1, 1 + len(runs))})
+    points["load_n"], points["motor_turns"], points["later"] = 20.0, 27.2, ""
+    if len(runs) > 1:
+        points.loc[points.index[-1], ["load_n", "motor_turns"]] = 30.0, 16.0
+    return points
+
+
+def test_every_form_says_of_a_shown_stroke_that_it_was_recorded_otherwise(tmp_path):
+    points = made_points(["m-01"] * 5)
+    words = "Recorded under other conditions: n=5 at 30 N and to 16 turns; the others at 20 N and to 27.2 turns."
+    write(made_metrics(), 1, TITLES, SMALL, tmp_path, dataset=points)
+    markdown, latex = ((tmp_path / f"table_1.{suffix}").read_text() for suffix in ("md", "tex"))
+    assert words in markdown and words in latex and words in html_table(tmp_path, 1, "")
+    assert words in comparison(made_metrics(), "m", TITLES, dataset=points)
+    write(made_metrics(strokes=(1, 9)), 1, TITLES, SMALL, tmp_path, dataset=points)  # n=5 is not among its rows
+    assert "other conditions" not in (tmp_path / "table_1.md").read_text()
+
+
 def test_every_form_says_what_its_numbers_are_of(tmp_path):
     metrics = made_metrics()
     metrics = metrics[(metrics["model"] == "inn") | (metrics["seed"] == 0)]
     runs = ["m-01", "m-02", "m-03", "m-04", "m-05"]
-    write(metrics, 2, TITLES, SMALL, tmp_path, runs=runs)
+    write(metrics, 2, TITLES, SMALL, tmp_path, dataset=made_points(runs))
     words = (
         "Material m: inverse errors on held-out points of the split within (one block in four inside strokes), "
         "winding, median over the seeds (5 of INN model; the others one fit); made of runs m-01, m-02, m-03 and 2 more."
@@ -216,7 +236,7 @@ def test_every_form_says_what_its_numbers_are_of(tmp_path):
     markdown, latex = ((tmp_path / f"table_2.{suffix}").read_text() for suffix in ("md", "tex"))
     assert words in markdown.split("\n\n")[2] and words in latex and words not in markdown.split("\n\n")[1]
     assert latex.splitlines()[0] == r"% needs \usepackage{multirow} before \begin{document}"
-    write(metrics[metrics["seed"] == 0], 1, TITLES, SMALL, tmp_path, runs=["m-01"])
+    write(metrics[metrics["seed"] == 0], 1, TITLES, SMALL, tmp_path, dataset=made_points(["m-01"]))
     text = (tmp_path / "table_1.md").read_text()
     assert "Material m: forward errors on" in html_table(tmp_path, 1, "")
     assert "forward errors on" in text and "(one fit of each model); made of run m-01." in text

@@ -67,7 +67,7 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     second = strokes[(strokes["stroke"] == 2) & (strokes["phase"] == "winding")].iloc[0]
     (folder / "capture.json").write_text(json.dumps({"gaps": [{"after_samples": int(second["first_sample"]) + 3}]}))
     done, left = made(folder, processed, tmp_path / "left.parquet")
-    assert "strokes 2: left out" in done.stdout and 2 not in set(left["stroke"])
+    assert "samples are missing in stroke 2: left out" in done.stdout and 2 not in set(left["stroke"])
     jumps = tmp_path / "jumps.json"
     done, kept = made(folder, processed, tmp_path / "kept.parquet", "--keep-lossy", "--out-jumps", jumps)
     assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(

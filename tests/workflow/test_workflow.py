@@ -61,7 +61,8 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     header, *lines = (reports / "metrics.csv").read_text().splitlines()
     assert header == "material,model,split,map,stroke,phase,angle_band,seed,metric,unit,value"
     assert {line.split(",")[1] for line in lines} >= {"inn", "traditional", "floor", "floor_blind"}
-    assert "The INN model loses forward, within strokes, to" in (reports / "synthetic" / "models.md").read_text()
+    words = (reports / "synthetic" / "models.md").read_text()
+    assert "- Least error forward, within strokes: " in words and "- The INN model (" in words
     index = (reports / "index.html").read_text()
     assert "synthetic/models.html" in index and "synthetic/figure_leak.png" in index
     assert index.index("At a glance") < index.index("<details") < index.index("Table I: forward")
@@ -101,6 +102,11 @@ def test_the_tables_alone(tmp_path, finished):
     assert other.rules_to_run("tables") == {"table": 1}
     done = other.snakemake("tables")
     assert done.returncode == 0 and "TABLE I: FORWARD" in done.stdout
+    forms = {n: [f"reports/synthetic/table_{n}.{suffix}" for suffix in ("csv", "md", "tex")] for n in (1, 2)}
+    last = [f"Table {'I' * n}: {', '.join(paths)}" for n, paths in forms.items()]
+    assert "\n".join(last) in done.stdout and all(
+        (other.folder / path).is_file() for paths in forms.values() for path in paths
+    )
     for page in ("index.html", "comparison", "models.", "figure_", "what the simulator leaves out"):
         assert page not in done.stdout, page
     assert other.read("reports/synthetic/table_2.tex") == project.read("reports/synthetic/table_2.tex")
