@@ -441,7 +441,7 @@ def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
             break
     assert re.fullmatch(
         r"reads time_ms = \d+, motor_turns = [\d.]+, displacement_mm = [\d.]+; "
-        r"\d+ lines are read, \d+ are not \(\d+ of text, 0 bad\)\n",
+        r"\d+ lines? (is|are) read, \d+ (is|are) not \(\d+ of text, 0 bad\)\n",
         said,
     ), said
     process.send_signal(signal.SIGINT)
