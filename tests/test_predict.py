@@ -263,10 +263,10 @@ def test_a_stroke_too_far_ahead_of_a_saved_model_is_flagged_as_it_is_of_one_that
         flagged[stem] = table["inside"].tolist()
         assert np.isfinite(table["displacement_mm"]).all()
         last = known["stroke"].max()
+        rule = "a string tells as many as it has strokes beyond its first 4, at most 3"
         reason = (
-            f"stroke 9 is {9 - last} after {last}, the last that the model was fitted to; errors were measured up to 2 strokes"
-            " ahead: a string tells as many as it has strokes beyond its first 4, at most 3; the export answers, by the"
-            " model's law of n"
+            f"stroke 9 is {9 - last} after {last}, the last that the model was fitted to; errors were measured up to 2 "
+            f"strokes ahead: {rule}; the export answers, by the model's law of n"
         )
         assert table["why"][2] == reason and f"  row 3: {reason}\n" in done.stdout
         assert "TSA_BAD_STROKE" in table["why"][4] and "law of n" not in table["why"][4]

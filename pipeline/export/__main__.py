@@ -106,6 +106,8 @@ def main() -> None:
             text = header(source, options.name)
         write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text. {facts(source)['fit']}")
+        if source.trained:
+            print(source.trained)
         print(f"All of its names begin with {options.name}_; of two exports in one C program give one another --name.")
         print(_in_python(options.file))
         return
@@ -119,6 +121,8 @@ def main() -> None:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")
     print(facts(source)["fit"])
+    if source.trained:
+        print(source.trained)
     print(_in_python(options.file))
 
 

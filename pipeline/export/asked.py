@@ -22,7 +22,7 @@ from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source
 
 NEAR = 1e-6  # of the range: a twist that was brought to its end
-UNCHECKED = "the export answers, as it checks each number alone"
+UNCHECKED = "the export answers, as it checks each number alone (in C tsa_recorded says of which pairs)"
 FURTHER = "the export answers, by the model's law of n"
 MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 

@@ -4,10 +4,12 @@ import hashlib
 import textwrap
 
 from ..models.parts.box import COLUMNS
+from .c_pairs import USAGE, checked_pairs
 from .c_text import Body, function, real, renamed
 from .facts import facts
 from .inputs import MEANING, Field, Inputs
 from .interface import Source, exporter
+from .recorded import WHO_SAYS
 
 LINE = 110  # characters of a line of the first comment
 CODES = (*COLUMNS, "material")  # the same numbers in every header, whichever fields it has
@@ -72,6 +74,7 @@ def header(source: Source, name: str) -> str:
         made.code,
         _bytes(made),
         CHECKED,
+        checked_pairs(source),
         made.further,
     ]
     return _once(renamed("".join(parts), name), name)
@@ -90,6 +93,7 @@ def _once(text: str, name: str) -> str:
 
 def _comment(source: Source, made: Body) -> str:
     inputs, known = source.inputs, facts(source)
+    who_says = WHO_SAYS if source.pairs is None else "tsa_recorded"
     baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items() if field not in inputs.unread]
     assumed = [f"{field} is {assumption}." for field, assumption in inputs.assumed.items()]
     lines = [
@@ -104,14 +108,16 @@ def _comment(source: Source, made: Body) -> str:
         "Both return 0 and write the answer, or TSA_BAD_... and write nothing: a field is out of its range or NaN.",
         "tsa_inverse returns TSA_HELD where the contraction lies beyond what the range of twist gives in this state;",
         "the answer is then that end of the range.",
+        *(USAGE if source.pairs is not None else ()),
         *made.usage,
         "",
+        *_wrapped(known.get("trained", "")),
         *_wrapped(known["strokes"].replace("Beyond,", "Beyond, to TSA_STROKE_MAX,")),
         *_wrapped(f"Zero: {known['zero']}"),
         *_wrapped(f"Fit: {known['fit']}"),
         *_wrapped(f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}."),
         *_wrapped(known.get("unread", "")),
-        *_wrapped(known.get("recorded", "")),
+        *_wrapped(known.get("recorded", "").replace(WHO_SAYS, who_says)),
         *assumed,
     ]
     return "/*\n" + "".join(f" * {line}".rstrip() + "\n" for line in lines) + " */\n"
@@ -128,7 +134,7 @@ def _math(name: str, arguments: str = "x", double: str = "(double)x", single: st
 
 
 def _codes() -> str:
-    codes = ["    TSA_HELD = -1,", "    TSA_OK = 0,"]
+    codes = ["    TSA_UNRECORDED = -2,", "    TSA_HELD = -1,", "    TSA_OK = 0,"]
     codes += [f"    TSA_BAD_{name.upper()} = {number}," for number, name in enumerate(CODES, start=1)]
     return "enum {\n" + "\n".join(codes).rstrip(",") + "\n};\n\n"
 

@@ -26,9 +26,10 @@ MOST_STRINGS = 3  # whose zero is named
 
 
 def facts(source: Source) -> dict[str, str]:
-    """Sentences by what they are of: `zero`, `strokes`, `fit`, and where there is such `recorded` and `unread`."""
+    """Sentences by what they are of: `zero`, `strokes`, `fit`; where there is such `trained`, `recorded`, `unread`."""
     known = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
-    return known | {name: text for name, text in (("recorded", recorded(source)), ("unread", unread(source))) if text}
+    more = {"trained": source.trained, "recorded": recorded(source), "unread": unread(source)}
+    return known | {name: text for name, text in more.items() if text}
 
 
 def zeroed_runs(dataset: Path) -> tuple[str, ...]:

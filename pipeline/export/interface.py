@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ..ground.modules import holding
+from ..models.parts.recorded_pairs import Paired
 from .c_text import Body
 from .inputs import Inputs
 
@@ -19,7 +20,8 @@ class Source:
 
     As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
     recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
-    errors are measured. Of what is in `deaf` no answer depends.
+    errors are measured. `pairs` are the twists that were recorded around each condition, and `trained` says which
+    recordings these are. Of what is in `deaf` no answer depends.
     """
 
     name: str
@@ -30,6 +32,8 @@ class Source:
     values: dict[str, str] = field(default_factory=dict)
     foreseen: tuple[int, int] | None = None
     deaf: tuple[str, ...] = ()
+    pairs: tuple[Paired, ...] | None = None
+    trained: str = ""
 
 
 class Exporter(Protocol):

@@ -14,13 +14,15 @@ from ..ground.kinematics import Array
 from ..ground.units import unit_of
 from ..models.parts.box import MARGIN, room
 from ..models.parts.conditions import MEASURED
+from ..models.parts.recorded_pairs import Paired, pairs_of
 from ..models.parts.rolling_origin import most_ahead
 from .interface import Source
 
+WHO_SAYS = "pipeline.predict"
 FEW = 4  # values of a condition that are named each
 ALONE = (
     "Each number is checked alone: also a twist that was never recorded around that value is answered "
-    "(pipeline.predict says of which)."
+    f"({WHO_SAYS} says of which)."
 )
 
 
@@ -29,7 +31,7 @@ def values_recorded(dataset: Path, last_stroke: int) -> dict[str, str]:
 
     Empty where no such dataset is there.
     """
-    points = _columns(dataset, ["stroke", "motor_turns", *MEASURED])
+    points = columns_of(dataset, ["stroke", "motor_turns", *MEASURED])
     points = points[points["stroke"] <= last_stroke] if len(points) else points
     words = {}
     for name in MEASURED if len(points) else ():
@@ -39,9 +41,16 @@ def values_recorded(dataset: Path, last_stroke: int) -> dict[str, str]:
     return words
 
 
+def pairs_recorded(dataset: Path, last_stroke: int) -> tuple[Paired, ...] | None:
+    """Which twists a dataset's points up to a stroke have around which conditions; None where no dataset is there."""
+    points = columns_of(dataset, ["stroke", "motor_turns", *MEASURED])
+    points = points[points["stroke"] <= last_stroke] if len(points) else points
+    return pairs_of(points) if len(points) else None
+
+
 def strokes_foreseen(dataset: Path) -> tuple[int, int] | None:
     """How many strokes a dataset's longest string has, and how many ahead errors are measured; None where unknown."""
-    points = _columns(dataset, ["string", "stroke"])
+    points = columns_of(dataset, ["string", "stroke"])
     if not len(points):
         return None
     strokes = int(points.groupby("string")["stroke"].nunique().max())
@@ -72,7 +81,7 @@ def unread(source: Source) -> str:
     return " ".join(sentences)
 
 
-def _columns(dataset: Path, names: list[str]) -> pd.DataFrame:
+def columns_of(dataset: Path, names: list[str]) -> pd.DataFrame:
     """Columns of a dataset, which may be large; an empty table where there is no such dataset."""
     try:
         return pq.read_table(dataset, columns=names).to_pandas()[names]

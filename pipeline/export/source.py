@@ -19,7 +19,8 @@ from ..stages.train import SPLITS, divided
 from .facts import zeroed_runs
 from .inputs import Inputs
 from .interface import Source, exporter, names
-from .recorded import strokes_foreseen, values_recorded
+from .recorded import pairs_recorded, strokes_foreseen, values_recorded
+from .trained_on import trained_on
 
 TRIED = 20  # queries that a model must answer before it is exported
 
@@ -79,8 +80,10 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
     dataset = _dataset(file, beside)
-    values, foreseen = values_recorded(dataset, inputs.last_stroke), strokes_foreseen(dataset)
-    return Source(name, model, inputs, zero_mm, zeroed_runs(dataset), values, foreseen)
+    last, foreseen = inputs.last_stroke, strokes_foreseen(dataset)
+    pairs, trained = pairs_recorded(dataset, last), trained_on(dataset, last)
+    values = values_recorded(dataset, last)
+    return Source(name, model, inputs, zero_mm, zeroed_runs(dataset), values, foreseen, pairs=pairs, trained=trained)
 
 
 def _try(source: Source) -> None:

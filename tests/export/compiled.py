@@ -26,13 +26,14 @@ DRIVER = """\
 int main(int count, char **words)
 {
     double row[%(columns)d], answer[4];
-    const int forward = count > 1 && words[1][0] == 'f';
+    const int forward = count > 1 && words[1][0] == 'f', pairs = count > 1 && words[1][0] == 'r';
     while (fread(row, sizeof row, 1, stdin) == 1) {
         tsa_state at;
         tsa_real value = (tsa_real)%(untouched)s, again = value;
         int code, code_again = 0;
-%(assign)s        code = forward ? tsa_forward(&at, (tsa_real)row[0], &value)
-                       : tsa_inverse(&at, (tsa_real)row[0], &value);
+%(assign)s        code = pairs ? tsa_recorded(&at, (tsa_real)row[0])
+               : forward ? tsa_forward(&at, (tsa_real)row[0], &value)
+                         : tsa_inverse(&at, (tsa_real)row[0], &value);
 %(prepared)s        answer[0] = code;
         answer[1] = (double)value;
         answer[2] = code_again;
@@ -78,6 +79,10 @@ class Compiled:
     def answers(self, way: str, queries: Any) -> tuple[Any, Any]:
         """Return codes and answers of queries of shape (points, columns), each of shape (points,)."""
         return self._asked(way, queries)[:2]
+
+    def recorded(self, queries: Any) -> Any:
+        """Codes that say which twists were recorded around the states, queries as of "forward", of shape (points,)."""
+        return self._asked("recorded", queries)[0]
 
     def prepared(self, way: str, queries: Any) -> tuple[Any, Any]:
         """The same by prepared tables."""

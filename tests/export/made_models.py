@@ -40,7 +40,18 @@ def campaign() -> pd.DataFrame:
     return pd.concat(parts, ignore_index=True)
 
 
+def short_wound() -> pd.DataFrame:
+    """One string under 20 N, under 30 N only to 16 turns, under 40 N from 5 to 20: with the noise of a load cell."""
+    points = made_dataset(60, 6)
+    stroke, turns = points["stroke"], points["motor_turns"]
+    load_n = np.where(stroke > 4, np.where(stroke > 5, 40.0, 30.0), 20.0)
+    points["load_n"] = load_n + np.random.default_rng(3).normal(0.0, 0.05, len(points))
+    whole = (stroke <= 4) | ((stroke == 5) & (turns <= 16.0)) | ((stroke == 6) & turns.between(5.0, 20.0))
+    return points[whole].reset_index(drop=True)
+
+
 DATASETS = {
+    "short": short_wound,
     "one": lambda: made_dataset(60, 6),
     "used": lambda: made_dataset(60, 6).assign(stroke=lambda points: points["stroke"] + np.int32(50)),
     "campaign": campaign,

@@ -317,6 +317,27 @@ def test_a_load_that_a_model_does_not_read_is_not_called_constant(tmp_path: Path
     assert "does not read direction" in held["unread"]
 
 
+@pytest.mark.parametrize("rig", ["material", "device", "own"])
+def test_an_export_names_its_runs_and_says_where_they_are_of_the_synthetic_rig(tmp_path: Path, rig: str) -> None:
+    """A header of the small synthetic rig read as one of a real string."""
+    material = "synthetic" if rig == "material" else "nylon"
+    folder = tmp_path / "processed" / material
+    file = saved("polynomial", "one", folder)
+    (run,) = set(pd.read_parquet(folder / "dataset.parquet")["run"])
+    capture = tmp_path / "raw" / run / "capture.json"
+    capture.parent.mkdir(parents=True)
+    device = "twistbench synthetic rig" if rig == "device" else "Uno"
+    capture.write_text(json.dumps({"hello": {"device": device}}))
+    out = tmp_path / "out"
+    out.mkdir()
+    done = [export(file, "--format", form, "--out", out) for form in ("c", "onnx")]
+    header = said_of((out / "tsa.h").read_text())
+    graph = {prop.key: prop.value for prop in onnx.load(out / "tsa.forward.onnx").metadata_props}["trained"]
+    for text in (header, graph, *(each.stdout for each in done)):
+        assert f"Fitted to points of run {run} of material {material}: 6 strokes, twists 0." in text
+        assert ("They are of twistbench's synthetic rig: a simulation, and no real string." in text) == (rig != "own")
+
+
 @pytest.mark.parametrize("has_dataset", [True, False])
 def test_a_range_says_what_was_recorded_at_which_twists(tmp_path: Path, has_dataset: bool) -> None:
     """It is wider than what was recorded, and read as if it had been; pairs are not checked."""
@@ -338,6 +359,8 @@ def test_a_range_says_what_was_recorded_at_which_twists(tmp_path: Path, has_data
     )
     assert re.search(words, text), text
     assert "Each number is checked alone" in text and "does not read" not in text
+    assert ("(tsa_recorded says of which)" if has_dataset else "(pipeline.predict says of which)") in text
+    assert ("tsa_recorded(&state, motor_turns) returns TSA_UNRECORDED where" in text) == has_dataset
     assert ("further than 2 strokes ahead" in text) == has_dataset and "beyond its first 4, at most 3" in text
 
 

@@ -17,7 +17,7 @@ from pipeline.export.onnx_model import GIVEN
 
 EXACT = [("spline", "one"), ("spline", "campaign"), ("spline", "pair"), ("calibrated", "one"), ("cinn", "one")]
 CINN, INN = [("cinn", "campaign", "float"), ("cinn", "pair", "float")], ("inn", "one", "float")
-HELD = -1.0
+HELD, UNRECORDED = -1.0, -2.0
 ROUND_TRIP_TURNS = 1e-3
 FLAT_MM_PER_TURN = 0.01  # below it the last digit of a contraction in single precision is 1e-4 turns
 
@@ -108,6 +108,31 @@ def test_twist_comes_back_through_contraction(source: Any, program: Any, name: s
         assert np.abs(turns - there[known, 0]).max() <= (
             ROUND_TRIP_TURNS if real == "float" or name == "cinn" else 1e-7
         )
+
+
+@pytest.mark.parametrize("real", ["float", "double"])
+@pytest.mark.parametrize("kind", ["short", "campaign", "one"])
+def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_does(
+    source: Any, program: Any, kind: str, real: str
+) -> None:
+    """Each number was checked alone, and a twist that no recording had under its load was answered by every header."""
+    inputs, pairs = source("spline", kind).inputs, source("spline", kind).pairs
+    queries = grid(inputs, "motor_turns", 161, of_field=41)
+    queries = queries[queries[:, 1] == 1]
+    points = inputs.points("motor_turns", queries)
+    outside, near = np.zeros(len(queries), bool), np.zeros(len(queries), bool)
+    for paired in pairs:
+        outside |= np.array([bool(reason) for reason in paired.never(points, queries[:, 0])])
+        for end in paired.turns(points):
+            near |= np.abs(queries[:, 0] - end) < (1e-3 if real == "float" else 1e-9)
+    codes = program("spline", kind, real).recorded(queries)
+    assert set(codes[~near]) <= {0.0, UNRECORDED}
+    assert ((codes == UNRECORDED) == outside)[~near].all() and near.mean() < 0.1
+    assert outside.any() == (kind != "one")
+    answered = program("spline", kind, real).answers("forward", queries)[0]
+    assert (answered == 0.0).all(), "the functions beside it answer as before"
+    wrong = np.array([[np.nan, *queries[0, 1:]], [queries[0, 0], 99, *queries[0, 2:]]])
+    assert program("spline", kind, real).recorded(wrong).tolist() == [1.0, 3.0]
 
 
 @pytest.mark.parametrize("real", ["float", "double"])
