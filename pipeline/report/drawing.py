@@ -1,5 +1,6 @@
 """How every figure looks and how it is saved: the same bytes for the same data, marked with its configuration."""
 
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from .made_by import MadeBy, sentence, warning
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 WARNING = "#c2410c"
+READING_SIZE, LETTERS = 7.5, 17  # of the words beneath a figure: their size in points, and letters in an inch
 STYLE: dict[Any, Any] = {
     "font.size": 9, "axes.titlesize": 9, "legend.fontsize": 7.5, "axes.spines.top": False, "axes.spines.right": False,
     "axes.grid": True, "grid.alpha": 0.25, "savefig.dpi": 200, "pdf.fonttype": 42, "legend.frameon": False,
@@ -28,6 +30,12 @@ def name(axes: Axes, title: str, x: str, y: str) -> None:
     axes.set_title(title, loc="left")
     axes.set_xlabel(x)
     axes.set_ylabel(y)
+
+
+def wrapped(figure: Figure, *sentences: str) -> str:
+    """How a figure is read, in lines no wider than it: each sentence begins a line; empty ones do not count."""
+    width = int(LETTERS * figure.get_figwidth())
+    return "\n".join(textwrap.fill(sentence, width) for sentence in sentences if sentence)
 
 
 def save(figure: Figure, stem: Path, mark: MadeBy | None = None) -> None:

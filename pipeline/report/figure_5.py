@@ -7,11 +7,14 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.legend_handler import HandlerTuple
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from ..ground.kinematics import Array
 from . import paper
-from .drawing import MILLIMETRES, TURNS, name
+from .clipped import clipped
+from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
 from .stroke_conditions import labels
 from .strokes_there import drawn
 from .winding import strokes_of, winding
@@ -27,6 +30,11 @@ BAR: dict[str, Any] = {"ls": "-", "lw": 2.2, "marker": "", "solid_capstyle": "bu
 FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an axis may begin within its decade
 CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
+BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
+BEST = (
+    "{} is drawn for its least forward error on this material's held-out points, of all models beside the INN and the "
+    "traditional one; of another material another one may be."
+)
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 
@@ -111,21 +119,44 @@ def _drawn(
         below.plot(*as_bars(middle, size, (ends[1] - ends[0]) / BINS), **{**style, **BAR})
 
 
-def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str) -> Figure:
+def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, reading: str) -> None:
+    """How to read the figure, and what is drawn: of a model that learned its points, and beneath them its bars."""
+    handles: list[Any] = [Line2D([], [], **MEASURED), Line2D([], [], **TRADITIONAL)]
+    words = ["measured", "traditional model, and its error"]
+    for title, style in styles.items():
+        handles.append((Line2D([], [], **style), Line2D([], [], **{**style, **BAR})))
+        words.append(f"{title}: held-out points, and their error")
+    several = {tuple: HandlerTuple(ndivide=None, pad=0.6)}
+    figure.legend(
+        handles,
+        words,
+        loc="outside lower center",
+        ncols=min(columns, 2),
+        handlelength=3.0,
+        handler_map=several,
+        title=reading,
+        title_fontsize=READING_SIZE,
+        alignment="center",
+    )
+
+
+def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str, best: str = "") -> Figure:
     """Curves of the models with an error row beneath, forward above and inverse below, a column for each stroke.
 
     `recorded` holds every moving point with the traditional model's `forward_mm` and `inverse_turns`; `learned` maps
-    titles, the INN's first, to held-out points with what that model predicts.
+    titles, the INN's first, to held-out points with what that model predicts. `best` is the title of the model that
+    is shown for its least error.
     """
     strokes = drawn(strokes_of(recorded), paper.STROKES)
     named = labels(recorded, strokes)
     columns = max(len(strokes), 1)
     figure, grid = plt.subplots(
-        4, columns, figsize=(1.4 + 2.75 * columns, 9.6), sharey="row", squeeze=False,
+        4, columns, figsize=(1.4 + 2.75 * columns, 10.2), sharey="row", squeeze=False,
         gridspec_kw={"height_ratios": [1.5, 1.0, 1.5, 1.0]},
     )  # fmt: skip
     styles = dict(zip(learned, LEARNED, strict=False))
     shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
+    windings_measured = [winding(recorded, stroke) for stroke in strokes]
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
         given, answer, _ = way
         curve_label, unit = ((MILLIMETRES, "mm"), (TURNS, "turns"))[row]
@@ -133,7 +164,7 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
             curve, below = grid[2 * row, column], grid[2 * row + 1, column]
             below.sharex(curve)
             curve.tick_params(labelbottom=False)
-            measured = winding(recorded, stroke)
+            measured = windings_measured[column]
             curve.plot(measured[given], measured[answer], label="measured", **MEASURED)
             known = measured[given].dropna()
             ends = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
@@ -143,11 +174,13 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
                 _drawn(curve, below, windings[column], way, style, ends)
             _logarithmic(below)
             first = column == 0
-            letter = "abcdef"[3 * row + column]
+            letter = "abcdef"[columns * row + column]
             name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if first else "")
             name(below, f"error of ({letter}) along the stroke", label[1], "")
         _footed(list(grid[2 * row + 1]), unit)
     if strokes:
-        figure.legend(handles=grid[0, 0].get_lines(), loc="outside lower center", ncols=4)
+        chosen = BEST.format(best) if best else ""
+        reading = wrapped(figure, BARS if shown else "", chosen, clipped(windings_measured, "Inverse"))
+        _legend(figure, {title: styles[title] for title in shown}, columns, reading)
     figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")
     return figure

@@ -46,11 +46,16 @@ def main() -> None:
     by_model: dict[str, list[Path]] = {}
     for path in arguments.predictions:
         by_model.setdefault(path.parent.name, []).append(path)
-    shown = [model for model in (INN, best_other(metrics, titles)) if model in by_model]
-    learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown if model is not None}
+    best = best_other(metrics, titles)
+    shown = [model for model in (INN, best) if model is not None and model in by_model]
+    learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown}
     with plt.rc_context(STYLE):
         save(figure_4(recorded, material), arguments.out_dir / "figure_4", mark)
-        save(figure_5(recorded, learned, material), arguments.out_dir / "figure_5", mark)
+        save(
+            figure_5(recorded, learned, material, titles[best] if best in shown else ""),
+            arguments.out_dir / "figure_5",
+            mark,
+        )
 
 
 if __name__ == "__main__":

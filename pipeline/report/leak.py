@@ -12,21 +12,26 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from ..ground import schemas
 from ..ground.errors import program
-from .drawing import COLOURS, STYLE, save
+from .drawing import COLOURS, READING_SIZE, STYLE, save, wrapped
 from .marks import add_mark, mark_from
 
 GROUPS = {
-    "random_forward": "random,\nforward loss",
-    "random_both": "random,\nboth losses",
-    "identity_forward": "identity,\nforward loss",
+    "random_forward": "shuffled,\nforward error",
+    "random_both": "shuffled,\nboth errors",
+    "identity_forward": "as they came,\nforward error",
     "inn": "INN of\nTables I, II",
 }
 PARTS = {"rmse": ("o", "whole error"), "leak_rmse": ("^", "leak alone"), "residual_rmse": ("_", "residual alone")}
 OUTPUTS = {"slope_b": ("o", "separator b"), "slope_l": ("^", "length l"), "slope_r": ("s", "radius r")}
+CHANGES = {"random_both": "both errors", "identity_forward": "as they came"}  # of the training, by their words above
+WITHOUT = "random_forward"
 READING = (
-    "A mark is one training, with permutations and weights of its own, on held-out points. The first three groups "
-    "differ in nothing but what stands beneath them.\nA constant input (b, l, r) comes out of the network with a small "
-    "error; where θ had to pass through that output, the inverse magnifies it: that part is the leak."
+    "A mark is one training, with shuffles and weights of its own, on held-out points. The first three groups differ "
+    "in nothing but what stands beneath them.",
+    "Between its blocks an INN shuffles its five values (θ, b, l, r, n). They leave it shuffled, so that θ may have to "
+    "pass through a constant's output, or as they came.",
+    "A constant (b, l, r) comes out with a small error. Where θ passes through its output the inverse magnifies that, "
+    "as (c) shows: the leak. The residual is what the error of x does.",
 )
 BENEATH = -0.24  # of a panel's height: a legend's place
 WIDTH = 0.56  # of a group's fits, of the distance between groups
@@ -37,6 +42,30 @@ def floor(metrics: pd.DataFrame, way: str) -> float:
     whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1) & (metrics["metric"] == "rmse")
     mine = metrics[whole & (metrics["model"] == "floor_blind") & (metrics["split"] == "within")]
     return float(mine.loc[mine["map"] == way, "value"].iloc[0])
+
+
+def parts_of(leak: pd.DataFrame, group: str) -> tuple[float, float]:
+    """The leak alone and the residual alone, RMSE of the inverse in turns, medians over the fits of a group."""
+    mine = leak[(leak["model"] == group) & (leak["map"] == "inverse")]
+    leaking, residual = (mine.loc[mine["metric"] == name, "value"].median() for name in ("leak_rmse", "residual_rmse"))
+    return float(leaking), float(residual)
+
+
+def outcome(leak: pd.DataFrame) -> tuple[str, str]:
+    """Which of the changes are remedies on these data: a few words for the title, and a sentence with the numbers."""
+    leaking, residual = parts_of(leak, WITHOUT)
+    if leaking <= residual:
+        sizes = f"the leak is {leaking:.2g} turns in the median, the residual {residual:.2g} turns"
+        return "and two changes of it", f"Here training without them leaks little already: {sizes}."
+    parts = {group: parts_of(leak, group) for group in CHANGES}
+    good = [group for group, (leaking, residual) in parts.items() if leaking <= residual]
+    title = {2: "and two remedies", 1: "and two changes, of which one is a remedy here"}
+    words = [
+        f"“{CHANGES[group]}” {'does' if group in good else 'does not'} ({leaking:.2g} against {residual:.2g} turns)"
+        for group, (leaking, residual) in parts.items()
+    ]
+    sentence = f"A remedy brings the leak below the residual, in the median: here {', '.join(words)}."
+    return title.get(len(good), "and two changes, of which none is a remedy here"), sentence
 
 
 def dots(axes: Axes, leak: pd.DataFrame, metric: str, way: str, style: tuple[str, str]) -> None:
@@ -55,7 +84,7 @@ def dots(axes: Axes, leak: pd.DataFrame, metric: str, way: str, style: tuple[str
 
 def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Figure:
     """Forward error, inverse error and its parts, and how steeply the inverse answers to constant outputs."""
-    figure, (forward, inverse, steep) = plt.subplots(1, 3, figsize=(10.4, 4.8))
+    figure, (forward, inverse, steep) = plt.subplots(1, 3, figsize=(10.4, 5.1))
     dots(forward, leak, "rmse", "forward", PARTS["rmse"])
     forward.set_title("(a) error of the forward way", loc="left")
     forward.set_ylabel("RMSE of x (mm)")
@@ -69,7 +98,7 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
     for metric, style in OUTPUTS.items():
         dots(steep, leak, metric, "inverse", style)
     steep.set_title("(c) what a constant's error does to θ", loc="left")
-    steep.set_ylabel("slope of θ over the output, rms (std/std)")
+    steep.set_ylabel("change of θ per mm of error, rms\n(in standard deviations of θ)")
     for axes in (inverse, steep):
         axes.set_yscale("log")
         axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -77,15 +106,14 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.yaxis.set_minor_formatter(NullFormatter())
     for axes in (forward, inverse, steep):
         axes.set_xticks(range(len(GROUPS)), list(GROUPS.values()), fontsize=7)
-        axes.set_xlabel("product of permutations, loss")
+        axes.set_xlabel("order of the outputs, error trained on")
         axes.set_xlim(-0.6, len(GROUPS) - 0.4)
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, BENEATH), ncols=2, fontsize=7)  # where no mark can lie
     figure.set_layout_engine("constrained", wspace=0.06)  # a label keeps off the panel beside it
-    figure.suptitle(
-        f"{material}: what training on the forward error alone does to the inverse of an INN, and two remedies"
-    )
-    figure.supxlabel(READING, fontsize=7.5)
+    changes, numbers = outcome(leak)
+    figure.suptitle(f"{material}: what training on the forward error alone does to the inverse of an INN, {changes}")
+    figure.supxlabel(wrapped(figure, *READING, numbers), fontsize=READING_SIZE, multialignment="left")
     return figure
 
 

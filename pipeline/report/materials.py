@@ -13,13 +13,16 @@ from .web.page import Text, link, paragraph, picture, together
 from .web.table import table
 
 FIGURES = {
-    "figure_4": "Figure 4: strokes against the traditional model, and its errors.",
+    "figure_4": "Figure 4: strokes against the traditional model, and its errors. Where x falls below 0 that model's"
+    " inverse has no real root and answers one and the same twist: its error has a spike at x = 0.",
     "figure_5": "Figure 5: models against the measurement, and their errors. The paper's figure has no error rows: a"
-    " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out.",
-    "figure_leak": "What training on the forward error alone does to the INN's inverse, by chance of its permutations,"
-    " and what two remedies change: the error of both ways, or permutations that undo each other. A constant input"
-    " comes out of the network with a small error, and where θ had to pass through that output, the inverse"
-    " magnifies it.",
+    " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out. Beside"
+    " the INN stands the other model of the least forward error on this material's held-out points, whichever it is.",
+    "figure_leak": "What training on the forward error alone does to the INN's inverse, by chance of the order in which"
+    " it shuffles its values, and what two changes do: training on the error of both ways, or shuffles that undo each"
+    " other, so that values leave in the order in which they came. A constant input comes out of the network with a"
+    " small error, and where θ had to pass through that output, the inverse magnifies it. Whether a change is a remedy"
+    " on these data stands beneath the figure.",
 }
 PAGES = {
     "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",

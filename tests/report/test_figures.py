@@ -3,9 +3,10 @@ import numpy as np
 import pandas as pd
 import programs
 import pytest
+from matplotlib.lines import Line2D
 
 from pipeline.ground import schemas
-from pipeline.report.drawing import save
+from pipeline.report.drawing import STYLE, save
 from pipeline.report.figure_4 import figure_4
 from pipeline.report.figure_5 import as_bars, by_range, figure_5, foot_of
 from pipeline.report.figures import best_other
@@ -109,6 +110,53 @@ def test_figure_5_has_a_row_of_errors_of_three_models_beneath_each_row_of_curves
         assert all(line.get_linestyle() != "None" for line in below.get_lines())
 
 
+def test_figure_5_says_in_its_legend_what_is_drawn_and_why_it_shows_its_last_model(dataset, learned):
+    five = figure_5(with_nominal(dataset), learned, "UHMWPE", "Spline model")
+    (legend,) = five.legends
+    words = [text.get_text() for text in legend.get_texts()]
+    assert words[1::2] == ["traditional model, and its error", "Spline model: held-out points, and their error"]
+    bars = [line for line in five.axes[3].get_lines() if "held-out" in line.get_label()]
+    points = [line for line in five.axes[0].get_lines() if "held-out" in line.get_label()]
+    keys = [(line.get_color(), line.get_marker(), line.get_linewidth()) for line in legend.findobj(Line2D)]
+    assert len(bars) == len(points) == 2
+    assert all((line.get_color(), line.get_marker(), line.get_linewidth()) in keys for line in (*bars, *points))
+    title = " ".join(legend.get_title().get_text().split())
+    assert "A bar: the rms error over one of 24 equal parts of the stroke" in title
+    assert "Spline model is drawn for its least forward error on this material's held-out points" in title
+    other = figure_5(with_nominal(dataset), learned, "UHMWPE").legends[0].get_title().get_text()
+    assert "is drawn for" not in other
+
+
+@pytest.mark.parametrize("last", [1, 2, 9])
+def test_the_words_beneath_a_figure_lie_on_it_and_touch_nothing(dataset, learned, last):
+    few = with_nominal(dataset[dataset["stroke"] <= last])
+    some = {title: points[points["stroke"] <= last] for title, points in learned.items()}
+    few.loc[few["motor_turns"] < 2.0, "displacement_mm"] = -0.5
+    with plt.rc_context(STYLE):
+        four, five = figure_4(few, "UHMWPE"), figure_5(few, some, "UHMWPE", "Spline model")
+        for figure in (four, five):
+            figure.canvas.draw()
+        shown = {four: four._supxlabel.get_window_extent(), five: five.legends[0].get_window_extent()}
+    for figure, words in shown.items():
+        assert words.x0 >= 0 and words.x1 <= figure.bbox.x1 and words.y0 >= 0
+        assert words.y1 < min(axes.get_tightbbox().y0 for axes in figure.axes)
+
+
+def test_the_spike_of_the_inverse_error_is_explained_where_it_is(dataset):
+    recorded = with_nominal(dataset)
+    above = recorded.assign(displacement_mm=recorded["displacement_mm"].abs())
+    below = recorded.copy()
+    below.loc[below["stroke"] == 5, "displacement_mm"] -= 2.0
+    below = with_nominal(below)
+    floor_turns = -below["separator_mm"].iloc[0] / below["radius_mm"].iloc[0] / (2.0 * np.pi)
+    words = f"so the model answers {floor_turns:.2g} turns at every x < 0".replace("-", "−")
+    for figure, text in ((figure_4(below, "m"), "(c), (d): below"), (figure_5(below, {}, "m"), "Inverse: below")):
+        told = figure.get_supxlabel() or figure.legends[0].get_title().get_text()
+        told = " ".join(told.split())
+        assert words in told and text in told and told.endswith("hence the spike of its error at x = 0.")
+    assert figure_4(above, "m").get_supxlabel() == figure_5(above, {}, "m").legends[0].get_title().get_text() == ""
+
+
 def test_an_error_is_a_root_mean_square_along_the_stroke_and_breaks_where_nothing_was_held_out():
     given = np.array([0.0, 0.1, 0.2, 9.8, 9.9, 10.0, 5.0, np.nan])
     middle, size = by_range(given, np.array([3.0, -3.0, 3.0, 1.0, -1.0, np.sqrt(7.0), 8.0, 1.0]), 0.0, 10.0)
@@ -155,6 +203,8 @@ def test_figures_have_no_panel_for_a_stroke_that_is_not_there(dataset, learned, 
     some = {title: points[points["stroke"] <= last] for title, points in learned.items()}
     four, five = figure_4(few, "UHMWPE"), figure_5(few, some, "UHMWPE")
     assert len(five.axes) == 4 * len(shown)
+    letters = [axes.get_title(loc="left")[1] for axes in five.axes if axes.get_title(loc="left").startswith("(")]
+    assert "".join(letters) == "abcdef"[: 2 * len(shown)]
     assert [axes.get_title(loc="left").split("n=")[1] for axes in five.axes[: len(shown)]] == [str(n) for n in shown]
     assert all(len(axes.get_lines()) >= 2 for axes in [*five.axes, *four.axes])
 

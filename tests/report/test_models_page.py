@@ -195,7 +195,35 @@ def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
     plt.close(figure)
     assert figure.get_suptitle().startswith("made: what training on the forward error alone does to the inverse")
     assert "\n" not in figure.get_suptitle()
-    assert "A mark is one training" in figure.get_supxlabel() and "the inverse magnifies it" in figure.get_supxlabel()
+    words = " ".join(figure.get_supxlabel().split())
+    assert "A mark is one training" in words and "the inverse magnifies that, as (c) shows: the leak." in words
+    assert "an INN shuffles its five values (θ, b, l, r, n)" in words and "The residual is what the error of x" in words
+    drawn = " ".join([axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes])
+    assert "product" not in drawn and "slope" not in drawn and "change of θ per mm of error" in drawn
+
+
+@pytest.mark.parametrize(
+    ("leaks", "title", "words"),
+    [
+        ((1.6, 0.04, 0.05), "and two remedies", "“both errors” does (0.04 against 0.05 turns), “as they came” does ("),
+        ((5.9, 6.0, 0.001), "of which one is a remedy here", "“both errors” does not (6 against 0.05 turns), “as they"),
+        ((5.9, 6.0, 0.3), "of which none is a remedy here", "“as they came” does not (0.3 against 0.05 turns)."),
+        (
+            (0.03, 0.02, 0.01),
+            "and two changes of it",
+            "Here training without them leaks little already: the leak is 0.03",
+        ),
+    ],
+)
+def test_the_leaks_figure_calls_a_remedy_what_is_one_on_its_data(leaks, title, words):
+    """In the quick configuration one of the two remedies is none, and the figure called it one."""
+    leak = made_leak()
+    for group, value in zip(GROUPS, leaks, strict=False):
+        leak.loc[(leak["model"] == group) & (leak["metric"] == "leak_rmse"), "value"] = value
+    with plt.rc_context(STYLE):
+        figure = figure_leak(leak, made_metrics(), "made")
+    plt.close(figure)
+    assert figure.get_suptitle().endswith(title) and words in " ".join(figure.get_supxlabel().split())
 
 
 def test_the_spread_of_the_seeds_stands_on_a_line_of_its_own():
