@@ -3,7 +3,7 @@
 import math
 from pathlib import Path
 
-from ..ground.command import command, recover_command
+from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
@@ -15,6 +15,7 @@ from .fields import names
 from .lines_to_csv import CSV, recover_lines
 from .log import LINES
 from .motion import read_legs
+from .near_names import doubt, mend_of
 from .session import capture, capture_lines
 from .told_lines import tell_lines
 
@@ -53,8 +54,8 @@ def check_channels(run: Run, folder: Path) -> None:
         channels.look(first)
         channels.samples(first)
     except BadInput as error:
-        other = f"; or, with the names in the order in which they are printed: {recover_command(folder)} --columns ..."
-        raise BadInput(error.file, error.field, error.problem, f"{error.mend}{other}") from None
+        mend = mend_of(error.mend, [str(name) for name in first.columns], run, folder)
+        raise BadInput(error.file, error.field, error.problem, mend) from None
 
 
 def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
@@ -136,6 +137,8 @@ def main() -> int:
         folder = arguments.run_dir
         try:
             if arguments.text:
+                if question := doubt(columns, folder):
+                    print(question, flush=True)
                 info = capture_lines(arguments.port, folder, arguments.baud, columns, arguments.longest)
             else:
                 legs = read_legs(arguments.program) if arguments.program else []

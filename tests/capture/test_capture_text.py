@@ -325,6 +325,14 @@ def test_what_a_rig_prints_without_names_is_kept_and_named_by_recover(rig, tmp_p
     assert json.loads((folder / "capture.json").read_text())["samples"]["received"] == kept.count(b"\n") - 1
 
 
+def test_a_misspelt_channel_is_asked_about_before_anything_is_recorded(rig):
+    _, start = rig
+    process = start("--columns", "time_ms,motor_truns,displacement_mm")
+    assert process.stdout.readline().startswith(
+        "--columns: motor_truns is no channel; did you mean time_ms,motor_turns,displacement_mm? What is recorded"
+    )
+
+
 def nameless(ours, start, folder, columns: str = "") -> tuple[int, str, float, float]:
     """Exit status and words of a recording of 60 lines of four numbers, and when it was started and ended."""
     began_s = time.time()

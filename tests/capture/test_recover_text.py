@@ -10,6 +10,7 @@ from made_recording import content
 
 from pipeline.capture.holes import MOST
 from pipeline.capture.lines_to_csv import recover_lines
+from pipeline.capture.near_names import doubt
 from pipeline.ground.errors import BadInput
 
 HEADER = "time_ms,motor_turns,displacement_mm\n"
@@ -57,8 +58,37 @@ def test_names_that_no_channel_has_are_said_with_the_command_that_mends_them(fol
     assert f"--recover {folder} --columns ..." in done.stdout and "Next:" not in done.stdout
     done = recover(folder, "--columns", "time_ms,motor_turn,displacement_mm")
     assert "there is no column 'motor_turns', only time_ms, motor_turn, displacement_mm" in done.stdout
+    right = "time_ms,motor_turns,displacement_mm"
+    assert f"did you mean {right}? Then: python -m pipeline.capture --recover {folder} --columns {right}; or name" in (
+        done.stdout
+    )
     done = recover(folder, "--columns", "time_ms,motor_turns,displacement_mm")
     assert done.returncode == 0 and "nothing can use" not in done.stdout and "Next:" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"),
+    [
+        ("time_s,motor_truns,displacement_mm", "time_s,motor_turns,displacement_mm"),
+        ("time_ms,motor_turns,displacment_mm,load", "time_ms,motor_turns,displacement_mm,load_n"),
+        ("t,theta,x_mm", ""),
+        ("time,motor_deg,displacement_cm,load_kg", ""),  # they carry units of their own
+        ("time_ms,motor_turns,displacement_mm,pressure_bar", ""),
+    ],
+)
+def test_names_that_are_nearly_those_of_channels_are_asked_about(tmp_path, given, meant):
+    """`--columns time_s,motor_truns,…` recorded for an hour what nothing could use, without a word at its start."""
+    said = doubt(given.split(","), tmp_path / "a b")
+    assert bool(said) == bool(meant)
+    if meant:
+        assert f"did you mean {meant}?" in said and said.endswith(f"--recover '{tmp_path}/a b' --columns {meant}")
+
+
+def test_a_name_that_the_run_gives_is_no_misspelt_one(folder):
+    channels = {"motor_turns": {"column": "motor_turn", "unit": "deg"}}
+    assert "is no channel; did you mean time_s,motor_turns,x?" in doubt(["time_s", "motor_turn", "x"], folder)
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1") | {"channels": channels}))
+    assert doubt(["time_s", "motor_turn", "x"], folder) == ""
 
 
 WRONG = [
