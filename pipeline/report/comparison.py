@@ -22,7 +22,8 @@ NOTES = """\
 Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of
 the strokes, whole. Values are medians over the seeds, with the lowest and the highest in brackets where they differ.
 The displacement is tared once a string, on the rest before its first stroke, to the model's value at that twist.
-Where the contraction is negative eq. 5 has no real root: its radicand is clipped at 0.
+Where the contraction is negative eq. 5 has no real root: what is under it is taken as 0, so the traditional model
+answers one and the same twist there. Of the models here the paper has numbers of the INN and the traditional one alone.
 The INN has the paper's five inputs, so no direction: it learns the middle between winding and unwinding.
 """
 

@@ -138,7 +138,7 @@ def sentence(mark: MadeBy) -> str:
 def warning(mark: MadeBy) -> str:
     """The few words that stand on a figure or in a caption; empty for the default configuration."""
     heads = {"small": "small fit: not a result", "own": "your own configuration"}
-    return f"{heads[mark.kind]}, {mark.name} ({mark.version})" if mark.kind in heads else ""
+    return f"{heads[mark.kind]}, {mark.name}, {mark.version}" if mark.kind in heads else ""
 
 
 def called(files: list[str], options: bool) -> str:

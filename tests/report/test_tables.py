@@ -101,7 +101,7 @@ def test_every_form_of_a_small_fit_says_that_it_is_no_result_and_the_csv_keeps_i
     assert (tmp_path / "table_1.csv").read_text() == plain and plain.splitlines()[0] == HEADERS[1]
     for suffix in ("md", "tex"):
         text = (tmp_path / f"table_1.{suffix}").read_text()
-        assert "COMPARISON (small fit: not a result, ci.yaml (checksum of its settings abc1234))" in text
+        assert "COMPARISON (small fit: not a result, ci.yaml, checksum of its settings abc1234)" in text
         assert "Small fit, not a result: made by ci.yaml" in text and "2 seeds of 3 epochs" in text
     beside = json.loads((tmp_path / "table_1.csv-metadata.json").read_text())
     assert beside["url"] == "table_1.csv" and beside["schema:creativeWorkStatus"] == "small fit: not a result"
@@ -152,6 +152,7 @@ def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_pa
 
 def test_comparison_shows_the_paper_beside_ours_with_the_spread():
     text = comparison(made_metrics(), "m", TITLES)
+    assert "the paper has numbers of the INN and the traditional one alone" in text and "taken as 0, so the" in text
     assert "| INN model | n=1 | 1.112 (1.110–1.114) | 0.180 |" in text
     assert "| Traditional model | n=9 | 3.912 (3.910–3.914) | 2.101 |" in text
     assert "later strokes, winding" in text and "101.112" in text
