@@ -133,7 +133,7 @@ class Loop:
             self._settled(steps, "verdict", f"the verdict is {last.verdict}")
             return None
         left = self.budget.left(steps)
-        step, why = chosen(options, last.number + 1, self.motor.limits(), left)
+        step, why = chosen(options, last.number + 1, self.motor.bounds(), left)
         if step is None and last.verdict == "explained":
             self._settled(steps, "verdict", f"the verdict is explained; no other run confirms it: {why}")
             return None
@@ -154,7 +154,8 @@ class Loop:
     def _too_far(self, steps: list[Step]) -> bool:
         """Whether a run that was proposed earlier is beyond what is allowed now."""
         step, left = steps[-1], self.budget.left(steps[:-1])
-        return (beyond(as_legs(step.legs), self.motor.limits()) or left.lacks(step)) is not None
+        too_far = beyond(as_legs(step.legs), self.motor.bounds()) if step.legs else None
+        return (too_far or left.lacks(step)) is not None
 
     def _approved(self, step: Step) -> Step | None:
         print(told(step, self.place), flush=True)

@@ -13,6 +13,8 @@ from ..wire.motion import Limits
 from .limits import Allowed, beyond
 from .step import Place, Step
 
+# of a person who moves the rig, where --limits say no less
+FREE = Limits(10**6, (-1e6, 1e6), 1e6, 1e6, 1e9, 1.0, 0.0, (0.0, 1e9))
 LONGER, AND_S = 2.0, 60.0  # than its legs take: then a recording is ended
 
 
@@ -42,6 +44,11 @@ class Motor:
         """What rig and person both allow."""
         rig = self.takes()
         return self.allowed.within(rig) if rig else None
+
+    def bounds(self) -> Limits | None:
+        """What no run that is proposed may go beyond: of a rig that takes no program what the person said, if any."""
+        limits = self.limits()
+        return self.allowed.within(FREE) if limits is None and self.allowed.given else limits
 
     def follow(self, step: Step, place: Place, stopped: Callable[[], bool]) -> None:
         """Make an approved run and record it; raises BadInput where the limits of now forbid it."""

@@ -153,7 +153,8 @@ def refusal(legs: Sequence[Leg], limits: Limits) -> tuple[Answer, int, str] | No
         if leg.load_n is not None and limits.load_n is None:
             return Answer.LOAD, number, f"asks for {leg.load_n:g} N, and the rig cannot change its load"
         if leg.load_n is not None and limits.load_n and not limits.load_n[0] <= leg.load_n <= limits.load_n[1]:
-            loads = f"{limits.load_n[0]:g} to {limits.load_n[1]:g} N"
+            least_n, most_n = limits.load_n
+            loads = f"{least_n:g} to {most_n:g} N" if least_n < most_n else f"{least_n:g} N"
             return Answer.LOAD, number, f"asks for {leg.load_n:g} N, and the rig hangs {loads}"
         way = abs(leg.turns - at)
         speed = cruise(way, leg.seconds, limits.turns_per_s2)

@@ -13,6 +13,7 @@ from pipeline.diagnosis.words.page import CUT, LINES
 WIDE = 120
 ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
 NOTHING = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "mismatch": None}
+UNDER_ANOTHER = {"next_run__title": "one stroke under half the load", "next_run__fixed_load": True}
 SEVERAL = [f"raw/nylon-{number}" for number in range(3, 13)]
 COLUMN = {"loop_as_before_mm": 0.3, "loop_half_speed_mm": 0.2, "hold_mm": -0.3, "rest_mm": 0.2}
 FORETOLD = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": [
@@ -95,6 +96,8 @@ CASES = {
     "several recordings": lambda: of_several(two()),
     "several recordings, one explanation": lambda: of_several(missing(**ALONE)),
     "several recordings, adopted effects": lambda: of_several(nothing_further()),
+    "a run under another load": lambda: two(**UNDER_ANOTHER),
+    "several recordings, a run under another load": lambda: of_several(missing(**UNDER_ANOTHER)),
     "unknown": lambda: missing() | {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None},
 }  # fmt: skip
 

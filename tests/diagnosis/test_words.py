@@ -1032,6 +1032,10 @@ def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
     text = told(content(next_run__title="one stroke under twice the load"))
     said = "Only if the rig bears so much. If your rig cannot change its load, leave this run out: the likelier expl"
     assert f"{said}anations stay tied." in text and "If your rig cannot" not in told()
+    half = "one stroke under half the load"
+    fixed = told(content(next_run__title=half, next_run__load=20.0, next_run__fixed_load=True))
+    look = "`python -m pipeline.settle RUN --limits '{load_n: [20, 20]}'` looks for one under this load"
+    assert f"the likelier explanations stay tied. {look}; it says where none does." in fixed and look not in text
     fast = told(content(next_run__title="one stroke at twice the speed"))
     assert "Only if the motor can go so fast. If your rig cannot go so fast, leave this run out" in fast
 

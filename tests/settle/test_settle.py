@@ -134,6 +134,19 @@ def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_fo
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and set(old.heard) == {Kind.GREET}
 
 
+def test_a_rig_that_is_moved_by_hand_under_one_load_is_asked_for_no_other(place):
+    """The verdict said "leave this run out" to such a rig, and settle asked it for 40 N whatever --limits said."""
+    one = program(place, "settle", "raw/poor-1", "--limits", "{load_n: [20, 20]}", "--out", "out")
+    said = ""
+    while one.poll() is None and "When the recording is there" not in said:
+        said += one.stdout.readline()
+    one.kill()
+    said += one.communicate()[0]
+    assert "passed over: leg 2 asks for 40 N, and the rig hangs 20 N (" in said and "hang 40 N" not in said, said
+    proposed = json.loads((place / "out" / "step-1" / "state.json").read_text())["proposal"]
+    assert all(leg.get("load_n") is None for leg in proposed["legs"]) and "load" not in proposed["title"]
+
+
 def test_another_run_is_not_settled_in_the_same_place(place):
     shutil.copytree(place / "raw" / "poor-1", place / "raw" / "poor-2")
     path = place / "raw" / "poor-2" / "run.yaml"

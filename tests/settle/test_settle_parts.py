@@ -50,6 +50,17 @@ def test_what_both_allow_is_the_narrower_of_the_two():
 
 
 @pytest.mark.parametrize(
+    ("given", "title"),
+    [("{load_n: [20, 20]}", "one stroke"), ("{turns: [0, 15]}", "half"), ("{}", "one stroke under half the load")],
+)
+def test_a_person_who_moves_the_rig_may_say_limits_too(given, title):
+    options = [entry("one stroke under half the load", load_n=10.0), entry("one stroke"), entry("half", top=12.0)]
+    bounds = Motor(None, 9600, Allowed.read(given), False).bounds()
+    assert chosen(options, 1, bounds, Budget(3, 9.0, 9))[0].proposal["title"] == title
+    assert (bounds is None) == (given == "{}")
+
+
+@pytest.mark.parametrize(
     "text",
     ["[1]", "{turn: 3}", "{turns: 3}", "{turns: [5, 1]}", "{seconds: -1}", "{seconds: true}", "{load_n: [a, b]}"],
 )

@@ -2,6 +2,7 @@
 
 import itertools
 
+from ...ground.command import command
 from .. import design
 from ..adopt import NO_USE
 from ..content import NextRun, Verdict, proposal
@@ -150,6 +151,16 @@ def undecided(run: NextRun) -> str:
     return "No run that was tried decides"
 
 
+def under_this_load(run: NextRun, words: Vocabulary) -> str:
+    """The command that looks for a run without another load; nothing where no run of such a rig is looked for."""
+    load = run.get("load")
+    if words.driver != "motor_turns" or not run.get("fixed_load") or not load:
+        return ""
+    hangs = f"{load:.4g}"
+    look = f"{command('settle')} RUN --limits '{{load_n: [{hangs}, {hangs}]}}'"
+    return f" `{look}` looks for one under this load; it says where none does."
+
+
 def care(content: Verdict, words: Vocabulary) -> str:
     """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
     run = proposal(content)
@@ -164,6 +175,8 @@ def care(content: Verdict, words: Vocabulary) -> str:
     if "parts" in run:
         lost = "the likelier explanations stay tied" if decides(run) else "less is learnt"
         cannot += f"leave this run out: {lost}."
+        if "load" in run["title"] and words.load:
+            cannot += under_this_load(run, words)
     else:
         cannot += (
             "make the run at the other speed alone: it shows less." if "speed" in run["title"] else "leave it out."
