@@ -32,8 +32,8 @@ CLEAR = 0.8  # of the least error: where an axis begins that has none below its 
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
 BEST = (
-    "{} is drawn for its least forward error on this material's held-out points, of all models beside the INN and the "
-    "traditional one; of another material another one may be."
+    "{} is drawn because it has the least forward error on this material's held-out points, of all models beside the "
+    "INN and the traditional one; for another material it may be another."
 )
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 

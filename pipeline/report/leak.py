@@ -31,7 +31,7 @@ READING = (
     "Between its blocks an INN shuffles its five values (θ, b, l, r, n). They leave it shuffled, so that θ may have to "
     "pass through a constant's output, or as they came.",
     "A constant (b, l, r) comes out with a small error. Where θ passes through its output the inverse magnifies that, "
-    "as (c) shows: the leak. The residual is what the error of x does.",
+    "as (c) shows: the leak. The residual comes from the error of x.",
 )
 BENEATH = -0.24  # of a panel's height: a legend's place
 WIDTH = 0.56  # of a group's fits, of the distance between groups

@@ -13,6 +13,7 @@ APART = "Later strokes under other conditions"
 OTHERWISE = "Recorded under other conditions"
 Kind = tuple[str, str, str, str]  # column, and in words: what stands before a size, its unit, what it is
 KINDS: tuple[Kind, ...] = (("load_n", "at ", "N", "load"), ("top_turns", "to ", "turns", "twist"))
+MOST = 4  # conditions that a sentence tells one by one
 NEAR = 0.05  # of a load or a twist: what differs by less is the same
 
 
@@ -98,6 +99,8 @@ def otherwise(dataset: pd.DataFrame | None, strokes: Iterable[int] | None = None
     by_condition: dict[str, list[int]] = {}
     for at, condition in others.groupby(level="stroke"):
         by_condition.setdefault(_in_words(condition, kinds), []).append(int(at))
+    if len(by_condition) > MOST:
+        by_condition = {_in_words(others, kinds): sorted({int(at) for _, at in others.index})}
     named = "; ".join(f"n={ranges(numbers)} {words}" for words, numbers in by_condition.items())
     in_part = " (of some strings)" * bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
     return f"{OTHERWISE}: {named}{in_part}; the others {_in_words(rest, kinds)}."

@@ -122,9 +122,9 @@ def test_figure_5_says_in_its_legend_what_is_drawn_and_why_it_shows_its_last_mod
     assert all((line.get_color(), line.get_marker(), line.get_linewidth()) in keys for line in (*bars, *points))
     title = " ".join(legend.get_title().get_text().split())
     assert "A bar: the rms error over one of 24 equal parts of the stroke" in title
-    assert "Spline model is drawn for its least forward error on this material's held-out points" in title
+    assert "Spline model is drawn because it has the least forward error on this material's held-out points" in title
     other = figure_5(with_nominal(dataset), learned, "UHMWPE").legends[0].get_title().get_text()
-    assert "is drawn for" not in other
+    assert "is drawn because" not in other
 
 
 @pytest.mark.parametrize("last", [1, 2, 9])

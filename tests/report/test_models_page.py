@@ -197,7 +197,10 @@ def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
     assert "\n" not in figure.get_suptitle()
     words = " ".join(figure.get_supxlabel().split())
     assert "A mark is one training" in words and "the inverse magnifies that, as (c) shows: the leak." in words
-    assert "an INN shuffles its five values (θ, b, l, r, n)" in words and "The residual is what the error of x" in words
+    assert (
+        "an INN shuffles its five values (θ, b, l, r, n)" in words
+        and "The residual comes from the error of x." in words
+    )
     drawn = " ".join([axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes])
     assert "product" not in drawn and "slope" not in drawn and "change of θ per mm of error" in drawn
 

@@ -54,6 +54,9 @@ def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_sho
     points.loc[points["stroke"].isin([3, 4]), "load_n"] = 2.0 * usual_n
     several = f"n=3 to 4 at {2.0 * usual_n:.3g} N and to {top_turns:.3g} turns; n=9 at {other} and to "
     assert several in otherwise(points)
+    points["load_n"] = usual_n * (1.0 + 0.1 * (points["stroke"] - 4.0).clip(lower=0.0))
+    low, high = f"{1.1 * usual_n:.3g}", f"{1.5 * usual_n:.3g}"
+    assert otherwise(points).startswith(f"{OTHERWISE}: n=5 to 9 at {low} to {high} N and to ")
     two = with_last().assign(string="b")
     two.loc[two["stroke"] < 5, "load_n"] = 1.5 * usual_n
     first_four = f"n=1 to 4 at {other} (of some strings); the others at {usual}."
