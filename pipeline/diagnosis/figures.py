@@ -1,5 +1,6 @@
 """One page of figures: recording over simulation, mismatch maps, explanations, held-out error, residual by driver."""
 
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +26,7 @@ from .words.vocabulary import Vocabulary
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
-MOST = 6  # panels of drivers
+MOST, WIDEST = 6, 130  # panels of drivers, and letters in a line of the mark
 STYLES = {
     "nominal": {"color": "0.7", "lw": 0.8},
     "calibrated": {"color": "#2166ac", "lw": 0.8, "ls": ":"},
@@ -105,7 +106,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(title(content), fontsize=11)
     vocabulary = Vocabulary.of(problem.system)
-    warned = "\n".join(filter(None, (mark, warning(content, vocabulary))))
+    warned = "\n".join(filter(None, (textwrap.fill(mark, WIDEST), warning(content, vocabulary))))
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
     top, maps, middle, bottom = rows
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
