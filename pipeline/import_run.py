@@ -20,6 +20,7 @@ from .foreign.origin import origin
 from .formats import read_foreign
 from .ground import schemas
 from .ground.command import HOUSE, command
+from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.folders import whole_folder
@@ -89,8 +90,8 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     if not loads:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
-    rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
-    sentence = f"{folder}: {len(samples)} samples" + (f"; mended {rules}" if rules else "")
+    rules = ", ".join(counted(times, rule.replace("_", " ").removesuffix("s")) for rule, times in mended.items())
+    sentence = f"{folder}: {counted(len(samples), 'sample')}" + (f"; mended {rules}" if rules else "")
     sentence = "\n".join(filter(None, (sentence, read_as(run, samples, file), read_back(run))))
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
@@ -130,7 +131,7 @@ def import_folder(folder: Path, mapping: Path, name: str, out: Path, pattern: st
             refused += 1
     if files.passed_over:
         print(files.sentence)
-    print(f"{made} of {made + refused} files imported" + (", the others refused (above)" if refused else ""))
+    print(f"{made} of {counted(made + refused, 'file')} imported" + (", the others refused (above)" if refused else ""))
     if made:
         runs = shlex.quote(str(out / name))
         print(f"diagnose each by {command('diagnose')} {runs}-* --out reports/mine; runs of one rig in one: --together")

@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 from ..ground.command import command
+from ..ground.counts import counted
 from ..ground.errors import BadInput, program
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
@@ -76,7 +77,7 @@ def tell_frames(info: CaptureJson, folder: Path) -> None:
     """Say how many frames came, and where others were lost."""
     frames, samples = info["frames"], info["samples"]
     print(
-        f"{folder}: {info['exit_status']}, {samples['received']} samples; frames: {frames['sent']} sent = "
+        f"{folder}: {info['exit_status']}, {counted(samples['received'], 'sample')}; frames: {frames['sent']} sent = "
         f"{frames['received']} received + {frames['lost']} lost, {frames['bad']} bad"
     )
     for gap in info["gaps"][:GAPS_TOLD]:
@@ -86,17 +87,19 @@ def tell_frames(info: CaptureJson, folder: Path) -> None:
             f"{folder}: {gap['frames']} frame{'s' * (gap['frames'] > 1)} lost {where}; strokes it may touch: {strokes}"
         )
     if len(info["gaps"]) > GAPS_TOLD:
-        print(f"{folder}: and in {len(info['gaps']) - GAPS_TOLD} more places, see capture.json")
+        print(f"{folder}: and in {counted(len(info['gaps']) - GAPS_TOLD, 'more place')}, see capture.json")
     if samples["out_of_order"]:
-        print(f"{folder}: samples came out of order ({samples['out_of_order']} times); their numbers put them right")
+        often = counted(samples["out_of_order"], "time")
+        print(f"{folder}: samples came out of order ({often}); their numbers put them right")
     clock = {"backward": samples["backward_time_stamps"], "repeated": samples["repeated_time_stamps"]}
     if any(clock.values()) and info["exit_status"] != "fault":
-        counted = " and ".join(f"{times} {word}" for word, times in clock.items() if times)
-        print(f"{folder}: the device's clock gave {counted} time stamps; they are mended when the run is read")
+        both = " and ".join(f"{times} {word}" for word, times in clock.items() if times)
+        stamps = f"{both} time stamp{'s' * (sum(clock.values()) != 1)}"
+        print(f"{folder}: the device's clock gave {stamps}, mended when the run is read")
     sent = samples["sent"]
     if sent is not None and not 0 <= sent - samples["received"] <= frames["lost"]:
         print(
-            f"{folder}: warning: the device counted {sent} samples, {samples['received']} can be read, and "
+            f"{folder}: warning: the device counted {counted(sent, 'sample')}, {samples['received']} can be read, and "
             "lost frames do not explain it: check its firmware against docs/protocol.md"
         )
 

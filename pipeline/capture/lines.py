@@ -3,8 +3,8 @@
 import re
 from dataclasses import dataclass, field
 
+from ..ground.counts import are, counted
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
-from .told_lines import are, counted
 from .unnamed import UNSURE, Unnamed, named
 
 LISTED = 1000  # so many places are kept; all are counted

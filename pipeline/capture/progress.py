@@ -2,6 +2,7 @@
 
 import time
 
+from ..ground.counts import counted
 from ..wire import Event, Frame, Hello, Kind
 from ..wire.belief import LATE, Numbers
 from ..wire.frames import EVENT
@@ -64,15 +65,16 @@ class Progress:
         # as they come, which for a rig at another pace is not its own rate
         rate_hz = self.samples / max(passed_s, 1e-3)
         own = f" ({rate_hz / self.hello.rate_hz:.2g} times the {self.hello.rate_hz:g} of the rig's own clock)"
-        left_s, lost = self.left.at(passed_s), f"{self.lost} frames lost"
+        left_s, lost = self.left.at(passed_s), f"{counted(self.lost, 'frame')} lost"
         readings = [f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now]
+        done = "stroke done" if self.left.done == 1 and not of else "strokes done"
         return [
             f"{clock(passed_s)} passed" if other_pace else f"{clock(recorded_s)} recorded",
-            f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} strokes done",
+            f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} {done}",
             *([f"about {clock(left_s)} left"] if left_s is not None and not last else []),
             *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off
             *([rigs_own] if other_pace else []),
-            f"{self.samples} samples",
+            counted(self.samples, "sample"),
             f"{rate_hz:.0f} samples/s{own if other_pace else ''}",
             *([f"{free_bytes / 1e9:.1f} GB free"] if free_bytes else []),
         ]

@@ -3,21 +3,12 @@
 from pathlib import Path
 
 from ..ground.command import recover_command
+from ..ground.counts import counted
 from ..run.capture_json import CaptureJson, Lost
 from .fields import TIME, is_known
 from .unnamed import named
 
 SIZES_TOLD = 5  # of holes
-
-
-def counted(count: int, what: str) -> str:
-    """So many of a thing: 1 line, 2 lines."""
-    return f"{count} {what}{'s' * (count != 1)}"
-
-
-def are(count: int) -> str:
-    """The verb of so many things."""
-    return "is" if count == 1 else "are"
 
 
 def missing(holes: list[Lost]) -> str:

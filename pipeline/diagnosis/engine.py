@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..run.description import Run
 from ..systems import Parameter, System
@@ -52,7 +53,9 @@ def make_problem(
         few = f"holds {worked} stroke{'s' * (worked != 1)}: what comes with time cannot be told from what comes with "
         raise BadInput(where, "recording", f"{few}the motion", mend)
     if to_fit and len(record) < LEAST_SAMPLES:
-        raise BadInput(where, "recording", f"holds {len(record)} samples, of which {LEAST_SAMPLES} are needed", mend)
+        raise BadInput(
+            where, "recording", f"holds {counted(len(record), 'sample')}, of which {LEAST_SAMPLES} are needed", mend
+        )
     drivers = drivers_of(system, record, runs[0])
     homes = homes_of(system, runs)
     nowhere = unplaced(system, drivers)

@@ -8,6 +8,7 @@ import pandas as pd
 
 from ..formats import format_of, read_foreign
 from ..ground.complaint import key_name
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.strict_yaml import write_yaml
@@ -80,7 +81,7 @@ def _preview(path: Path, kind: str, roles: dict[str, Role], columns: dict[str | 
     """The first rows as they would be read, and the columns that nothing is read from."""
     read = {channel: values for channel, role in roles.items() if (values := _in_our_units(channel, role)) is not None}
     count = max((len(values) for values in columns.values()), default=0)
-    lines = [f"{path}: {kind} with {count} rows of {len(columns)} columns of numbers"]
+    lines = [f"{path}: {kind} with {counted(count, 'row')} of {counted(len(columns), 'column')} of numbers"]
     if read:
         shown = pd.DataFrame({channel: values[:SHOWN_ROWS] for channel, values in read.items()})
         lines += ["its first rows, as they are read:", shown.to_string(index=False)]

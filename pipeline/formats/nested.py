@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 
 from ..ground.complaint import key_name
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from .interface import Columns
 
@@ -117,7 +118,7 @@ def table_of(columns: Columns, wanted: Sequence[str], path: Path) -> pd.DataFram
     if len(set(lengths.values())) > 1:
         first, *others = lengths
         other = next(name for name in others if lengths[name] != lengths[first])
-        problem = f"has {lengths[other]} values, but {key_name(first)} has {lengths[first]}"
+        problem = f"has {counted(lengths[other], 'value')}, but {key_name(first)} has {lengths[first]}"
         mend = "map columns that were recorded together, one value each a sample"
         raise BadInput(path, key_name(other), problem, mend)
     longest = max(len(values) for values in series.values() if values.dtype.kind in "fiub")

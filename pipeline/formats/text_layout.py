@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.complaint import short
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
 from .time_stamps import is_stamp
@@ -93,5 +94,5 @@ def uneven(lines: Iterator[str], delimiter: str) -> str | None:
     for line in lines:
         fields = len(cells(line, delimiter))
         if fields > width:
-            return f"the line {short(line)} has {fields} fields, its first line {short(first)} has {width}"
+            return f"the line {short(line)} has {counted(fields, 'field')}, its first line {short(first)} has {width}"
     return None

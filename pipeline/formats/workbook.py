@@ -11,6 +11,7 @@ from typing import Any
 import pandas as pd
 
 from ..ground.complaint import key_name, short
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.regular_file import open_regular
 from ..ground.text_file import TextFile
@@ -95,7 +96,8 @@ def _check_start(path: Path, rows: list[list[Any]], layout: TextFile) -> None:
     below = first - layout.header - layout.skip_below
     if below <= 0:
         return
-    problem = f"has {first} rows above its first row of numbers: {', '.join(short(row) for row in rows[:first])[:200]}"
+    above = ", ".join(short(row) for row in rows[:first])[:200]
+    problem = f"has {counted(first, 'row')} above its first row of numbers: {above}"
     if layout.header and len(rows[0]) == len(rows[first]):
         raise BadInput(path, "file.skip_below", problem, f"set file.skip_below to {first - 1}")
     more = f"set file.skip to {layout.skip + below}, if the names stand in the row above the numbers"

@@ -16,7 +16,7 @@ from .health import Health
 from .indicators import REFERENCE
 from .percent import percent
 from .questions import Answer
-from .stroke_counts import at_least, at_most, strokes
+from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 from .strokes_left import BAND_LEVELS, LEAST_STROKES
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
@@ -150,10 +150,10 @@ def interval(axes: Axes, answer: Answer, level: float, end: float, height: float
         color="k",
         clip_on=False,
     )
-    words = f"{at_least(left.low)} to {at_most(left.high)}" if left.state == "interval" else (
-        f"{'more than' if left.state == 'censored' else 'at least'} {at_least(left.low)}"
+    words = f"{at_least(left.low)} to {strokes_at_most(left.high)}" if left.state == "interval" else (
+        f"{'more than' if left.state == 'censored' else 'at least'} {strokes_at_least(left.low)}"
     )  # fmt: skip
-    words += f" strokes left in {percent(level)} of the futures"
+    words += f" left in {percent(level)} of the futures"
     late = low > 0.5 * end  # words that begin there would leave the axes; above the limit they hide no line
     place, away = ((min(high, end), height), (-3, 8)) if late else ((low, height), (3, -6))
     axes.annotate(

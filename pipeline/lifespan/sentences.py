@@ -14,7 +14,7 @@ from .health import Health
 from .indicators import REFERENCE
 from .percent import of_100, percent, tail
 from .questions import Answer
-from .stroke_counts import at_least, at_most, strokes
+from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 from .strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
 
 UNFORESEEN = (
@@ -97,13 +97,13 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
     further = f"The forecast does not look further than {most}."
     if span.state == "censored":
         return [f"Until {limit}: more than {most} left in {percent(level)} of the futures.", further]
-    half = f"Half of the futures stay below the limit for longer than {at_least(span.median)} strokes." if np.isfinite(
+    half = f"Half of the futures stay below the limit for longer than {strokes_at_least(span.median)}." if np.isfinite(
         span.median) else f"At least half of the futures stay below the limit for all {most}."  # fmt: skip
     if span.state == "interval":
         ends = tail((1.0 - level) / 2.0)
-        between = f"{at_least(span.low)} to {at_most(span.high)} strokes left in {percent(level)} of the futures"
+        between = f"{at_least(span.low)} to {strokes_at_most(span.high)} left in {percent(level)} of the futures"
         return [f"Until {limit}: {between} ({ends} pass it sooner, {ends} later).", half]
-    least = f"at least {at_least(span.low)} strokes left in {percent(level)} of the futures"
+    least = f"at least {strokes_at_least(span.low)} left in {percent(level)} of the futures"
     return [f"Until {limit}: {least} ({tail(1.0 - level)} pass it sooner).", half, further]
 
 

@@ -15,6 +15,16 @@ def at_most(strokes: float) -> str:
     return f"{math.ceil(strokes - HAIR)}"
 
 
+def strokes_at_least(bound: float) -> str:
+    """A lower bound with its word: `1 stroke` of 1.7."""
+    return strokes(int(at_least(bound)))
+
+
+def strokes_at_most(bound: float) -> str:
+    """An upper bound with its word."""
+    return strokes(int(at_most(bound)))
+
+
 def strokes(count: int) -> str:
     """A number of strokes: `1 stroke`, `4 strokes`."""
     return f"{count} stroke{'s' if count != 1 else ''}"

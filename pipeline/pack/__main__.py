@@ -10,6 +10,7 @@ from pathlib import Path
 
 from .. import __version__
 from ..ground.command import command
+from ..ground.counts import counted
 from ..ground.errors import BadInput, program
 from ..ground.files import sha256, whole
 from ..ground.fingerprint import fingerprint
@@ -63,7 +64,7 @@ def main() -> None:
     manifest = Manifest(__version__, fingerprint("pipeline.*"), materials, arguments.configfile, described_files)
     write(arguments.out, manifest, files)
     runs = sum(map(len, materials.values()))
-    size = f"{len(described_files)} files, {arguments.out.stat().st_size / 1e6:.1f} MB"
+    size = f"{counted(len(described_files), 'file')}, {arguments.out.stat().st_size / 1e6:.1f} MB"
     print(f"{arguments.out}: {', '.join(materials)}, {runs} run{'s' * (runs != 1)}, {size}")
 
 

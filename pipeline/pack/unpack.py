@@ -16,6 +16,7 @@ import zlib
 from pathlib import Path
 
 from ..ground.command import command
+from ..ground.counts import counted
 from ..ground.errors import BadInput, program
 from ..ground.files import sha256
 from ..ground.fingerprint import fingerprint
@@ -164,7 +165,8 @@ def main() -> None:
     manifest, came = unpack(archive)
     kept_count = len(manifest.files) - came
     print(
-        f"{', '.join(manifest.materials)}: {came} files unpacked" + (f", {kept_count} were there" if kept_count else "")
+        f"{', '.join(manifest.materials)}: {counted(came, 'file')} unpacked"
+        + (f", {kept_count} {'was' if kept_count == 1 else 'were'} there" if kept_count else "")
     )
     if fingerprint("pipeline.*") != manifest.code:
         print(f"packed by other code (twistbench {manifest.version}): what that code makes otherwise is made again")

@@ -5,6 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.complaint import key_name
+from ..ground.counts import counted
 from .description import Run
 
 
@@ -21,4 +22,4 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
         parts += [f"in {channel.unit}"] if channel and channel.unit else []
         whence = f" ({' '.join(parts)})" if parts else ""
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
-    return "\n  ".join([f"{path.name} has {len(samples)} samples. They are read as:", *sentences])
+    return "\n  ".join([f"{path.name} has {counted(len(samples), 'sample')}. They are read as:", *sentences])

@@ -10,6 +10,7 @@ import pandas as pd
 
 from ..ground import schemas
 from ..ground.command import command
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.files import whole
 from ..ground.kinematics import Geometry
@@ -46,7 +47,7 @@ def check_finite(samples: pd.DataFrame | Rows, path: Path) -> None:
     """Raise BadInput for a table too short to hold a stroke, a NaN or an infinity."""
     rows = rows_of(samples)
     if len(rows) < LEAST_SAMPLES:
-        problem = f"holds {len(rows)} samples, too few for a stroke"
+        problem = f"holds {counted(len(rows), 'sample')}, too few for a stroke"
         raise BadInput(path, "file", problem, "record at least one stroke at 10 Hz to 10 kHz")
     for name in rows.columns:
         bad = [np.flatnonzero(~np.isfinite(piece)) for piece in rows.pieces(name)]
@@ -55,7 +56,7 @@ def check_finite(samples: pd.DataFrame | Rows, path: Path) -> None:
                 begin + int(places[0]) for (begin, _), places in zip(rows.spans, bad, strict=True) if len(places)
             )
             mend = "remove the rows without a reading; missing rows are no harm"
-            raise BadInput(path, name, f"is not a number in {count} rows, first in row {first + 1}", mend)
+            raise BadInput(path, name, f"is not a number in {counted(count, 'row')}, first in row {first + 1}", mend)
 
 
 def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STEP_S[1]) -> None:
@@ -64,7 +65,9 @@ def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STE
     if clock.wrong:
         word = "runs backwards" if clock.least_s < 0 else "stands still"
         mend = f"{command('import_run')} mends repeated and backward time stamps and says so"
-        raise BadInput(path, "time_s", f"{word} at row {clock.first_wrong + 2} ({clock.wrong} times in all)", mend)
+        raise BadInput(
+            path, "time_s", f"{word} at row {clock.first_wrong + 2} ({counted(clock.wrong, 'time')} in all)", mend
+        )
     if clock.most_s > LONGEST_GAP_S:
         ends = f"{clock.leap_s[0]:.6g} s in row {clock.leap + 1} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"

@@ -8,6 +8,7 @@ import pandas as pd
 from scipy.ndimage import median_filter
 
 from ..ground import quantiles
+from ..ground.counts import are
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.rows import Rows, rows_of
@@ -65,7 +66,7 @@ def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]
         reads = f"{name} reads {value:.3g} in row {row + 1}, where its neighbours read {beside:.3g}"
         gone = np.union1d(gone, wild)
         if len(gone) > max(1, MOST * len(samples)):
-            problem = f"{len(gone)} of {len(samples)} samples are impossible, over 1 %: {reads}"
+            problem = f"{len(gone)} of {len(samples)} samples {are(len(gone))} impossible, over 1 %: {reads}"
             raise BadInput(
                 path, name, problem, "check the sensor and its cable, then remove these rows or record again"
             )

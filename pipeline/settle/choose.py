@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..capture.motion import LegJson, as_legs
+from ..ground.counts import counted
 from ..wire.motion import Leg, Limits
 from .limits import beyond
 from .proposed import ProposedRun, without_curves
@@ -51,7 +52,7 @@ class Budget:
         if step.seconds > 60.0 * self.minutes:
             return f"it takes {step.seconds / 60:.1f} min, and of --minutes {max(self.minutes, 0):.1f} are left"
         if step.strokes > self.strokes:
-            return f"it takes {step.strokes} strokes, and of --strokes {max(self.strokes, 0)} are left"
+            return f"it takes {counted(step.strokes, 'stroke')}, and of --strokes {max(self.strokes, 0)} are left"
         return None
 
 
@@ -108,7 +109,7 @@ def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, l
     if not raising:
         now, then = gaps(options[0])
         sentence = (
-            f"of the {len(options)} runs that were tried none raises the expected gap: {now:.2g} standard deviations"
+            f"of the {counted(len(options), 'run')} tried none raises the expected gap: {now:.2g} standard deviations"
         )
         return None, f"{sentence} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
     refused: list[tuple[str, str]] = []

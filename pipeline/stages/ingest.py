@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..ground import schemas
+from ..ground.counts import counted
 from ..ground.errors import program
 from ..ground.files import whole
 from ..ground.outputs import file_to_write
@@ -42,7 +43,7 @@ def main() -> None:
         begin_s, end_s = samples.at("time_s", np.array([0, len(samples) - 1]))
         if arguments.out_strokes:
             schemas.write(strokes, schemas.STROKES, arguments.out_strokes)
-        cut = f"{strokes['stroke'].max()} strokes in {len(strokes)} stretches"
+        cut = f"{counted(strokes['stroke'].max(), 'stroke')} in {len(strokes)} stretch{'es' * (len(strokes) != 1)}"
         print(f"{run.run}: {len(samples)} samples over {end_s - begin_s:.1f} s, {cut}")
     if arguments.read_ahead:
         forget(arguments.run_dir, arguments.read_ahead)

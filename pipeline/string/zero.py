@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..ground.counts import counted
 from .history import Recorded, in_order, tare_mm
 from .recovered import alike, but_for, recovered_mm
 from .rests import Rests
@@ -55,7 +56,8 @@ class Jump:
         """What is seen, in words."""
         more = f"{abs(self.jump_mm):.2g} mm {'more' if self.jump_mm > 0 else 'less'}"
         floors = f"{abs(self.jump_mm) / self.floor_mm:.0f} times the noise ({self.floor_mm:.2g} mm)"
-        between = f"{self.unrecorded} strokes that were not recorded" if self.unrecorded else "no stroke"
+        were = "was" if self.unrecorded == 1 else "were"
+        between = f"{counted(self.unrecorded, 'stroke')} that {were} not recorded" if self.unrecorded else "no stroke"
         return (
             f"The zero jumps between two runs of one string: at rest {self.run} reads {more} than {self.before} at its "
             f"end, {floors}, with {between} in between."

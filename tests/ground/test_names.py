@@ -57,7 +57,7 @@ def test_folders_of_the_reports_are_no_material_and_no_run(name):
             check(name)
 
 
-EXAMPLES = {"mine", "nylon"}  # that documents give to what a user names
+EXAMPLES = {"example", "mine", "nylon"}  # that documents give to what a user names
 
 
 def test_every_folder_that_rules_and_documents_name_is_reserved():

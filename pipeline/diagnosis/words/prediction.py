@@ -4,6 +4,7 @@ import numpy as np
 
 from ...ground import spans
 from ...ground.command import command
+from ...ground.counts import are
 from ...ground.kinematics import Array
 from ...run.course import Mask
 from ..content import Part, Verdict
@@ -27,8 +28,8 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) ->
     """
     out = int((~inside).sum())
     beyond = (
-        f"{out} of {len(inside)} rows are outside (column {OUTSIDE}): nothing says how well the simulator does there, "
-        f"and {low} and {high} are empty there"
+        f"{out} of {len(inside)} rows {are(out)} outside (column {OUTSIDE}): nothing says how well the simulator does "
+        f"there, and {low} and {high} are empty there"
     )
     if out == len(inside):
         return [f"no expected error: {beyond}"]

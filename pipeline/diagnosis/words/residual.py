@@ -27,8 +27,8 @@ def of_residual(answer: Residual, channel: str, unit: str) -> list[str]:
         f"{low} and {high}: nine of ten readings of those strokes lay between {channel} + {low} and {channel} + {high}",
     ]
     if out := int((~answer.inside).sum()):
+        beyond = f"{'lies' if out == 1 else 'lie'} beyond the drivers that it was fitted to"
         sentences.append(
-            f"{out} of {len(answer.inside)} rows lie beyond the drivers that it was fitted to: {added} is 0 there, and "
-            f"{low} and {high} are empty"
+            f"{out} of {len(answer.inside)} rows {beyond}: {added} is 0 there, and {low} and {high} are empty"
         )
     return sentences

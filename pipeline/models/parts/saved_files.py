@@ -4,6 +4,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from ...ground import seal
+from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ..interface import usual
 
@@ -39,7 +40,7 @@ def listed(names: Collection[str]) -> str:
         lines += [f"  {files[0]}{f', and of {others}' if others else ''}"] if files else []
     if not lines:
         return "fitted models: none here yet; the main job makes processed/<material>/<model>/<split>-<seed>.model"
-    more = [f"  and of {len(lines) - MOST_MATERIALS} materials more"] if len(lines) > MOST_MATERIALS else []
+    more = [f"  and of {counted(len(lines) - MOST_MATERIALS, 'material')} more"] if len(lines) > MOST_MATERIALS else []
     return "\n".join(["fitted models here:", *lines[:MOST_MATERIALS], *more])
 
 

@@ -3,6 +3,7 @@
 import argparse
 from pathlib import Path
 
+from ...ground.counts import counted
 from ...ground.errors import program
 from ..folder import whole_recordings, write_run
 from .plan import plan
@@ -29,7 +30,7 @@ def main() -> None:
         for planned in plan(arguments.seed, arguments.strings, arguments.strokes):
             write_run(planned.specimen.described(planned.run), planned.recorded(arguments.rate_hz).samples,
                       folder / planned.run)  # fmt: skip
-    print(f"{arguments.out}: {arguments.strings} strings, {arguments.strokes} strokes each")
+    print(f"{arguments.out}: {counted(arguments.strings, 'string')}, {counted(arguments.strokes, 'stroke')} each")
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from ...ground.counts import counted
 from ...ground.errors import program
 from ...ground.files import whole
 from ..folder import whole_recordings, write_run
@@ -35,7 +36,7 @@ def main() -> None:
             pd.concat(truths, ignore_index=True).to_parquet(temporary, index=False)
     strokes = [len(truth) for truth in truths]
     print(
-        f"{arguments.out}: {arguments.strings} strings of {min(strokes)} to {max(strokes)} strokes, "
+        f"{arguments.out}: {counted(arguments.strings, 'string')} of {min(strokes)} to {max(strokes)} strokes, "
         f"{np.sum(strokes)} in all"
     )
 
