@@ -21,6 +21,7 @@ def tables(campaign):
     return {name: curves(name, {}, campaign, 0) for name in ("polynomial", "calibrated", "traditional")}
 
 
+@pytest.mark.long
 def test_every_new_string_is_asked_about_after_each_number_of_strokes(tables, campaign):
     new = sorted(campaign.loc[campaign["strings"] == "test", "string"].unique())
     for name, table in tables.items():

@@ -117,6 +117,7 @@ def test_capture_json_accounts_for_every_frame(recorded, simulated):
     assert said["started_utc"] <= said["ended_utc"]
 
 
+@pytest.mark.long
 def test_the_same_seed_gives_the_same_bytes_and_another_one_does_not(recorded, tmp_path):
     for name, seed in (("again", SEED), ("other", SEED + 1)):
         assert run("pipeline.rig.record", "small", tmp_path / name, "--seed", seed).returncode == 0

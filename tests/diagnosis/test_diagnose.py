@@ -151,6 +151,7 @@ def test_floor_and_held_out_error_are_the_noise(diagnosed) -> None:
     assert held["explained_mm"] < 1.15 * truth["floor"] < held["calibrated_mm"] < held["nominal_mm"]
 
 
+@pytest.mark.long
 def test_again_is_the_same_byte_for_byte(diagnosed, tmp_path) -> None:
     folder, _, here, _ = diagnosed
     words = [sys.executable, "-m", "pipeline.diagnose", str(folder), "--out", str(tmp_path)]
@@ -243,6 +244,7 @@ def test_bad_and_poor_input_is_named_and_the_good_run_is_written(conceal, cuts, 
     assert (tmp_path / "noted" / "short" / "verdict.txt").read_text().startswith("short: not decided: ")
 
 
+@pytest.mark.long
 def test_two_runs_of_one_rig_are_diagnosed_together(diagnosed, tmp_path) -> None:
     folder, _, _, _ = diagnosed
     samples = pd.read_parquet(folder / "recording.parquet")

@@ -56,6 +56,7 @@ def test_the_figure_wears_the_mark_of_what_recorded_it_and_its_numbers_do_not_cr
         assert sum(low <= place <= high for place in axes.get_xticks()) <= 6
 
 
+@pytest.mark.long
 def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what_the_words_say(drawn) -> None:
     figure, content = drawn
     bottom = figure.subfigs[-1]
@@ -266,6 +267,7 @@ def test_the_figures_headline_says_that_nothing_is_to_be_adopted_where_the_verdi
     assert figures.warning(unknown, words) == "adopt nothing: no effect of the library is named"
 
 
+@pytest.mark.long
 def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_that_nobody_uses(conceal) -> None:
     folder = conceal("creep")[0]
     run, samples = read_samples(folder)

@@ -273,6 +273,7 @@ def jam(conceal):
     return folder, json.loads(json.dumps(content)), study
 
 
+@pytest.mark.long
 def test_the_curve_of_a_rival_errs_on_its_own_recording_as_the_verdict_says(jam):
     _, _, study = jam
     rival, problem = study.search.explain(("radius_compaction",)), study.problem

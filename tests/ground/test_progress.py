@@ -115,6 +115,7 @@ def on_a_terminal(command: list[str]) -> str:
     return b"".join(said).decode()
 
 
+@pytest.mark.long
 def test_lifespan_and_a_campaign_show_theirs(make_run, tmp_path: Path) -> None:
     folder = make_run("a-1", recording(13, rate_hz=10.0))
     words = {"lifespan": [str(folder), "--out", f"{tmp_path}/life"]}

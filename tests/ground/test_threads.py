@@ -38,6 +38,7 @@ def test_every_library_has_one_thread(first: str, threads: str | None) -> None:
     assert run("-c", f"import {first}; import numpy, scipy.linalg; {COUNT}", threads=threads) == "{1}\n"
 
 
+@pytest.mark.long
 def test_a_trained_model_has_the_same_bytes_whatever_the_variable(tmp_path: Path) -> None:
     dataset = tmp_path / "dataset.parquet"
     schemas.write(made_dataset(300, 4), schemas.DATASET, dataset)

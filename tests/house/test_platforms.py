@@ -55,6 +55,7 @@ def test_the_poor_system_refuses_what_it_should():
     assert "no such file" in poorly("open('/proc/self/status')").stderr
 
 
+@pytest.mark.long
 def test_every_module_without_a_serial_line_imports_and_every_program_explains_itself():
     assert len(modules()) > 150
     code = """

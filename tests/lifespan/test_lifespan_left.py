@@ -123,6 +123,7 @@ def coverage(lives, level, narrowed=1.0):
     return float(np.mean(held))
 
 
+@pytest.mark.long
 def test_intervals_hold_as_often_as_they_say(lives):
     assert len(lives) > 50
     assert coverage(lives, 0.9) >= 0.8

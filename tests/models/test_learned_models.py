@@ -72,6 +72,7 @@ def test_the_chain_of_the_next_tests_feeds_x_from_b() -> None:
     assert product(mixing_layers(6, 5, "random", B_FEEDS_X["permutation_seed"]), 5)[0] == 1
 
 
+@pytest.mark.long
 def test_the_identity_composite_cures_what_forward_loss_does_to_the_inverse(points: pd.DataFrame) -> None:
     """A random chain feeds output x from a constant input; both kinds fit forward, one also inverts."""
     truth = points["motor_turns"].to_numpy()
@@ -80,6 +81,7 @@ def test_the_identity_composite_cures_what_forward_loss_does_to_the_inverse(poin
     assert rmse(cured.inverse(points) - truth) < 0.5 * rmse(ill.inverse(points) - truth)
 
 
+@pytest.mark.long
 def test_a_loss_of_both_ways_trains_the_inverse_too(points: pd.DataFrame) -> None:
     truth = points["motor_turns"].to_numpy()
     ill, both = (trained(points, composite="random", loss=loss, **B_FEEDS_X) for loss in ("forward", "both"))

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 
+import pytest
 from tutorial_run import IN_A_CHECKOUT, TUTORIAL, as_program, code_cells, unlike
 
 
@@ -18,6 +19,7 @@ def test_every_cell_was_run_in_order_and_failed_nowhere() -> None:
     assert len(pictures) == 1 and len(pages) == 1
 
 
+@pytest.mark.long
 def test_the_tutorial_runs_and_says_again_what_it_says() -> None:
     cells, environment = code_cells(), {**os.environ, "PYTHONPATH": str(TUTORIAL.parents[2])}
     command = [sys.executable, "-c", as_program(cells, IN_A_CHECKOUT)]

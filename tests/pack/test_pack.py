@@ -100,6 +100,7 @@ def state(folder):
     return found
 
 
+@pytest.mark.long
 def test_another_folder_has_nothing_to_do_and_what_changes_there_is_made_again(finished, archive, tmp_path):
     lab = bare(tmp_path / "lab")
     done = unpacked(archive, lab)

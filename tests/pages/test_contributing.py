@@ -127,6 +127,7 @@ def test_the_pages_model_learns_is_kept_and_is_exported(house: Path) -> None:
     run(house, MODEL_AND_HEADER)
 
 
+@pytest.mark.long
 def test_the_pages_method_corrects_a_recording(house: Path, make_run: object) -> None:
     run(house, METHOD, make_run("method-01"))  # type: ignore[operator]
 

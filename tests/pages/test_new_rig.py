@@ -115,6 +115,7 @@ def test_a_strangers_rig_is_diagnosed_in_its_own_units(house):
     assert error < 0.4 * np.std(samples["torque_nm"] - WEIGHT_NM * np.sin(samples["angle_rad"]))
 
 
+@pytest.mark.long
 def test_a_strangers_mechanism_is_named_beside_the_librarys(house):
     content, _ = diagnosed(house, recorded(2, bearing=0.06, air=0.05))
     found = named(content)

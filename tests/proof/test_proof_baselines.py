@@ -134,6 +134,7 @@ def test_without_a_correction_the_error_is_the_calibrated_simulators(folder, pro
     assert 0.0 < base_mm < 0.5 < off_mm
 
 
+@pytest.mark.long
 def test_the_command_writes_what_each_method_says(folder, tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["baselines", str(folder), "--out", str(tmp_path)])
     with pytest.raises(SystemExit) as left:

@@ -73,6 +73,7 @@ def test_what_is_held_out_is_what_the_diagnosis_holds_out(make_run, strokes):
         assert samples["time_s"].iloc[ours] == pytest.approx(problem.record.time_s[row], abs=0.1)
 
 
+@pytest.mark.long
 def test_each_method_learns_play_that_no_straight_line_holds(jaw):
     run, samples, strokes = read_strokes(jaw("a-01"))
     errors = held_out(run, samples, strokes)
@@ -92,6 +93,7 @@ def test_the_reading_is_compared_at_the_rate_at_which_the_diagnosis_works(jaw):
     assert len(asked.measured) == len(asked.table) == -(-len(samples) // width)
 
 
+@pytest.mark.long
 def test_what_was_learnt_on_one_recording_predicts_another_but_for_its_zero(jaw, tmp_path):
     folders = [jaw("a-01", seed=1), jaw("a-02", seed=2, amplitude_deg=50.0, constant_deg=20.0)]
     runs = {folder.name: transfer.About(read(folder)) for folder in folders}

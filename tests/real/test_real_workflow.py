@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -28,6 +30,7 @@ def test_every_file_gets_its_jobs_and_every_group_its_own(tmp_path):
     }  # fmt: skip
 
 
+@pytest.mark.long
 def test_without_recordings_it_says_what_to_give(tmp_path):
     status, said = dry_run(tmp_path)
     assert status != 0 and "--config recordings=DIR" in said

@@ -75,6 +75,7 @@ def draw(material, out, *more):
     return {path.name: path.read_bytes() for path in out.iterdir()}
 
 
+@pytest.mark.long
 def test_figures_are_drawn_and_the_same_every_time(material, tmp_path):
     first, second = draw(material, tmp_path / "a"), draw(material, tmp_path / "b")
     assert sorted(first) == ["figure_4.pdf", "figure_4.png", "figure_5.pdf", "figure_5.png"]

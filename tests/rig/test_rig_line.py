@@ -83,6 +83,7 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
         rig.communicate()
 
 
+@pytest.mark.long
 def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_and_capture_says_its_zero(tmp_path):
     """A sensor that starts at 0 in each recording: nothing but the main job's log said so."""
     options = ["--pace", "inf", "--recordings", "3", "--standing", "--zeroed", "--strokes", "14"]

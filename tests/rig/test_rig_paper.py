@@ -68,6 +68,7 @@ def test_there_are_5000_winding_samples_in_nine_strokes():
     assert np.diff(told.strokes_s[:, :2]).sum() * setup.rate_hz >= 5000
 
 
+@pytest.mark.long
 def test_the_paper_rig_is_recorded_by_the_real_programs(tmp_path):
     folder = tmp_path / "synthetic-01"
     command = [sys.executable, "-m", "pipeline.rig.record", "paper", str(folder), "--seed", "1"]

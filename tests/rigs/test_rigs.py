@@ -129,6 +129,7 @@ def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, 
     assert held_out(content)[2] < 0.1 * held_out(content)[1]
 
 
+@pytest.mark.long
 def test_an_axis_that_sticks_where_it_creeps_is_told_from_one_that_slides_at_each_speed(tmp_path, diagnosed):
     file = tmp_path / "axis.csv"
     content = diagnosed(written(benches.creeping_axis(3, coulomb_nm=12.0), file), "robot_axis")

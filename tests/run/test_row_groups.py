@@ -88,7 +88,13 @@ def test_samples_in_pieces_are_those_read_whole(make_run, tmp_path, monkeypatch,
     assert straddling.sum() > 5 and run.run == "a-01"
 
 
-@pytest.mark.parametrize("rows", [[GROUP - 1], [GROUP], [2 * GROUP, 2 * GROUP - 1], [0, GROUP - 2, 3 * GROUP]])
+@pytest.mark.parametrize(
+    "rows",
+    [
+        *(pytest.param(rows, marks=pytest.mark.long) for rows in ([GROUP - 1], [GROUP], [2 * GROUP, 2 * GROUP - 1])),
+        [0, GROUP - 2, 3 * GROUP],
+    ],
+)
 def test_damaged_samples_at_the_border_of_two_groups_are_left_out_and_said(
     make_run, tmp_path, short_pieces, capsys, rows
 ):

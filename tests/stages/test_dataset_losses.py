@@ -99,7 +99,9 @@ def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_
 
 
 @pytest.mark.parametrize(
-    ("value", "kept", "status"), [("False", False, 0), ("True", True, 0), ("perhaps", False, 1)], ids=str
+    ("value", "kept", "status"),
+    [("False", False, 0), pytest.param("True", True, 0, marks=pytest.mark.long), ("perhaps", False, 1)],
+    ids=str,
 )
 def test_the_configuration_says_whether_they_are_kept(tmp_path, value, kept, status):
     what = [

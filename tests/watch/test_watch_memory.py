@@ -28,6 +28,7 @@ def test_an_envelope_holds_the_least_and_the_greatest_whatever_the_pieces(pieces
     assert np.array_equal(found.high, np.maximum.reduceat(rows, begins))
 
 
+@pytest.mark.long
 def test_memory_and_what_is_sent_stay_flat(tmp_path: Path):
     run = folder(tmp_path)
     path, held, sent = run / "recording.frames", [], []

@@ -252,6 +252,7 @@ def test_a_long_recording_is_read_to_its_end():
     assert recording.channels["motor_turns"][-1] == 0.25 * (149_999 - 3) + 1.0
 
 
+@pytest.mark.long
 def test_the_account_of_a_long_recording_takes_no_more_memory_than_of_a_short_one():
     per_piece = 4_000
 

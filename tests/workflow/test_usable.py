@@ -71,6 +71,7 @@ WILD = recording(4)
 WILD.loc[777, "displacement_mm"] = 1e6  # a warning of the reading
 
 
+@pytest.mark.long
 def test_what_the_plan_read_is_taken_over_and_the_recording_is_not_read_again(make_run, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     folder, ahead = make_run("a-01", WILD), tmp_path / "processed" / ".read_ahead"
