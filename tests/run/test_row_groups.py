@@ -117,7 +117,7 @@ def test_what_the_neighbours_read_is_the_same_at_the_border_of_two_groups():
 @pytest.mark.parametrize(
     ("spoil", "says"),
     [
-        ({"displacement_mm": np.nan}, f"not a number in 1 rows, first in row {GROUP + 1}"),
+        ({"displacement_mm": np.nan}, f"not a number in 1 row, first in row {GROUP + 1}"),
         ({"time_s": 0.0}, f"runs backwards at row {GROUP + 1} "),
         ({"load_n": "high"}, f"row {GROUP + 1} holds 'high', not a number"),
     ],
