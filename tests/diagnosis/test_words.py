@@ -128,7 +128,7 @@ def parted(*gaps, **changes):
             "Of the 3 likeliest explanations it can tell wear from the others; creep and thermal stay",
         ),
         ((400.0, 400.0, 400.0), "It can tell all 3 likeliest explanations apart."),
-        ((9.1, 400.0, 9.1), "It is sure to part none of the 3 likeliest explanations from all others."),
+        ((9.1, 9.2, 9.1), "It is sure to part none of the 3 likeliest explanations from all others."),
     ],
 )
 def test_a_run_says_which_of_three_explanations_it_parts_and_which_it_leaves_together(gaps, said):
@@ -136,6 +136,16 @@ def test_a_run_says_which_of_three_explanations_it_parts_and_which_it_leaves_tog
     assert said in told(copy.deepcopy(made)), "the details"
     text = " ".join(page(made).split())
     assert (said in text) is ("none" not in said), "the page, where it is worth something"
+
+
+def test_two_that_the_run_is_to_decide_between_never_stay_together_over_a_third():
+    made = parted(400.0, 9.1, 9.2)  # it decides between creep and heat, and parts wear from neither
+    ids = [["friction_hysteresis", last] for last in ("creep", "thermal")]
+    made["next_run"] |= {"parts": ids, "gap_now": 9.0, "gap_then": 400.0}
+    said = "it can tell creep from thermal; it need not tell wear from creep or thermal."
+    assert f"Of the 3 likeliest explanations {said}" in told(copy.deepcopy(made)), "the details"
+    text = " ".join(page(made).split())
+    assert "which is at work: creep or thermal" in text and said in text and "stay together" not in text
 
 
 def test_of_two_explanations_and_in_an_older_file_nothing_is_said_to_stay_together():
