@@ -18,7 +18,8 @@ from .log import LINES
 from .motion import read_legs
 from .near_names import doubt, mend_of
 from .session import capture, capture_lines
-from .told_lines import tell_lines
+from .told_clock import tell_clock
+from .told_lines import clock_question, tell_lines
 
 GAPS_TOLD = 5
 
@@ -38,7 +39,10 @@ def tell(info: CaptureJson, folder: Path) -> None:
         run = read_run(folder)
         if "lines" in info:
             check_channels(run, folder)
+            tell_clock(run, folder, info)
     except BadInput as error:
+        if "lines" in info and info["lines"]["time_backward"]:
+            print(f"{folder}: {clock_question(info)}")
         print(f"{error} Until then nothing can use this run.")
     else:
         tell_of_its_string(folder, info)
@@ -61,16 +65,17 @@ def check_channels(run: Run, folder: Path) -> None:
 
 def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     """Say whether the sensor's zero moved since the run of the same string before, and what comes next."""
-    from ..string.jumps_beside import advice_on  # it needs pandas, for which no rig should wait
+    from ..string.jumps_beside import Beside, advice_on  # it needs pandas, for which no rig should wait
     from ..string.next_steps import next_steps
 
-    for sentence in advice_on(folder):
+    beside = Beside()
+    for sentence in advice_on(folder, beside):
         print(f"{folder}: {sentence}")
     if info["exit_status"] != "fault" and info["samples"]["received"]:
         hello = info.get("hello")
         whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
         anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
-        print("\n".join(next_steps(folder, whole, anew)))
+        print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

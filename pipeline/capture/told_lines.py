@@ -61,6 +61,10 @@ def tell_lines(info: CaptureJson, folder: Path) -> None:
         print(f"{folder}: the rig prints no time, so lost lines cannot be seen; print millis() first in every line")
     if info["holes"]:
         print(f"{folder}: {missing(info['holes'])}")
-    if lines["time_backward"]:
-        sentence = f"the device's time stands or falls back {counted(lines['time_backward'], 'time')}"
-        print(f"{folder}: {sentence}: was it reset, or is the time another column than {clock_of(info)}?")
+
+
+def clock_question(info: CaptureJson) -> str:
+    """What a person is asked of a time that stands or falls back in a run that cannot be used."""
+    often = counted(info["lines"]["time_backward"], "time")
+    column = f"is the time another column than {clock_of(info)}"
+    return f"the device's time stands or falls back {often}: was it reset, or {column}?"

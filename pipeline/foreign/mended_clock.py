@@ -6,8 +6,8 @@ import numpy as np
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
+from ..run.mended_time import far_moved
 
-MOST_MOVED = 0.01  # of all stamps
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
 
 
@@ -61,7 +61,7 @@ def check_mended(before_s: Array, after_s: Array, file: Path) -> None:
     """
     usual_s = float(np.median(np.abs(np.diff(before_s))))
     moved = np.abs(after_s - before_s) > LEAP * usual_s
-    if moved.sum() > max(1, MOST_MOVED * len(moved)):
+    if far_moved(int(moved.sum()), len(moved)):
         row = int(np.argmax(moved))
         problem = f"falls back or leaps near row {row + 1}, which only moving {int(moved.sum())} stamps would mend"
         mend = "correct the stamps there, or cut the recording where its clock begins anew"

@@ -30,9 +30,7 @@ def frame_pieces(path: Path) -> tuple[dict[str, str], Callable[[], Iterator[pd.D
         bad, steps = account.backward_stamps + account.repeated_stamps, account.samples - 1
         problem = f"stands or runs backwards at {bad} of {steps} steps from sample to sample"
         raise BadInput(path, "t_us", problem, "correct the clock in the firmware and record again")
-    if recorded.mended:
-        rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in recorded.mended.items())
-        print(f"{path}: mended {rules}", file=sys.stderr)
+    say_mended(path, recorded.mended)
     names = {channel.name: channel.name for channel in recorded.hello.channels}
     if "time_s" in names:
         names["time_s"] = "device_time_s"  # t_us is the clock
@@ -43,6 +41,13 @@ def frame_pieces(path: Path) -> tuple[dict[str, str], Callable[[], Iterator[pd.D
             yield pd.DataFrame({"time_s": time_s, **{names[name]: values for name, values in channels.items()}})
 
     return units, pieces
+
+
+def say_mended(path: Path, mended: dict[str, int]) -> None:
+    """Say on standard error how often each rule that mends time stamps was needed, if any was."""
+    if mended:
+        rules = ", ".join(f"{times} {rule.replace('_', ' ')}" for rule, times in mended.items())
+        print(f"{path}: mended {rules}", file=sys.stderr)
 
 
 def _chunks(path: Path) -> Iterator[bytes]:
@@ -58,12 +63,13 @@ def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
     return pd.concat(pieces(), ignore_index=True), units
 
 
-def check_lines(path: Path) -> None:
-    """Raise BadInput when a table that the capture program made of printed lines is not as it was made."""
+def check_lines(path: Path) -> bool:
+    """Whether the capture program made a table, of printed lines; raises BadInput when it is not as it was made."""
     info = capture_info(path.parent)
     if (path.parent / "recording.lines").is_file() or "csv_sha256" in info:
         if sha256(path) == info.get("csv_sha256"):
-            return
+            return True
         again = f"run {recover_command(path.parent)}"
         problem = "its bytes are not those that capture.json was written for"
         raise BadInput(path, "csv_sha256", problem, f"{again}; recording.lines has what was printed")
+    return False

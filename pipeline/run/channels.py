@@ -32,14 +32,15 @@ class Channels:
     """Channels of a run by file `mapping`, from a raw table that stands at `path`; its pieces are given in order.
 
     The first piece is looked at before it is told; where that says so, all others are looked at before that too.
+    Where a recording is read `again`, nothing is said a second time.
     """
 
-    def __init__(self, run: Run, path: Path, mapping: Path) -> None:
+    def __init__(self, run: Run, path: Path, mapping: Path, again: bool = False) -> None:
         self.run, self.path, self.mapping = run, path, mapping
         self._rows = self._looked = 0  # of the pieces that were told so far, and of those that were looked at
         self._sample = 0  # of those that were told, that file.rows asks for
         self._stamps: Stamps | None = None
-        self._said: set[str] = set()
+        self._said: set[str] = {*run.system.columns} if again else set()
         for name in run.channels:
             if name not in run.system.columns:
                 mend = f"use one of {', '.join(run.system.columns)}"

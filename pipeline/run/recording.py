@@ -7,10 +7,11 @@ from pathlib import Path
 import pandas as pd
 
 from ..formats.stored import table_pieces
-from .captured import check_lines, frame_pieces, read_frames
+from .captured import check_lines, frame_pieces, read_frames, say_mended
 from .channels import Channels
 from .description import Channel, Run
 from .folder import recording_path
+from .mended_time import MendedTime
 
 __all__ = ["asked_columns", "check_lines", "read_frames", "read_recording", "recording_pieces", "to_samples"]
 
@@ -37,10 +38,10 @@ def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.D
 
 
 def _samples(
-    run: Run, pieces: Callable[[], Iterator[pd.DataFrame]], path: Path, mapping: Path
+    run: Run, pieces: Callable[[], Iterator[pd.DataFrame]], path: Path, mapping: Path, again: bool = False
 ) -> Iterator[pd.DataFrame]:
     """What `to_samples` makes of a raw table that comes in pieces, and may come twice; raises BadInput."""
-    channels, tables = Channels(run, path, mapping), pieces()
+    channels, tables = Channels(run, path, mapping, again), pieces()
     first = next(tables)
     if channels.look(first):
         any(not channels.look(table) for table in tables)
@@ -60,8 +61,19 @@ def recording_pieces(run: Run, folder: Path) -> Iterator[pd.DataFrame]:
         on_the_wire = {name: Channel.model_validate({"unit": unit}) for name, unit in units.items()}
         run = run.model_copy(update={"channels": {**on_the_wire, **run.channels}})
         return _samples(run, pieces, path, folder / "run.yaml")
-    check_lines(path)
+    if check_lines(path):
+        recorded = printed_samples(run, folder)
+        say_mended(path, recorded.counted)
+        return recorded.pieces()
     return _samples(run, lambda: table_pieces(path, run.file), path, folder / "run.yaml")
+
+
+def printed_samples(run: Run, folder: Path) -> MendedTime:
+    """Samples of lines that the capture program recorded, their time stamps mended; raises BadInput."""
+    path, mapping, first_row = recording_path(folder), folder / "run.yaml", (run.file.rows or (0, 0))[0]
+    return MendedTime(
+        lambda again: _samples(run, lambda: table_pieces(path, run.file), path, mapping, again), path, first_row
+    )
 
 
 def read_recording(run: Run, folder: Path) -> pd.DataFrame:

@@ -36,6 +36,11 @@ class Beside:
                 self._rests[place] = None
         return self._rests[place]
 
+    @property
+    def unreadable(self) -> set[Path]:
+        """The runs that were to be read and cannot be."""
+        return {place for place, rests in self._rests.items() if rests is None}
+
     def of_strings(self, place: Path, strings: set[str], but: set[Path]) -> list[Rests]:
         """Those of the runs in a folder of runs, `but` some, that name one of these strings."""
         rests_beside = [self.at(folder) for folder in runs_naming(place, strings, but)]
@@ -65,7 +70,7 @@ def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
     return [jump for jump in jumps_found if jump.run in known]
 
 
-def advice_on(folder: Path) -> list[str]:
+def advice_on(folder: Path, beside: Beside | None = None) -> list[str]:
     """What a person should do about the zero of a run that was just recorded: a sentence for each jump into it.
 
     None where no other run of its string lies beside it, or where this one cannot be read. Of many others the last
@@ -76,11 +81,11 @@ def advice_on(folder: Path) -> list[str]:
         others = _last(list(runs_naming(folder.parent, {run.string_id}, {folder.resolve()})), started_utc(folder))
     except BadInput:
         return []
-    beside = Beside()
+    beside = beside or Beside()
+    before = [other for other in map(beside.at, others) if other]
     rests = beside.at(folder) if others else None
     if rests is None:
         return []
-    before = [other for other in map(beside.at, others) if other]
     jumped = [jump.advice for jump in jumps_among([*before, rests]) if jump.run == run.run]
     return [*jumped, *(note for name, note in tare_notes([*before, rests]) if name == run.run)]
 

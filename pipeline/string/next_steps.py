@@ -1,6 +1,7 @@
 """What comes next when a run was recorded: what the simulator leaves out, and the string's next run or its life."""
 
 import shlex
+from collections.abc import Container
 from pathlib import Path
 
 from ..ground.command import command
@@ -11,13 +12,14 @@ from .same_string import next_name, others_recorded
 LIFE = 12  # strokes from which a forecast of a string's life is made; a test holds it to that program's own number
 
 
-def next_steps(folder: Path, strokes: int, anew: bool = False) -> list[str]:
+def next_steps(folder: Path, strokes: int, anew: bool = False, but: Container[Path] = ()) -> list[str]:
     """Lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput.
 
-    `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none.
+    `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none. No run of
+    `but`, whose paths are resolved, is named: those cannot be read.
     """
     run = read_run(folder)
-    others = others_recorded(folder, run)
+    others = [other for other in others_recorded(folder, run) if other.resolve() not in but]
     lines = following(folder, recorded=True, others=others)
     if run.string is None:
         return lines

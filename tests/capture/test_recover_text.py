@@ -1,8 +1,11 @@
 """Recovery of what a rig printed, whatever its numbers are and whatever somebody wrote into capture.json."""
 
 import json
+import math
+import re
 import subprocess
 
+import numpy as np
 import pytest
 import ready
 import yaml
@@ -12,6 +15,7 @@ from pipeline.capture.holes import MOST
 from pipeline.capture.lines_to_csv import recover_lines
 from pipeline.capture.near_names import doubt
 from pipeline.ground.errors import BadInput
+from pipeline.run.samples import read_strokes
 
 HEADER = "time_ms,motor_turns,displacement_mm\n"
 LINES = "".join(f"{20 * number},{number},{number / 10}\n" for number in range(50))
@@ -122,3 +126,89 @@ def test_the_mend_of_a_wrong_capture_json_works(folder):
     (folder / "capture.json").rename(folder.parent / "away.json")
     assert recover(folder, "--columns", NAMES).returncode == 0
     assert json.loads((folder / "capture.json").read_text())["columns"] == NAMES.split(",")
+
+
+def wound(stands=(), falls=(), reset=0) -> str:
+    """Lines of two strokes in 20 ms steps: some stand, some fall back, and after `reset` the clock begins anew.
+
+    As a rig prints them by millis(), which is read before its lines wait for the port.
+    """
+    text = HEADER
+    for number in range(800):
+        time_ms = 20 * (number - (number in stands)) - 25 * (number in falls) - 20 * reset * (number >= reset > 0)
+        turns = 15.0 * (1.0 - math.cos(2.0 * math.pi * number / 400)) / 2.0
+        text += f"{time_ms},{turns:.4f},{turns**2 / 34.0:.4f}\n"
+    return text
+
+
+def test_a_printed_time_that_stands_or_falls_back_is_mended_when_the_run_is_read(folder):
+    """A text run ended with a command that died: `time_s: stands still at row 965 (14 times in all)`."""
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    stands, falls = range(50, 750, 50), (333,)
+    (folder / "recording.lines").write_text(wound(stands, falls))
+    done = recover(folder)
+    sentence = "its clock gave 1 backward time stamp and 14 repeated time stamps, mended when the run is read"
+    assert done.returncode == 0 and sentence in done.stdout and "Next:" in done.stdout, done.stdout
+    assert "was it reset" not in done.stdout
+    _, samples, strokes = read_strokes(folder)
+    right = 0.02 * np.arange(800)
+    assert len(samples) == 800 and len(strokes) == 4 and (np.diff(samples["time_s"]) > 0).all()
+    assert np.abs(samples["time_s"].to_numpy() - right).max() < 0.021, "a step at most"
+    apart = np.flatnonzero(np.abs(samples["time_s"].to_numpy() - right) > 1e-9)
+    assert len(apart) < 32, "all other stamps stay"
+
+
+def test_a_long_recording_is_mended_as_a_short_one(folder, monkeypatch, capsys):
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "recording.lines").write_text(wound(range(50, 750, 50)))
+    assert recover(folder).returncode == 0
+    capsys.readouterr()
+    _, kept, _ = read_strokes(folder)
+    said = capsys.readouterr().err
+    monkeypatch.setattr("pipeline.run.mended_time.KEPT", 10)
+    _, anew, _ = read_strokes(folder)
+    assert kept.equals(anew) and capsys.readouterr().err == said
+    assert "recording.csv: mended 14 repeated time stamps" in said and said.count("is read from its column") == 1
+
+
+def test_where_every_stamp_rises_none_is_touched(folder):
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    printed = wound().replace("\n15980,", "\n90000,")  # the last: a gap, not a wrong stamp
+    (folder / "recording.lines").write_text(printed)
+    assert "time stamp" not in recover(folder).stdout
+    times = read_strokes(folder)[1]["time_s"].to_numpy()
+    assert times[-1] == 90.0 and (times[:-1] == 0.001 * (20 * np.arange(799))).all()
+
+
+def test_a_clock_that_was_reset_is_refused_with_a_mend_that_works_and_nothing_comes_next(folder):
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "recording.lines").write_text(wound(reset=500))
+    done = recover(folder)
+    assert "time_s: falls back near row 501, which only moving 300 stamps would mend" in done.stdout, done.stdout
+    assert "was it reset, or is the time another column than time_ms?" in done.stdout and "Next:" not in done.stdout
+    mend = re.search(r"file: (\{rows: \[0, 500\]\}) in run\.yaml", done.stdout)[1]
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1") | {"file": yaml.safe_load(mend)}))
+    assert len(read_strokes(folder)[1]) == 500
+
+
+def test_what_is_no_clock_at_all_is_refused_with_the_command_that_names_the_columns(folder):
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "recording.lines").write_text(wound(falls=range(0, 800, 4)))
+    done = recover(folder)
+    assert "time_s: stands or runs backwards at 199 of 799 steps from sample to sample" in done.stdout, done.stdout
+    assert f"--recover {folder} --columns ..." in done.stdout and "Next:" not in done.stdout
+
+
+def test_the_next_command_names_no_run_that_cannot_be_read(folder):
+    string = content("run-1")["string"] | {"id": "spool-1"}
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", string=string)))
+    (folder / "recording.lines").write_text(wound(reset=500))
+    recover(folder)
+    for name in ("run-2", "run-3"):
+        other = folder.parent / name
+        other.mkdir()
+        (other / "run.yaml").write_text(yaml.safe_dump(content(name, string=string)))
+        (other / "recording.lines").write_text(wound())
+        done = recover(other)
+    assert f"pipeline.diagnose {folder.parent}/run-2 {other} --together" in done.stdout, done.stdout
+    assert str(folder) not in done.stdout
