@@ -3,8 +3,11 @@
 import sys
 
 from ..ground.command import command
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from .answers import Answers
+from .choose import apart
+from .motion_table import begins, lines
 from .step import Place, Step
 
 WAYS = ("ask", "auto", "page")
@@ -12,13 +15,13 @@ UNATTENDED = ("auto", "page")  # nobody need stand at the terminal, so nothing m
 
 
 def told(step: Step, place: Place) -> str:
-    """A proposed run in two lines."""
+    """A proposed run: what it is for, what moves in it, and where it is drawn."""
     if not step.legs:
         return f"step {step.number}: proposed: {step.proposal['title']}"
-    figure = place.folder(step.number) / "proposed.png"
-    gaps = "" if "gap_then" not in step.proposal else f", expected gap {step.proposal['gap_then']:.3g}"
-    size = f"{step.seconds:.0f} s, {step.strokes} stroke{'s' * (step.strokes != 1)}{gaps}"
-    return f"step {step.number}: proposed: {step.proposal['title']} ({size})\n  drawn before it is made: {figure}"
+    size = f"{step.seconds:.0f} s, {counted(step.strokes, 'stroke')}"
+    drawn = f"drawn before it is made: {place.folder(step.number) / 'proposed.png'}"
+    below = [*filter(None, [apart(step.proposal)]), begins(step), *lines(step), drawn]
+    return "\n  ".join([f"step {step.number}: proposed: {step.proposal['title']} ({size})", *below])
 
 
 def approved(step: Step, way: str, answers: Answers) -> Step | None:

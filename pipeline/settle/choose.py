@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..capture.motion import LegJson, as_legs
 from ..ground.counts import counted
-from ..wire.motion import Leg, Limits
+from ..wire.motion import MOST_LEGS, Leg, Limits
 from .limits import beyond
 from .proposed import ProposedRun, without_curves
 from .step import Step
@@ -15,6 +15,7 @@ FIRM = ("explained", "consistent", "parameters", "unknown")
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
 SLOWED = 1.1  # times as long a leg may take at most, where the rig goes no faster: that tells as much
 HAIR = 1.002  # times the shortest time of a leg: the wire carries whole milliseconds
+MANY = 100  # standard deviations, beyond which no person asks how many
 SHOWN = 3  # runs that are named with a reason why they are not made
 
 
@@ -100,6 +101,21 @@ def gaps(run: ProposedRun) -> tuple[float, float]:
     return now, then
 
 
+def apart(run: ProposedRun) -> str:
+    """How far apart a run puts the two closest explanations, in words; nothing where it parts none."""
+    if "gap_then" not in run:
+        return ""
+    return f"the closest two explanations are then expected {in_words(gaps(run)[1])} apart"
+
+
+def in_words(deviations: float) -> str:
+    """So many standard deviations, in words for a person."""
+    if deviations > MANY:
+        return f"more than {MANY} standard deviations"
+    size = f"{deviations:.0f}" if deviations >= 9.95 else f"{deviations:.1f}"
+    return f"about {size} standard deviations"
+
+
 def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, left: Budget) -> tuple[Step | None, str]:
     """The run that raises the gap most of those that limits and budget allow, and why it is no better one.
 
@@ -108,14 +124,18 @@ def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, l
     raising = [run for run in options if run.get("raises", run["decides"])]
     if not raising:
         now, then = gaps(options[0])
-        sentence = (
-            f"of the {counted(len(options), 'run')} tried none raises the expected gap: {now:.2g} standard deviations"
+        sentence = f"of the {counted(len(options), 'run')} tried none raises the expected gap: {in_words(now)}"
+        return (
+            None,
+            f"{sentence} so far, {in_words(then)} with the best; as far as they show it is a tie by construction",
         )
-        return None, f"{sentence} so far, {then:.2g} with the best; as far as they show it is a tie by construction"
     refused: list[tuple[str, str]] = []
     for run in raising:
         legs = reachable(run, limits)
-        step = Step(number, "proposed", proposal={**without_curves(run), "legs": [leg_json(leg) for leg in legs]})
+        proposal: ProposedRun = {**without_curves(run), "legs": [leg_json(leg) for leg in legs]}
+        if limits is not None and limits.legs <= MOST_LEGS:  # a rig's own: it says where its motor stands now
+            proposal |= {"from": limits.at_turns, "turns_per_s2": limits.turns_per_s2}
+        step = Step(number, "proposed", proposal=proposal)
         why = beyond(legs, limits) or left.lacks(step)
         if why is None:
             return step, passed_over(refused)

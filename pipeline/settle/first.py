@@ -53,6 +53,7 @@ def first_run(run: Run, limits: Limits | None, left: Budget) -> ProposedRun:
             title = f"a first recording: {count} equal strokes to {high:g} turns"
             entries = [leg_json(leg) for leg in legs]
             proposed: ProposedRun = {"title": title, "legs": entries, "from": limits.at_turns, "load": None}
+            proposed["turns_per_s2"] = limits.turns_per_s2
             why = beyond(legs, limits) or left.lacks(Step(0, "proposed", proposal=proposed)) or ""
             if not why:
                 return {**proposed, "curves": foretold(run, legs, limits)}

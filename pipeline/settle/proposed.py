@@ -39,6 +39,7 @@ class ProposedRun(_Begins, total=False):
     raises: bool
     curves: Curves
     runs: Sequence[str]
+    turns_per_s2: float  # of the rig's ramps, as it declared them when the run was proposed
 
 
 class NamedMechanism(TypedDict):

@@ -6,12 +6,31 @@ from typing import Any
 from ..ground.errors import BadInput
 from ..run.description import RUN_NAME
 from ..settle.answers import Answers
+from ..settle.choose import apart
 from ..settle.ending import NAME as SETTLED
 from ..settle.loop_lock import at_work
+from ..settle.motion_table import HEAD, begins, table, winds
 from ..settle.step import Place, Step
 
 SHOWN = ("proposed", "approved", "recorded")  # while what is foretold is of interest
 RIVALS = 6
+
+
+def moves(step: Step) -> dict[str, Any] | None:
+    """What moves in a run, leg by leg in numbers, and what it is for; None where nothing is proposed, or not whole."""
+    if step.state not in SHOWN or not step.legs:
+        return None
+    try:
+        made = winds(step) if step.state != "proposed" else None
+        return {
+            "begins": begins(step),
+            "head": HEAD,
+            "legs": table(step),
+            "apart": apart(step.proposal),
+            "winds": made,
+        }
+    except (ValueError, KeyError, TypeError, AttributeError, ZeroDivisionError):
+        return None
 
 
 class Settling:
@@ -49,6 +68,7 @@ class Settling:
             "title": str(step.proposal.get("title", "")),
             "seconds": step.seconds,
             "strokes": step.strokes,
+            "moves": moves(step),
             "verdict": step.verdict,
             "approved_by": step.approved_by,
             "question": question["question"] if working and question and question["step"] == step.number else None,

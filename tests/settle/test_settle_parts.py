@@ -92,7 +92,11 @@ def test_runs_that_are_passed_over_for_one_reason_are_said_together():
 
 def test_without_a_run_that_decides_the_tie_is_said_to_be_one_by_construction():
     step, why = chosen([entry("one", decides=False)], 1, RIG, Budget(2, 10.0, 10))
-    assert step is None and "2 standard deviations so far, 2 with the best" in why and "tie by construction" in why
+    assert (
+        step is None
+        and "about 2.0 standard deviations so far, about 2.0 standard deviations with the best" in why
+        and "tie by construction" in why
+    )
     step, _ = chosen([entry("one", decides=False, raises=True, gap_then=9.5)], 1, RIG, Budget(2, 10.0, 10))
     assert step is not None  # it decides nothing by itself, and raises the gap
 
@@ -146,11 +150,15 @@ def test_a_sheet_says_each_leg_and_how_to_record_it():
     step = chosen([entry("one", load_n=40.0)], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
     text = sheet(step, Path("raw/a"), "no --port was given")
     assert "Before it, hang 40 N, and leave it there." in text and "under" not in text
-    assert "1. stand at 0.00 turns in 2.0 s\n" in text and "2. go from 0.00 to 20.00 turns in 5.0 s\n" in text
-    assert "3. go from 20.00 to 0.00 turns in 5.0 s\n" in text and "capture PORT raw/a-s1" in text
+    assert (
+        "1. stand at 0.00 turns in 2.0 s\n" in text
+        and "2. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s\n" in text
+    )
+    assert "3. go from 20.00 to 0.00 turns in 5.0 s, at 4.00 turns/s\n" in text and "capture PORT raw/a-s1" in text
     step.legs[2]["load_n"] = 10.0
     text = sheet(step, Path("raw/a"), "no --port was given")
-    assert "2. go from 0.00 to 20.00 turns in 5.0 s, under 40 N" in text and "in 5.0 s, under 10 N" in text
+    assert "2. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s, under 40 N" in text
+    assert "turns/s, under 10 N" in text
     assert "record it as load_n too" in text and "leave it there" not in text
 
 

@@ -126,6 +126,10 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         seen.open(printed)
         seen.until("document.getElementById('loop-state')?.textContent == 'waits for approval'")
         assert seen.text("step").startswith("Step 0: a first recording: 6 equal strokes to 21 turns (73 s, 6 strokes)")
+        rows = [row.split() for row in seen.run("document.getElementById('legs').innerText").splitlines()]
+        assert ["leg", "s", "turns", "turns/s", "load", "(N)"] in rows, "each leg is said in numbers before the yes"
+        winding = next(row for row in rows if row[:4] == ["3,", "7", "…", "23"])
+        assert winding[5:8] == ["0.00", "to", "21.00"] and 4.3 < float(winding[8]) <= 4.5, "half of the 9 allowed"
         assert seen.run("location.search") == "" and seen.run("document.getElementById('approve').disabled")
         seen.picture(place / "proposed.png")
         seen.press("clear")
@@ -133,6 +137,7 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         until(one, run / FRAMES, 15_000)
         seen.until("document.getElementById('loop-state').textContent == 'is made now'")
         seen.until("parseInt(document.getElementById('samples').textContent.replace(',', '')) > 400")
+        seen.until("document.getElementById('strokes').textContent.endsWith('of 6')")  # of its own motion: of 8
         seen.picture(place / "moves.png")
         seen.press("stop")
         said = one.communicate(timeout=120)[0]

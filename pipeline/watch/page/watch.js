@@ -19,6 +19,7 @@ function fact(name, text, id, bad) {
 function facts(d) {
   const stale = !d.ended && d.age_s !== null && d.age_s > STALE_S;
   const left = d.left && d.left.median !== null ? `${round(d.left.median, 3)} (${round(d.left.low, 3)} to ${round(d.left.high, 3)})` : "no forecast";
+  const planned = d.loop?.moves?.winds || d.planned; // a program's strokes, not those of the rig's own motion
   at("facts").replaceChildren(
     fact("state", d.ended ? d.state : d.samples ? (stale ? "silent" : "recording") : d.state, "state", stale),
     fact("samples", d.samples.toLocaleString("en"), "samples"),
@@ -26,7 +27,7 @@ function facts(d) {
     fact("frames lost, bad", d.lost === null ? `–, ${d.bad}` : `${d.lost}, ${d.bad}`, "lost", d.lost > 0 || d.bad > 0),
     fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
     fact("disk left", bytes(d.free_bytes), "disk", d.free_bytes < 1e9),
-    fact("strokes", d.strokes === null ? "–" : d.planned ? `${d.strokes} of ${d.planned}` : `${d.strokes}`, "strokes"),
+    fact("strokes", d.strokes === null ? "–" : planned ? `${d.strokes} of ${planned}` : `${d.strokes}`, "strokes"),
     fact("strokes left, forecast", left, "left"),
     fact("clock jumps", `${d.jumps}`, "jumps", d.jumps > 0),
     ...(d.behind_bytes ? [fact("still to read", bytes(d.behind_bytes), "behind")] : []),
@@ -92,6 +93,7 @@ function loop(d) {
   if (l.question !== asked) { asked = l.question; at("clear").checked = false; show("said", ""); }
   const size = l.seconds ? ` (${Math.round(l.seconds)} s, ${l.strokes} stroke${l.strokes === 1 ? "" : "s"})` : "";
   show("step", `Step ${l.step}: ${l.title || "the runs that were there"}${size}`);
+  moves(l.moves);
   const what = l.stopping ? "stopping" : l.question ? "waits for approval" : STATES[l.state];
   show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
   for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
@@ -99,6 +101,17 @@ function loop(d) {
   at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
   at("no-token").hidden = Boolean(token) || !l.at_work;
   foretold(l.foretold, d);
+}
+
+function moves(m) {
+  at("moves").hidden = !m;
+  if (!m) return;
+  show("begins", m.begins); show("apart-then", m.apart);
+  at("legs").replaceChildren(...[m.head, ...m.legs].map((cells, k) => {
+    const row = document.createElement("tr");
+    row.append(...cells.map((text) => Object.assign(document.createElement(k ? "td" : "th"), { textContent: text })));
+    return row;
+  }));
 }
 
 function foretold(f, d) {

@@ -1,0 +1,74 @@
+"""What a person reads before she approves a run: each leg in numbers, and what the run is expected to tell."""
+
+from dataclasses import replace
+
+import pytest
+from settle.test_settle_parts import RIG, entry
+
+from pipeline.settle.approve import told
+from pipeline.settle.choose import Budget, chosen, in_words, leg_json
+from pipeline.settle.first import strokes
+from pipeline.settle.motion_table import lines, table, winds
+from pipeline.settle.step import Place, Step
+from pipeline.watch.settling import Settling
+
+
+def proposed(**more) -> Step:
+    step, why = chosen(
+        [entry("one stroke at twice the speed under twice the load", load_n=40.0, **more)], 1, RIG, Budget(3, 9.0, 9)
+    )
+    assert step is not None, why
+    return step
+
+
+def test_before_a_person_says_yes_each_leg_is_said_in_numbers(tmp_path):
+    text = told(proposed(), Place(tmp_path))
+    assert "Before it the motor stands at 0.00 turns, under 20 N." in text
+    rows = [line.split() for line in text.splitlines()]
+    assert ["leg", "s", "turns", "turns/s", "load", "(N)"] in rows
+    assert ["1", "2.0", "stands", "at", "0.00", "0", "20"] in rows
+    assert ["2", "5.0", "0.00", "to", "20.00", "4.08", "40"] in rows, "with the ramps of the rig: faster than 20 / 5"
+    assert ["3", "5.0", "20.00", "to", "0.00", "4.08", "40"] in rows
+    assert "then expected about 20 standard deviations apart" in text and "gap" not in text
+
+
+def test_the_table_begins_where_the_motor_stands_now():
+    step, _ = chosen([entry("one")], 1, replace(RIG, at_turns=6.0), Budget(3, 9.0, 9))
+    assert step is not None and table(step)[0].turns == "6.00 to 0.00"
+
+
+def test_legs_that_repeat_are_said_together():
+    legs = [leg_json(leg) for leg in strokes(RIG, 6, 0.5)]
+    step = Step(0, "proposed", proposal={"title": "a first recording", "legs": legs, "from": 0.0, "load": None})
+    rows = lines(step)
+    assert len(legs) == 27 and len(rows) == 7
+    numbers = [row.split("  ")[0] for row in rows[1:]]
+    assert numbers == ["1, 2", "3, 7 … 23", "4, 8 … 24", "5, 9 … 25", "6, 10 … 26", "27"]
+    assert winds(step) == 6 and all(row.endswith("as it hangs") for row in rows[1:])
+
+
+def test_the_page_says_the_same(tmp_path):
+    place = Place(tmp_path)
+    place.write(Step(0, "diagnosed"))
+    step = place.write(proposed())
+    settling = Settling(tmp_path, tmp_path / "raw" / "a")
+    moves = settling.told(settling.step())["moves"]
+    assert ("2", "5.0", "0.00 to 20.00", "4.08", "40") in moves["legs"] and "40" in moves["legs"][2]
+    assert "20 standard deviations" in moves["apart"] and moves["winds"] is None
+    assert settling.told(step.at("approved"))["moves"]["winds"] == 1, "of the program: the rig's own motion has another"
+    assert settling.told(step.at("diagnosed"))["moves"] is None
+    step.legs[1]["seconds"] = 0.0
+    assert settling.told(step)["moves"] is None, "a damaged file ends no page"
+
+
+@pytest.mark.parametrize(
+    ("deviations", "words"),
+    [
+        (0.44, "about 0.4 standard"),
+        (9.97, "about 10 s"),
+        (94.9, "about 95 standard"),
+        (641.0, "more than 100 s"),
+    ],
+)
+def test_a_gap_is_said_in_standard_deviations(deviations, words):
+    assert in_words(deviations).startswith(words)
