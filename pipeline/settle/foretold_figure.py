@@ -1,5 +1,6 @@
 """What each explanation that ties foretells of a run, before it is made; and what came, drawn over it."""
 
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,8 @@ from ..ground.kinematics import Array
 from .proposed import Curves, ProposedRun
 
 SIZE_INCHES, DOTS = (8.0, 7.0), 150
+TITLE_POINTS, TITLE_WIDE = 10, 90  # letters of a line that the width has room for
+SAME = 0.01  # of a load: less is no other load
 COLOURS = ("#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b")
 STANDS_TURNS = 0.02
 SMOOTH_S = 0.25  # over which a recording is averaged before the small differences are drawn
@@ -23,11 +26,19 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
     """
     curves = run["curves"]
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
-    figure.suptitle(title, fontsize=10)
-    motion, reading, apart = figure.subplots(3, 1, sharex=True, height_ratios=[1, 2, 3])
+    figure.suptitle(textwrap.fill(title, TITLE_WIDE), fontsize=TITLE_POINTS)
+    loads = changes(run)
+    motion, *hangs, reading, apart = figure.subplots(
+        4 if loads else 3, 1, sharex=True, height_ratios=[1, *([1] if loads else []), 2, 3]
+    )
     time_s, base_mm = np.array(curves["time_s"]), np.array(curves["calibrated"])
     motion.plot(time_s, curves["motor_turns"], "0.4", lw=1.2)
     motion.set_ylabel("motor (turns)")
+    for panel in hangs:
+        panel.plot(time_s, curves["load"], "0.4", lw=1.2)
+        if came is not None and "load_n" in came:
+            panel.plot(came["time_s"] - came["time_s"].iloc[0], came["load_n"], "k", lw=0.8)
+        panel.set_ylabel("load (N)")
     alone = {} if curves["rivals"] else {"the simulator of run.yaml": base_mm}
     for number, (name, curve) in enumerate((curves["rivals"] or alone).items()):
         colour = COLOURS[number % len(COLOURS)]
@@ -45,6 +56,13 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
     apart.set_xlabel("time (s)")
     apart.legend(fontsize=8, frameon=False)
     write_page(figure, path)
+
+
+def changes(run: ProposedRun) -> bool:
+    """Whether the load of a run changes, in it or from what hung before it."""
+    before = run.get("load")
+    loads_n = [*run["curves"]["load"], *([] if before is None else [before])]
+    return max(loads_n) - min(loads_n) > SAME * max(map(abs, loads_n))
 
 
 def zero_mm(turns: Array, reading_mm: Array) -> float:

@@ -1,0 +1,56 @@
+"""The figure of a run: its title is whole, and a load that changes is drawn."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from pipeline.settle import foretold_figure
+
+LONG = "one stroke at twice the speed under twice the load with a hold, then one stroke under half the load with a hold"
+
+
+def drawn(monkeypatch, load_n: list[float], before_n: float | None, title: str = "a run", came=None):
+    time_s = [0.0, 1.0, 2.0, 3.0]
+    curves = {"time_s": time_s, "motor_turns": [0.0, 0.0, 9.0, 0.0], "load": load_n, "calibrated": [0.0, 0.0, 3.0, 0.0]}
+    figures: list = []
+    monkeypatch.setattr(foretold_figure, "write_page", lambda figure, path: figures.append(figure))
+    run = {"title": title, "load": before_n, "curves": curves | {"rivals": {"creep": [0.0, 0.0, 3.1, 0.2]}}}
+    foretold_figure.draw(run, Path("unwritten"), f"{title}: what each explanation foretells", came)
+    return figures[0]
+
+
+def test_the_title_lies_within_the_figure(monkeypatch):
+    figure = drawn(monkeypatch, [20.0] * 4, 20.0, LONG)
+    figure.canvas.draw()
+    extent = figure._suptitle.get_window_extent()
+    assert (
+        extent.x0 >= 0
+        and extent.x1 <= figure.bbox.width
+        and figure._suptitle.get_text().split()
+        == [
+            *LONG.split()[:-1],
+            "hold:",
+            *"what each explanation foretells".split(),
+        ]
+    )
+
+
+@pytest.mark.parametrize(
+    ("load_n", "before_n", "has"),
+    [
+        ([20.0, 40.0, 40.0, 40.0], 20.0, True),
+        ([40.0] * 4, 20.0, True),
+        ([20.0, 20.05, 20.0, 20.0], 20.0, False),
+        ([0.0] * 4, None, False),
+    ],
+)
+def test_the_load_has_a_panel_where_it_changes(load_n, before_n, has, monkeypatch):
+    came = pd.DataFrame({"time_s": [0.0, 3.0], "motor_turns": [0.0, 0.0], "displacement_mm": 0.0, "load_n": 33.0})
+    panels = drawn(monkeypatch, load_n, before_n, came=came).axes
+    loads = [panel for panel in panels if panel.get_ylabel() == "load (N)"]
+    assert len(loads) == has and len(panels) == 3 + has
+    if has:
+        foretold, hung = (np.asarray(line.get_ydata()).tolist() for line in loads[0].lines)
+        assert foretold == load_n and hung == [33.0, 33.0]
