@@ -1,9 +1,11 @@
-"""How a loop ended: `settled.json` and a line."""
+"""How a loop ended: `settled.json`, and what a person reads and does next."""
 
 import json
+import shlex
 from collections.abc import Sequence
 from pathlib import Path
 
+from ..ground.command import command
 from ..ground.files import write_text
 from .choose import Budget
 from .step import Place, Step
@@ -27,4 +29,32 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
     }
     write_text(place.out / NAME, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     named = f": {' + '.join(mechanisms)}" if mechanisms else ""
-    print(f"settled: {sentence}{named if why == 'verdict' else ''}", flush=True)
+    folder = place.folder(steps[-1].number)
+    lines = [
+        f"settled: {sentence}{named}" if why == "verdict" else f"ended, not settled: {sentence}",
+        f"  the last verdict: {folder / 'verdict.txt'}",
+        f"  how it ended: {place.out / NAME}",
+        f"  next: {_next(folder, verdict['verdict'], runs)}",
+        *(f"  or: {more}" for more in [going_on(sentence, budget)] if more and why != "verdict"),
+    ]
+    print("\n".join(lines), flush=True)
+
+
+def going_on(sentence: str, budget: Budget) -> str:
+    """How the loop goes on where the budget ended it, by the option that the sentence names; else nothing."""
+    now = {"--runs": budget.runs, "--minutes": budget.minutes, "--strokes": budget.strokes}
+    short = [f"{option} above {value:g}" for option, value in now.items() if option in sentence]
+    return f"start it again with the same words and {' and '.join(short)}: it goes on from here" if short else ""
+
+
+def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> str:
+    """What a person does after the loop."""
+    if verdict in ("explained", "parameters"):
+        adopt = shlex.join([*command("adopt").split(), str(folder / "diagnosis.json"), str(runs[0])])
+        return f"nothing to record. Where that verdict advises to adopt it, for each run: {adopt}"
+    if verdict == "consistent":
+        return "nothing: the simulator fits as it is"
+    names = [*map(str, runs), "NEW_RUN", "--together", "--out", "NEW_FOLDER"]
+    diagnose = shlex.join([*command("diagnose").split(), *names])
+    reads = "what it could be" if verdict == "unknown" else "what parts the explanations"
+    return f"read there {reads}. After another run made by hand: {diagnose}"

@@ -32,7 +32,7 @@ def test_the_title_lies_within_the_figure(monkeypatch):
         == [
             *LONG.split()[:-1],
             "hold:",
-            *"what each explanation foretells".split(),
+            *["what", "each", "explanation", "foretells"],
         ]
     )
 
