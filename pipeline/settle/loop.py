@@ -63,7 +63,8 @@ class Loop:
                     return DONE
                 steps.append(proposed)
             elif step.state == "proposed":
-                if self._too_far(steps):
+                if (why := self._anew(steps)) is not None:
+                    print(f"step {step.number}: what was proposed is proposed anew: {why}", flush=True)
                     steps.pop()
                     steps = steps or [self._begun()]
                     continue
@@ -90,7 +91,8 @@ class Loop:
         return self._written(Step(0, "proposed", str(run_dir), {**without_curves(proposed), **begun}), proposed)
 
     def _written(self, step: Step, proposed: ProposedRun) -> Step:
-        """A proposed step with its run, drawn before it is made."""
+        """A proposed step with its run, drawn before it is made, and with the limits under which it was proposed."""
+        step = step.at("proposed", proposal={**step.proposal, "limits": dict(self.motor.allowed.given)})
         self.place.write_run(step.number, proposed)
         if "curves" in proposed:
             self._draw(step)
@@ -151,11 +153,12 @@ class Loop:
     def _settled(self, steps: list[Step], why: str, sentence: str) -> None:
         settled(self.place, steps, self._all_runs(steps), self.budget, why, sentence)
 
-    def _too_far(self, steps: list[Step]) -> bool:
-        """Whether a run that was proposed earlier is beyond what is allowed now."""
+    def _anew(self, steps: list[Step]) -> str | None:
+        """Why a run that was proposed earlier is not asked about: other limits are given now, or it is beyond them."""
         step, left = steps[-1], self.budget.left(steps[:-1])
-        too_far = beyond(as_legs(step.legs), self.motor.bounds()) if step.legs else None
-        return (too_far or left.lacks(step)) is not None
+        if step.proposal.get("limits", self.motor.allowed.given) != self.motor.allowed.given:
+            return "--limits are others now"
+        return (beyond(as_legs(step.legs), self.motor.bounds()) if step.legs else None) or left.lacks(step)
 
     def _approved(self, step: Step) -> Step | None:
         print(told(step, self.place), flush=True)

@@ -1,7 +1,7 @@
 """A run that could be made, and the verdict that it follows, as the files of a step hold them."""
 
 from collections.abc import Sequence
-from typing import TypedDict, cast
+from typing import Any, TypedDict, cast
 
 import numpy as np
 
@@ -39,6 +39,7 @@ class ProposedRun(_Begins, total=False):
     raises: bool
     curves: Curves
     runs: Sequence[str]
+    limits: dict[str, Any]  # that a person gave when it was proposed
     turns_per_s2: float  # of the rig's ramps, as it declared them when the run was proposed
 
 

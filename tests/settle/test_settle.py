@@ -104,6 +104,22 @@ def test_a_run_that_was_approved_is_not_made_beyond_the_limits_of_now(place):
     assert state(place)["state"] == "approved" and not (place / "raw" / "poor-1-s1" / "recording.frames").exists()
 
 
+def test_started_again_with_other_limits_it_proposes_anew_and_says_so(place):
+    """A run that was proposed under half the load stood, unsaid, when the limits that had asked for it were gone."""
+    narrow = LIMITS.replace("load_n: [8, 45]", "load_n: [8, 30]")
+    words = ("raw/poor-1", "--port", "port", "--out", "out")
+    with rig(place, "--pace", "inf"):
+        first = ended(place, "settle", *words, "--limits", narrow)
+        title = state(place)["proposal"]["title"]
+        again = ended(place, "settle", *words, "--limits", narrow)
+        assert state(place)["proposal"]["title"] == title != "one stroke under twice the load with a hold"
+        wide = ended(place, "settle", *words)
+    anew = "step 1: what was proposed is proposed anew: --limits are others now"
+    assert anew in first.stdout and anew not in again.stdout and anew in wide.stdout
+    assert state(place)["proposal"]["title"] == "one stroke under twice the load with a hold"
+    assert not (place / "raw" / "poor-1-s1").exists()
+
+
 def test_ctrl_c_stops_the_motor_first(place):
     with rig(place, "--pace", 1):
         one = started(place)
