@@ -177,7 +177,7 @@ def adopt(source: Path, folder: Path) -> None:
         return
     write(path, made)
     doubt = before_after.against_advice(content, Vocabulary.of(run.system), taken_out(folder))
-    report = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was", *doubt]
+    report = [*doubt, f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
     report += sentences(content)
     others = origin[-1]["tied"] if origin else []
     if others:

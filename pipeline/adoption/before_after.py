@@ -35,8 +35,7 @@ def against_advice(content: Verdict, words: Vocabulary, out: str) -> list[str]:
     whether = contrary(content, words)
     if not whether:
         return []
-    done = "This goes against the verdict's advice and is adopted all the same"
-    return [f"{done}. The verdict says: {whether} To take it out of run.yaml again:", out]
+    return [f"Adopted against the verdict's advice. The verdict says: {whether} To take it out of run.yaml again:", out]
 
 
 def dimensions(content: Verdict) -> list[str]:

@@ -5,12 +5,14 @@ import math
 import numpy as np
 
 from .indicators import REFERENCE
+from .percent import tail
 from .questions import Answer
 from .stroke_counts import strokes
 from .strokes_left import LEAST_STROKES, Span
 
 SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
 LEVEL = 0.9
+SOON = 2.0  # times the lower bound: a median further away reads as if it went against the advice
 
 
 def drift(answers: list[Answer]) -> Span:
@@ -69,4 +71,16 @@ def rests_on(answers: list[Answer]) -> list[str]:
     half = "half of the nearest lower bound of those below is over then"
     again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
     anew = "Both follow from all strokes that are given: new strokes can leave them as they are"
-    return [f"Why calibrate: {why}.", f"Why ask again: {again}.", f"{anew}."]
+    return [f"Why calibrate: {why}.{_cautious(error)}", f"Why ask again: {again}.", f"{anew}."]
+
+
+def _cautious(error: Answer) -> str:
+    """Why the advice comes long before half of the futures pass the limit; nothing where it does not."""
+    span = error.left.span(LEVEL)
+    if span.state not in ("one-sided", "interval") or span.median < SOON * span.low:
+        return ""
+    sooner = tail(1.0 - LEVEL if span.state == "one-sided" else (1.0 - LEVEL) / 2.0)
+    return (
+        f" The advice is for the worst {sooner} of the futures, which pass {error.limit:g} {error.unit} by then; that "
+        "half of them stay below it far longer does not go against it."
+    )

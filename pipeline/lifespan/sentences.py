@@ -32,6 +32,7 @@ ZERO_OFF = (
     "creeps), at worst by 0.5 mm. The model's error may be off by as much."
 )
 LAST = 3  # strokes that tell how far a limit is
+LEAST_LOSS = 1e-3  # per cent of the stroke: no sensor shows less
 
 
 def beside_limit(value: float, limit: float) -> str:
@@ -59,6 +60,8 @@ def so_far(answer: Answer) -> str:
     against = f"{of} against the first {REFERENCE}"
     if middle <= 0.0:
         return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
+    if 100.0 * middle < LEAST_LOSS:
+        return f"So far: nothing measurable of the stroke is lost ({against})."
     lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
     return f"So far: {lost} % of the stroke is lost ({against})."
 

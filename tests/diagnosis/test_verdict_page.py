@@ -800,6 +800,33 @@ def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_
     assert "Of friction_hysteresis and creep only that part may be reported, not what they do in all nor their" in text
 
 
+def test_what_the_whole_recording_shows_and_unseen_strokes_do_not_is_said_to_be_left_beside_the_share_of_names():
+    made = confident(0.93, 0.46)
+    assert "Something systematic is left" not in page(copy.deepcopy(made))
+    made["evidence"] |= {"floor_mm": 0.0074, "probability_of_none": 0.02}
+    made["evidence"]["explanations"][-1]["left_mm"] = 0.021
+    first = " ".join(under("What to know first", page(copy.deepcopy(made))))
+    said = "Something systematic is left: the explanation leaves 0.021 mm rms, 2.8 times the noise of the averages"
+    assert f"{said}; the 2 % for physics that the library lacks is about names alone." in " ".join(first.split())
+    made["fit"]["heldout"]["explained_mm"] = 0.05
+    text = page(made)
+    assert "Something systematic is left" not in text and "Something systematic is still missing" in text, "once"
+
+
+@pytest.mark.parametrize(("loop", "says"), [(0.14, True), (0.5, False), (0.0, False)])
+def test_effects_whose_loops_are_far_wider_than_the_recorded_one_are_said_to_cancel_in_part(loop, says):
+    made = confident(0.93, 0.46)
+    widths = {"friction_hysteresis": 0.83, "creep": 0.79}
+    made["evidence"] |= {
+        "loops": {id_: {"width_mm": width, "motor_turns": 22.0} for id_, width in widths.items()},
+        "expected": {"load": 20.0, "speed_per_s": 2.0, "explanations": [], "recorded": {"loop_mm": loop}},
+    }
+    said = "The loops of friction_hysteresis (0.83 mm) and creep (0.79 mm) partly cancel: the recording shows 0.14 mm."
+    assert (said in " ".join(page(copy.deepcopy(made)).split())) == says
+    made["evidence"]["loops"]["creep"]["width_mm"] = 0.2
+    assert "partly cancel" not in page(made), "one wide loop is no two"
+
+
 def test_a_proposed_run_says_which_question_it_answers_and_for_which_probable_name_it_is_not():
     question = "Make the run that can decide which is at work: creep or thermal"
     said = steps(confident(0.72, 0.46))

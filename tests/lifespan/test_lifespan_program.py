@@ -239,6 +239,19 @@ def test_the_sentence_says_what_is_sure_and_what_half_of_the_futures_do():
     ]
 
 
+def test_the_advice_says_why_it_comes_long_before_half_of_the_futures_pass_the_limit():
+    """ "Calibrate again after about 7 strokes" stood beside "half stay below the limit for all 480"."""
+    for when, said in (
+        ([7.2] * 11 + [np.inf] * 89, "10 %"),
+        ([7.2] * 6 + [60.0] * 94, "5 %"),
+        ([50.0] * 99 + [90.0], ""),
+    ):
+        left = Left(when=np.sort(np.array(when)), horizon=120.0)
+        lines = rests_on([Answer("model_error", "", "mm", np.arange(12.0), np.zeros(12), np.zeros(12), 1.0, left)])
+        both = f"The advice is for the worst {said} of the futures, which pass 1 mm by then; that half of them stay"
+        assert (both in lines[0]) == bool(said), lines
+
+
 def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
     """Of two ends each leaves 5 % of the futures outside; an end that stands alone leaves 10 %."""
     when = np.arange(1.0, 201.0)
@@ -265,6 +278,9 @@ def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
         values[-3:] = last
         against = "(the last 3 strokes against the first 3)."
         assert so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, left)) == f"So far: {said} {against}"
+    least = np.full(12, 1.1e-16)
+    told = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, left))
+    assert told == "So far: nothing measurable of the stroke is lost (the last 3 strokes against the first 3)."
     off = np.full(12, 0.841)
     told = so_far(Answer("model_error", "", "mm", n, off, off, 1.0, left))
     assert told == "So far: a model calibrated on the first 3 strokes is off by 0.84 mm (median of the last 3 strokes)."

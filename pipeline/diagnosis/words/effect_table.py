@@ -1,7 +1,7 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
 from ..content import Part, Verdict, mismatch_of
-from . import certainty, probability
+from . import cancelling, certainty, probability
 from .dimensions import name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
@@ -62,11 +62,13 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
         parts = any(own_part(entry, content, words) for entry in entries)
         rest = [IN_ALL_SHORT.format(_in_its_place(content))] if parts else []
         write = [] if brief > 2 else certainty.to_write(content, words)
-        return [*table_lines, *_in_one([*certainty.needed(content), *whose, *rest]), *write]
+        against = cancelling.lines(content, entries, words)
+        return [*table_lines, *_in_one([*certainty.needed(content), *whose, *rest, *against]), *write]
     return [
         *table_lines,
         *_in_all(content, entries, words),
         *_in_one([*certainty.needed(content), *whose]),
+        *cancelling.lines(content, entries, words),
         *certainty.to_write(content, words),
         *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),

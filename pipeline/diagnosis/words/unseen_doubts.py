@@ -2,7 +2,7 @@
 
 from ..content import Verdict
 from . import holdout, in_vain, level, unseen
-from .quantity import size
+from .quantity import percent, size
 from .vocabulary import Vocabulary
 
 
@@ -10,7 +10,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
     unseen_errors = unseen.errors(content, words)
     if unseen_errors is None:
-        return []
+        return left_of_whole(content, words)
     nominal, calibrated, explained = unseen_errors
     noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
     named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
@@ -32,4 +32,21 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     if unseen.partly(content, words) and content["verdict"] != "unknown":
         lies = level.place_of_missing(content, words)
         sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
-    return [*sentences, *level.beaten(content, words)]
+    return [*sentences, *left_of_whole(content, words), *level.beaten(content, words)]
+
+
+def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
+    """That the explanation leaves more than the noise of the whole recording, where unseen strokes do not show it.
+
+    Averages have less noise than the single samples of unseen strokes, so that they show it alone.
+    """
+    fitted = unseen.fitted_times(content, words, named=True)
+    if content["verdict"] not in ("explained", "ambiguous") or unseen.partly(content, words):
+        return []
+    if fitted is None or fitted <= unseen.STILL_MISSING:
+        return []
+    left = size(fitted * float(content["evidence"][f"floor_{words.ending}"]), words.unit)
+    more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
+    none = content["evidence"].get("probability_of_none")
+    share = "" if none is None else f"; the {percent(none)} for physics that the library lacks is about names alone"
+    return [f"Something systematic is left: the explanation leaves {left} rms, {more}{share}."]
