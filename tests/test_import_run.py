@@ -51,6 +51,11 @@ def test_it_says_which_column_it_read_as_what_over_which_range(foreign):
     lines = import_run(foreign[0], foreign[1], "a-01", foreign[2]).splitlines()
     assert lines[0] == f"{foreign[2] / 'a-01'}: {len(GOOD)} samples"
     assert "  motor_turns 0 to 27 (from 1 in deg)" in lines and lines[2].startswith("  time_s 0 to ")
+    assert any(line.startswith("  no load: taken as 0 N; if one hangs, name its column as load_n") for line in lines)
+    mapping = yaml.safe_load(foreign[1].read_text())
+    mapping["rig"]["load_n"] = 30
+    foreign[1].write_text(yaml.safe_dump(mapping))
+    assert "no load" not in import_run(foreign[0], foreign[1], "a-02", foreign[2])
 
 
 def test_a_displacement_the_wrong_way_is_mended_by_the_other_sign_of_its_own_scale(foreign):

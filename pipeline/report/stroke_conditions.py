@@ -1,7 +1,7 @@
 """Under which load and to which twist strokes were recorded: which later ones differ in it, and words for a legend."""
 
 import argparse
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -96,14 +96,36 @@ def otherwise(dataset: pd.DataFrame | None, strokes: Iterable[int] | None = None
     if others.empty or rest.empty:
         return ""
     kinds = [kind for kind, are in zip(KINDS, (loads, twists), strict=True) if are[is_shown].any()]
-    by_condition: dict[str, list[int]] = {}
+    is_of_some = bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
+    if is_of_some:
+        return f"{OTHERWISE}: {_by_string(by_stroke[is_other], others, rest, kinds)}."
+    named = _by_condition(others, kinds)
+    if len(named) > MOST:
+        named = [f"n={ranges(sorted({int(at) for _, at in others.index}))} {_in_words(others, kinds)}"]
+    return f"{OTHERWISE}: {'; '.join(named)}; the others {_in_words(rest, kinds)}."
+
+
+def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:
+    """Strokes and their condition in words, those of one condition together."""
+    strokes: dict[str, list[int]] = {}
     for at, condition in others.groupby(level="stroke"):
-        by_condition.setdefault(_in_words(condition, kinds), []).append(int(at))
-    if len(by_condition) > MOST:
-        by_condition = {_in_words(others, kinds): sorted({int(at) for _, at in others.index})}
-    named = "; ".join(f"n={ranges(numbers)} {words}" for words, numbers in by_condition.items())
-    in_part = " (of some strings)" * bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
-    return f"{OTHERWISE}: {named}{in_part}; the others {_in_words(rest, kinds)}."
+        strokes.setdefault(_in_words(condition, kinds), []).append(int(at))
+    return [f"n={ranges(numbers)} {words}" for words, numbers in strokes.items()]
+
+
+def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kinds: Sequence[Kind]) -> str:
+    """The same where strings differ: `every` are all strokes of another condition, `shown` those that a table has."""
+    named = []
+    for string in dict.fromkeys(shown.index.get_level_values("string")):
+        own = every.xs(string, level="string", drop_level=False)
+        if string not in rest.index.get_level_values("string"):
+            named.append(f"all strokes of string {string} {_in_words(own, kinds)}")
+        else:
+            strokes = _by_condition(shown.xs(string, level="string", drop_level=False), kinds)
+            named.append(f"of string {string} {' and '.join(strokes)}")
+    if len(named) > MOST:
+        named = [f"strokes of {len(named)} strings {_in_words(shown, kinds)}"]
+    return f"{'; '.join(named)}; all others {_in_words(rest, kinds)}"
 
 
 def labels(points: pd.DataFrame, strokes: list[int]) -> dict[int, str]:

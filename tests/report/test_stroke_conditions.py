@@ -59,8 +59,12 @@ def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_sho
     assert otherwise(points).startswith(f"{OTHERWISE}: n=5 to 9 at {low} to {high} N and to ")
     two = with_last().assign(string="b")
     two.loc[two["stroke"] < 5, "load_n"] = 1.5 * usual_n
-    first_four = f"n=1 to 4 at {other} (of some strings); the others at {usual}."
+    first_four = f"of string b n=1 to 4 at {other}; all others at {usual}."
     assert otherwise(pd.concat([with_last().assign(string="a"), two])) == f"{OTHERWISE}: {first_four}"
+    two["load_n"] = 1.5 * usual_n
+    points = pd.concat([with_last().assign(string="a"), two.query("stroke < 7")])
+    all_of_b = f"{OTHERWISE}: all strokes of string b at {other}; all others at {usual}."
+    assert otherwise(points) == otherwise(points, [1, 5]) == all_of_b
 
 
 def test_a_figure_names_a_stroke_by_its_load_where_loads_differ_and_by_a_smaller_twist():

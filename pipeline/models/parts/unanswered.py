@@ -12,6 +12,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from .beyond import also, beyond, held
+from .box import MARGIN
 from .prediction_intervals import Intervals
 from .reach import reached_mm
 from .recorded_pairs import around
@@ -82,4 +83,5 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
     number = float(value)  # type: ignore[arg-type]
     if name == "stroke" and number > last:
         return too_far(number, last, ahead)
-    return beyond(name, number, box.low[name], box.high[name], "was recorded")
+    spare = f", with {MARGIN[name]:.0%} to spare" if name in MARGIN else ""
+    return beyond(name, number, box.low[name], box.high[name], f"was recorded{spare}")
