@@ -59,7 +59,7 @@ def against_others(inn: pd.Series, models: pd.DataFrame, unit: str) -> str:
     for side, rows in sides.items():
         alike = (rows["high"] >= inn["low"]) & (rows["low"] <= inn["high"])
         sizes = [_shown(row) + ", within the spread of the seeds" * bool(alike[at]) for at, row in rows.iterrows()]
-        words.append(f"{side} than {_named(rows, sizes) or 'no other model'}")
+        words.append(f"{side} than {_named(rows, sizes) or 'none of the others'}")
     return f"The {plain(inn['title'])} ({_shown(inn)} {unit}) errs {words[0]}; {words[1]}."
 
 
@@ -69,6 +69,8 @@ def cost_of_direction(chosen: pd.DataFrame, inn: pd.Series, unit: str) -> str:
     if inn["direction"] or not set(FLOORS) <= set(floors.index):
         return ""
     blind, known = (f"{floors[name]:.3f}" for name in ("floor_blind", "floor"))
+    if blind == known:
+        return " It is not told the direction, which costs nothing here."
     return f" It is not told the direction, without which the floor is {blind} {unit} instead of {known} {unit}."
 
 

@@ -14,7 +14,7 @@ from .web.table import table
 
 FIGURES = {
     "figure_4": "Figure 4: strokes against the traditional model, and its errors. Where x falls below 0 that model's"
-    " inverse has no real root and answers one and the same twist: its error has a spike at x = 0.",
+    " inverse has no real root and answers one and the same twist: its error can have a spike there.",
     "figure_5": "Figure 5: models against the measurement, and their errors. The paper's figure has no error rows: a"
     " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out. Beside"
     " the INN stands the other model of the least forward error on this material's held-out points, whichever it is.",

@@ -81,7 +81,7 @@ def _usual(sizes: pd.Series) -> float:
     return float(max(sizes, key=lambda size: (abs(sizes - size) <= NEAR * abs(size)).sum()))
 
 
-def otherwise(dataset: pd.DataFrame | None, strokes: Iterable[int] | None = None) -> str:
+def otherwise(dataset: pd.DataFrame | None, strokes: Sequence[int] | None = None) -> str:
     """A sentence on strokes of another load or twist than most have, of the named ones alone; empty where none is."""
     if dataset is None:
         return ""
@@ -99,10 +99,15 @@ def otherwise(dataset: pd.DataFrame | None, strokes: Iterable[int] | None = None
     is_of_some = bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
     if is_of_some:
         return f"{OTHERWISE}: {_by_string(by_stroke[is_other], others, rest, kinds)}."
+    if strokes is not None:
+        rest = rest[rest.index.get_level_values("stroke").isin(list(strokes))]
+    the_others = "the others" if strokes is None else "the others of those shown"
+    if rest.empty:
+        return f"{OTHERWISE}: {'; '.join(_by_condition(others, kinds))}."
     named = _by_condition(others, kinds)
     if len(named) > MOST:
         named = [f"n={ranges(sorted({int(at) for _, at in others.index}))} {_in_words(others, kinds)}"]
-    return f"{OTHERWISE}: {'; '.join(named)}; the others {_in_words(rest, kinds)}."
+    return f"{OTHERWISE}: {'; '.join(named)}; {the_others} {_in_words(rest, kinds)}."
 
 
 def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:

@@ -34,7 +34,8 @@ def weighed(titles: Mapping[str, str], errors_mm: Mapping[tuple[str, str], float
     if {(best, "later"), (chosen, "later")} <= set(errors_mm):
         later = f"{errors_mm[best, 'later']:.3f} mm against {errors_mm[chosen, 'later']:.3f} mm"
         sentence += f"; on later strokes it has {later}"
-    return f"{sentence}. Where only strokes like these will come, take it: its file is exported in the same way."
+    alone = f"Where only strokes like these will come, take the {titles[best]}: its file is exported in the same way"
+    return f"{sentence}. {alone}."
 
 
 def uses(material: str, model: str) -> tuple[str, str]:

@@ -125,7 +125,7 @@ def test_the_page_says_when_the_inn_loses_to_none_or_hardly():
     best = told(made_metrics({**FORWARD, "inn": [0.050]}), [])
     assert best[0] == "- Least error forward, within strokes: INN model (0.050 mm)."
     assert "(0.050 mm) errs less than MLP model (0.051, within the spread of the seeds), Calibrated model" in best[2]
-    assert "; more than no other model." in best[2]
+    assert "; more than none of the others." in best[2]
     hardly = made_metrics({**FORWARD, "calibrated": [0.119]})
     assert "Calibrated model (0.119, within the spread of the seeds)" in told(hardly, ["mlp"])[2]
     assert told(made_metrics({**FORWARD, "mlp": [0.2]}), ["mlp"])[-1].endswith(": none.")

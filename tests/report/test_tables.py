@@ -168,7 +168,11 @@ def test_comparison_says_at_its_top_why_the_inn_is_not_the_papers():
         in top
     )
     assert "the INN is not told of are 1.379 mm here" in top
-    assert "Our rig is not the paper's" in comparison(metrics, "nylon", TITLES)
+    assert "This rig is not the paper's" in comparison(metrics, "nylon", TITLES)
+    assert "So a difference from the paper tells of the recording" in top
+    far = pd.concat([made_metrics(), floor.assign(value=0.1 * floor["value"])])
+    text = comparison(far, "nylon", TITLES)
+    assert "This network is at 10.0 times them: nothing of it can be held" in text and "tells of the rec" not in text
     assert "1.112" in comparison(metrics, "nylon", TITLES) and "in the paper." not in comparison(
         made_metrics(), "m", TITLES
     )
@@ -216,11 +220,12 @@ def made_points(runs):
 
 def test_every_form_says_of_a_shown_stroke_that_it_was_recorded_otherwise(tmp_path):
     points = made_points(["m-01"] * 5)
-    words = "Recorded under other conditions: n=5 at 30 N and to 16 turns; the others at 20 N and to 27.2 turns."
+    words = "Recorded under other conditions: n=5 at 30 N and to 16 turns; the others of "
+    words += "those shown at 20 N and to 27.2 turns."
     write(made_metrics(), 1, TITLES, SMALL, tmp_path, dataset=points)
     markdown, latex = ((tmp_path / f"table_1.{suffix}").read_text() for suffix in ("md", "tex"))
     assert words in markdown and words in latex and words in html_table(tmp_path, 1, "")
-    assert words in comparison(made_metrics(), "m", TITLES, dataset=points)
+    assert words.replace(" of those shown", "") in comparison(made_metrics(), "m", TITLES, dataset=points)
     write(made_metrics(strokes=(1, 9)), 1, TITLES, SMALL, tmp_path, dataset=points)  # n=5 is not among its rows
     assert "other conditions" not in (tmp_path / "table_1.md").read_text()
 
