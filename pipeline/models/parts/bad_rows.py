@@ -43,6 +43,20 @@ def refuse(path: Path, bad: Sequence[BadRow]) -> None:
     if first:
         each = [f"row {entry.row}: {entry.column} {entry.what}{entry.instead}".replace(":  ", ": ") for entry in first]
         more = [f"and {len(first) - SHOWN} more rows"] if len(first) > SHOWN + 1 else each[SHOWN:]
-        mends = list(dict.fromkeys(entry.mend for entry in first[:SHOWN]))
-        problem = f"{len(first)} cannot be answered: {'; '.join([*each[:SHOWN], *more])}"
-        raise BadInput(path, "rows", problem, "; ".join(mends))
+        problem = f"{len(first)} cannot be answered (row 1 is the first question): {'; '.join([*each[:SHOWN], *more])}"
+        raise BadInput(path, "rows", problem, f"{_mends(first[:SHOWN])}. Until then no row is answered")
+
+
+def _mends(bad: Sequence[BadRow]) -> str:
+    """Each mend with the rows that it is for; without rows where all have the same."""
+    rows_by_mend: dict[str, list[int]] = {}
+    for entry in bad:
+        rows_by_mend.setdefault(entry.mend, []).append(entry.row)
+    if len(rows_by_mend) == 1:
+        return next(iter(rows_by_mend))
+    return "; ".join(f"{_numbers(rows)}: {mend}" for mend, rows in rows_by_mend.items())
+
+
+def _numbers(rows: Sequence[int]) -> str:
+    """Rows by number: row 3, rows 2, 5."""
+    return f"row{'s' * (len(rows) > 1)} {', '.join(map(str, rows))}"
