@@ -370,8 +370,8 @@ def test_all_rows_that_cannot_be_answered_are_named_at_once(dataset):
     done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *rows]) + "\n")
     assert done.returncode == 2 and done.stderr.count("\n") == 1 and "row 1:" not in done.stderr, done.stderr
     for named in (
-        "rows: 5 cannot be answered (row 1 is the first question): row 2: stroke is 1.5, no whole number from 1; row 3: ",
-        "row 3: direction is 2, neither 1 nor -1; row 4: motor_turns is 'x', no number; row 5: motor_turns is empty; row 6",
+        "rows: 5 cannot be answered (row 1 is the first question): row 2: stroke is 1.5, no whole number from 1; ",
+        "row 3: direction is 2, neither 1 nor -1; row 4: motor_turns is 'x', no number; row 5: motor_turns is empty; ",
         "Mend: row 2: the first stroke of a new string is 1; row 3: 1 is winding, -1 unwinding; row 4: write a number ",
         "row 5: fill it in, or take the row out; row 6: write a number. Until then no row is answered.",
     ):
