@@ -40,6 +40,7 @@ from .diagnosis.words.vocabulary import Vocabulary
 from .ground import schemas
 from .ground.command import command
 from .ground.complaint import key_name
+from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.kinematics import Array
@@ -159,8 +160,7 @@ def main() -> None:
         )
     columns, words = foretold(plan, arguments) if plan else ({}, [])
     if arguments.residual:
-        given = source if arguments.simulation else None
-        more, more_words = black_box(problem, run, plan, arguments.run_dir, given)
+        more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
         columns, words = columns | more, words + more_words
     columns = {"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted} | columns
     if plan:
@@ -170,7 +170,7 @@ def main() -> None:
     write(table, arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
     fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
-    print(f"{run.run}: {len(samples)} samples simulated with {acting} and the dimensions {fitted} {source}")
+    print(f"{run.run}: {counted(len(samples), 'sample')} simulated with {acting} and the dimensions {fitted} {source}")
     print(f"{arguments.out} holds {listing(list(columns))}")
     for sentence in words:
         print(sentence)

@@ -215,7 +215,7 @@ def test_a_plan_of_corners_is_answered_in_a_table():
     lines_of_it = corners(table, "motor_turns", "x_mm")
     cells = [re.split(r" {3,}", line) for line in lines_of_it[1:]]
     assert [row[0] for row in cells] == ["0", "4", "6", "10"]
-    assert cells[1] == ["4", "8", "16", "15.9 to 16.1"] and cells[3][-1] == "no band"
+    assert cells[1] == ["4", "8", "16.00", "15.90 to 16.10"] and cells[3][-1] == "no band"
 
 
 def test_of_a_plan_with_many_corners_it_is_said_that_the_file_has_them():
@@ -238,7 +238,12 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
     head, *cells = [re.split(r" {3,}", line) for line in lines_of_it]
     assert head[3:] == ["without_effects_mm", "nine of ten readings", "way to it"]
     assert [row[-1] for row in cells[1:]] == ["inside", "63 % outside", "outside"]
-    assert cells[1][3] == f"{0.9 * (-1.0 - 112.5 * np.e):.6g}" and cells[3][-2] == "outside"
+    bare = 0.9 * (-1.0 - 112.5 * np.e)
+    assert cells[1][3] == f"{bare:.2f}" and cells[1][4].count(".") == 2, "a band of ±0.12 mm has two decimals"
+    assert cells[3][3] == "-0.9" and cells[3][-2] == "outside", "no band"
+    out[20] = True  # the corner itself, since the next leg is outside
+    *_, leaving, _, _, _ = corners(table.assign(outside=out, low_mm=np.nan), "motor_turns", "displacement_mm")
+    assert re.split(r" {3,}", leaving)[-2:] == ["outside from here on", "inside"]
     assert "from the row above is outside what was recorded" in meaning
     assert max(map(len, [*lines_of_it, meaning])) <= 100
     inside = corners(table.assign(outside=0.0), "motor_turns", "displacement_mm")

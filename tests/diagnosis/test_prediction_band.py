@@ -170,6 +170,9 @@ def test_simulate_gives_the_band_and_the_rivals_of_a_planned_motion_and_says_wha
     assert np.ptp(answer["without_effects_mm"] - answer["displacement_mm"]) > 0.02, "what creep alone does"
     floor = content["fit"]["noise_floor_mm"]
     assert (answer["high_mm"] - answer["low_mm"]).min() >= 2.0 * 1.6 * floor
+    assert (
+        done.stdout.count("which to take: to state one error of the whole plan, the line `to report`; to judge a") == 1
+    )
     assert "expected error: " in done.stdout and "They cover no wrong explanation" in done.stdout
     assert "the reading if thermal and x_fit acted instead, at most " in done.stdout
     apart = np.abs(answer["if_thermal_and_x_fit_mm"] - answer["displacement_mm"])[answer["outside"] == 0]

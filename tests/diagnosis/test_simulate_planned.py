@@ -361,6 +361,17 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
         "6 digits of a guess"
     )
     assert "2 (outside)" in other[5] and "3 (outside)" in other[8] and max(map(len, other)) <= 100
+    small = strokes_table().assign(low_mm=lambda made: made["displacement_mm"] - 0.054)
+    small = small.assign(
+        high_mm=lambda made: made["displacement_mm"] + 0.054, displacement_mm=lambda made: made["low_mm"]
+    )
+    row = re.split(r" {2,}", loop_table.lines(small, words, "displacement_mm")[5])
+    assert row == ["2 and 3", "2.5", "0.471", "0.671", "+0.200 mm"], "the digits of a band of ±0.054 mm"
+    flat = strokes_table().assign(
+        displacement_mm=lambda made: made["motor_turns"] + 3.5e-4 * (made["time_s"] % 20.0 > 10.0)
+    )
+    gaps = [line.split("  ")[-1].strip() for line in loop_table.lines(flat, words, "displacement_mm")[2:]]
+    assert gaps and all(re.fullmatch(r"[+-]0\.00035 mm", gap) for gap in gaps), gaps
     many = pd.concat(
         [strokes_table(0.1 * k).assign(time_s=lambda made, k=k: made["time_s"] + 60.0 * k) for k in range(5)]
     )

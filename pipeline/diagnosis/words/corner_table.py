@@ -5,9 +5,10 @@ import pandas as pd
 
 from .error_table import aligned
 from .prediction import OUTSIDE
-from .quantity import percent
+from .quantity import percent, to_the_band
 
 BEND, CORNERS = 1e-3, 16  # of the highest speed: what changes it by more is a corner; of so many no table is printed
+INSIDE = "inside"
 WAY = f"way to it: how much of the way from the row above is {OUTSIDE} what was recorded"
 
 
@@ -30,11 +31,14 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
     for before, place in zip([0, *places], places, strict=False):
         row = table.iloc[place]
         within = low in table and bool(np.isfinite(row[[low, high]].to_numpy(float)).all())
-        none = OUTSIDE if out is not None and out[place] else "no band"
-        cells = [f"{row['time_s']:.4g}", f"{row[driver]:.4g}", *(f"{row[name]:.6g}" for name in (channel, *shown))]
-        cells.append(f"{row[low]:.6g} to {row[high]:.6g}" if within else none)
+        way = _way(out[before : place + 1]) if out is not None and place else ""
+        none = "no band" if out is None or not out[place] else f"{OUTSIDE} from here on" if way == INSIDE else OUTSIDE
+        half = 0.5 * float(row[high] - row[low]) if within else 0.0
+        cells = [f"{row['time_s']:.4g}", f"{row[driver]:.4g}"]
+        cells += [to_the_band(float(row[name]), half) for name in (channel, *shown)]
+        cells.append(f"{to_the_band(row[low], half)} to {to_the_band(row[high], half)}" if within else none)
         if out is not None:
-            cells.append(_way(out[before : place + 1]) if place else "")
+            cells.append(way)
         rows.append(cells)
     return [*aligned(rows), *([WAY] if out is not None and out.any() else [])]
 
@@ -42,4 +46,4 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
 def _way(out: np.ndarray) -> str:
     """How much of a way is outside; `out`, of shape (samples,), holds for its rows from corner to corner."""
     share = float(out[1:-1].mean()) if len(out) > 2 else float(out.mean())
-    return OUTSIDE if share == 1.0 else f"{percent(share)} {OUTSIDE}" if share else "inside"
+    return OUTSIDE if share == 1.0 else f"{percent(share)} {OUTSIDE}" if share else INSIDE

@@ -9,7 +9,7 @@ from ...ground.kinematics import Array
 from ...run.turning import turning_points
 from .error_table import aligned
 from .prediction import AFTER_RECORDING, OUTSIDE
-from .quantity import listing, size
+from .quantity import listing, number, said_unit, to_the_band
 from .vocabulary import Vocabulary
 
 SHARES = (0.25, 0.5, 0.75)  # of the way of a stroke
@@ -29,6 +29,7 @@ class _Stroke:
     up: Array  # the reading on each way, in its unit
     down: Array
     out: bool  # whether a row of it is outside what was recorded
+    half: float  # of the band, the least of its rows, in the reading's unit; 0 without one
 
     def like(self, other: "_Stroke", least: float) -> bool:
         """Whether both show the same at the same places; `least` is the least difference, in the reading's unit."""
@@ -41,6 +42,9 @@ def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stro
     """The whole strokes of a plan, in order."""
     way, reading = table[words.driver].to_numpy(float), table[channel].to_numpy(float)
     out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else np.zeros(len(table), bool)
+    ending = channel.rpartition("_")[2]
+    low, high = (table.get(f"{end}_{ending}", table[channel]).to_numpy(float) for end in ("low", "high"))
+    half = np.nan_to_num(0.5 * (high - low))
     points, strokes = turning_points(way, REVERSAL * max(float(np.ptp(way)), 1e-12)), []
     for start, top, end in zip(points[:-2], points[1:-1], points[2:], strict=True):
         low, high = max(way[start], way[end]), way[top]
@@ -50,7 +54,9 @@ def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stro
         up = np.interp(motion, np.maximum.accumulate(way[start : top + 1]), reading[start : top + 1])
         back, of_back = way[top : end + 1][::-1], reading[top : end + 1][::-1]
         down = np.interp(motion, np.maximum.accumulate(back), of_back)
-        strokes.append(_Stroke(int(start), int(end), motion, up, down, bool(out[start : end + 1].any())))
+        far, known = bool(out[start : end + 1].any()), half[start : end + 1][half[start : end + 1] > 0.0]
+        least = 0.0 if far else float(known.min(initial=np.inf))
+        strokes.append(_Stroke(int(start), int(end), motion, up, down, far, least if np.isfinite(least) else 0.0))
     return strokes
 
 
@@ -69,12 +75,12 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
     `channel` is the column of the reading.
     """
     least, kinds = ALIKE * float(np.ptp(table[channel])), list[tuple[_Stroke, list[str]]]()
-    for number, stroke in enumerate(_strokes(table, words, channel), start=1):
+    for count, stroke in enumerate(_strokes(table, words, channel), start=1):
         alike = [numbers for known, numbers in kinds if stroke.like(known, least)]
         if alike:
-            alike[0].append(str(number))
+            alike[0].append(str(count))
         else:
-            kinds.append((stroke, [str(number)]))
+            kinds.append((stroke, [str(count)]))
     if not kinds:
         return []
     up, down = words.ways
@@ -82,14 +88,20 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
     for stroke, numbers in kinds[:MOST]:
         for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
             name = f"{_called(numbers)}{f' ({OUTSIDE})' if stroke.out else ''}" if share == SHARES[0] else ""
-            gap = f"{'-' if falling < rising else '+'}{size(abs(falling - rising), words.unit)}"
             digits = FAR_DIGITS if stroke.out else DIGITS
-            rows.append([name, f"{motion:.4g}", f"{rising:.{digits}g}", f"{falling:.{digits}g}", gap])
+            ends = [to_the_band(value, stroke.half, digits) for value in (rising, falling)]
+            rows.append([name, f"{motion:.4g}", *ends, _gap(falling - rising, stroke.half, words.unit)])
     more = len(kinds) - MOST
     kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
     left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
     head = f"on the way, where a loop shows (like strokes stand together; difference: {down} less {up}):"
     return [head, *aligned(rows), *left]
+
+
+def _gap(gap: float, half: float, unit: str) -> str:
+    """A difference in the unit of the readings beside it, to the band where there is one."""
+    width = to_the_band(abs(gap), half) if half > 0.0 else number(abs(gap), whole=True)
+    return f"{'-' if gap < 0.0 else '+'}{width} {said_unit(unit)}"
 
 
 def _called(numbers: list[str]) -> str:

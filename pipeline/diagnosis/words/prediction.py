@@ -20,6 +20,11 @@ COVERS = (
     "and {missed}. They cover no wrong explanation, no other string, and no motion beyond what was recorded"
 )
 
+WHICH = (
+    "which to take: to state one error of the whole plan, the line `to report`; to judge a single reading, {low} and "
+    "{high}; to compare with an rms error, the expected error. An if_ column is no error, but another reading"
+)
+
 
 def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) -> list[str]:
     """The expected error with its two parts, and what the columns `low` and `high` hold; `unit`: of the reading.
@@ -45,7 +50,7 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) ->
         ]
     if (inside & np.logical_or.accumulate(~inside)).any():
         first.append(f"rows after one that is {OUTSIDE} are inside again, though what is slow may still remember it")
-    return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}"]
+    return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}", WHICH.format(low=low, high=high)]
 
 
 def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:

@@ -54,6 +54,13 @@ def plus_minus(value: float, half_width: float, unit: str) -> str:
     return f"{value:,.{decimals}f} ± {half_width:,.{decimals}f} {said_unit(unit)}".strip()
 
 
+def to_the_band(value: float, half_width: float, digits: int = 6) -> str:
+    """A number with one decimal more than the first digit of half of its interval; with so many digits without one."""
+    if not half_width > 0.0:
+        return f"{value:.{digits}g}"
+    return f"{value:.{min(max(1 - math.floor(math.log10(half_width)), 0), 9)}f}"
+
+
 def span(low: float, high: float, unit: str, whole: float) -> str:
     """A range on an axis `whole` wide."""
     return f"{at(low, '', whole)} to {at(high, unit, whole)}"
