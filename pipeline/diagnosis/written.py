@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ..ground.files import write_text
 from ..systems import System
+from . import earlier
 from .adopt import adoptions, block
 from .content import Verdict
 from .outcome import Study
@@ -16,8 +17,9 @@ JSON = "diagnosis.json"
 
 def write_words(content: Verdict, system: System, folders: list[Path], out: Path, doubts: list[str]) -> str:
     """Write what a diagnosis of runs says, as JSON and in words, `doubts` first; return the words."""
+    before = earlier.sentences(content, folders, out)  # it may lie where this one is written
     write_text(out / JSON, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    texts_from = (content, system, folders, out, doubts)
+    texts_from = (content, system, folders, out, [*doubts, *before])
     words = verdict_text(*texts_from)
     write_text(out / "details.txt", details_text(*texts_from) + "\n")
     write_text(out / "verdict.txt", words + "\n")

@@ -1,0 +1,49 @@
+"""A verdict on several runs says what the one on fewer of them said, which it replaces."""
+
+import json
+from pathlib import Path
+
+import pytest
+from made_content import SYSTEMS, confident, spoken
+
+from pipeline.diagnosis.written import write_words
+
+FOLDERS = [Path("raw/nylon-3"), Path("raw/nylon-4")]
+SAID = (
+    "Before, the verdict on nylon-3 alone ({}) named friction_hysteresis (93 %) and creep (46 %). This one rests on "
+    "more data and replaces it."
+)
+
+
+def written(out: Path, runs: str | list[str], **changes: object) -> str:
+    """The page of a verdict on some runs, written into a folder."""
+    made = spoken(confident(0.93, 0.46) | {"run": runs, "simulation": [], **changes}, SYSTEMS["mm"])
+    return " ".join(write_words(made, SYSTEMS["mm"], FOLDERS[: 1 if isinstance(runs, str) else 2], out, []).split())
+
+
+@pytest.mark.parametrize(
+    "place", ["reports/mine/nylon-3", "reports/mine/both", "reports/mine/both/nylon-3", "reports/diagnosis/nylon-3"]
+)
+def test_a_verdict_on_two_runs_says_what_the_one_on_one_of_them_said(tmp_path, monkeypatch, place):
+    monkeypatch.chdir(tmp_path)
+    assert "Before, the verdict" not in written(Path(place), "nylon-3"), "there was none before"
+    text = written(Path("reports/mine/both"), ["nylon-3", "nylon-4"])
+    assert SAID.format(place) in text.partition("What acts")[0]
+    assert len(Path("reports/mine/both/verdict.txt").read_text().splitlines()) <= 66
+    if place != "reports/mine/both":
+        again = written(Path("reports/mine/both"), ["nylon-3", "nylon-4"])
+        assert again == text, "the same verdict once more replaces none but that of fewer runs"
+
+
+def test_a_verdict_on_other_runs_or_one_that_cannot_be_read_is_not_spoken_of(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    written(Path("reports/mine/nylon-3"), ["nylon-3", "nylon-9"])
+    Path("reports/mine/nylon-4").mkdir()
+    Path("reports/mine/nylon-4/diagnosis.json").write_text(json.dumps({"run": "nylon-4"}))
+    assert "Before, the verdict" not in written(Path("reports/mine/both"), ["nylon-3", "nylon-4"])
+    written(
+        Path("reports/mine/nylon-4"), "nylon-4", verdict="parameters", mechanisms=[], alternatives=[], next_run=None
+    )
+    both = written(Path("reports/mine/both"), ["nylon-3", "nylon-4"])
+    assert "Before, the verdict on nylon-4 alone (reports/mine/nylon-4) was parameters." in both
+    assert "Before, the verdict" not in written(Path("reports/mine/nylon-3"), "nylon-3"), "one run is not more"
