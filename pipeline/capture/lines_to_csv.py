@@ -14,7 +14,7 @@ from .commit import PIECE, check_own, committed, opening, seal, unwritten
 from .fields import names
 from .lines import Lines, Splitter
 from .log import LINES, in_use
-from .pending import noted, withdraw
+from .pending import noted, noted_columns, withdraw
 from .stream import Outcome
 
 CSV = "recording.csv"
@@ -132,7 +132,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
         raise BadInput(path, LINES, "is still being captured", "wait for that program, or end it")
     if not info:
         began, ended, outcome = noted(folder, datetime.fromtimestamp(path.stat().st_mtime, UTC))
-        return commit_lines(folder, columns, began, ended, outcome, anew=True)
+        return commit_lines(folder, columns or noted_columns(folder), began, ended, outcome, anew=True)
     digests = [_sha256(folder / name) for name in (LINES, CSV)]
     if digests[0] != info.get("sha256"):
         mend = "restore it from a copy; a recording is never edited"

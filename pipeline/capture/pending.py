@@ -1,4 +1,4 @@
-"""The note beside a recording that is not committed yet: when it began and, once it ended, when and by what.
+"""The note beside a recording that is not committed yet: when it began, what --columns gave, and how it ended.
 
 It is there from the first byte to the commit, so that a recording that is recovered has its own start and end.
 """
@@ -10,14 +10,21 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from .fields import names
 from .stream import Outcome
 
 NAME = "capture-pending.json"
 
 
-def note(folder: Path, began: datetime, ended: datetime | None = None, outcome: Outcome | None = None) -> None:
+def note(
+    folder: Path,
+    began: datetime,
+    columns: tuple[str, ...] = (),
+    ended: datetime | None = None,
+    outcome: Outcome | None = None,
+) -> None:
     """Write it, over an earlier one; it waits for no disk, and a folder that is full keeps no rig waiting."""
-    content: dict[str, Any] = {"started_utc": began.astimezone(UTC).isoformat()}
+    content: dict[str, Any] = {"started_utc": began.astimezone(UTC).isoformat(), "columns": list(columns)}
     if ended is not None and outcome is not None:
         content |= {"ended_utc": ended.astimezone(UTC).isoformat()}
         content |= {"exit_status": outcome.status, "fault": outcome.fault, "ended_by": outcome.ended_by}
@@ -48,6 +55,15 @@ def noted(folder: Path, last_change: datetime) -> tuple[datetime, datetime, Outc
     ):
         return cut_off
     return began, ended, Outcome(status, fault, ended_by)
+
+
+def noted_columns(folder: Path) -> tuple[str, ...]:
+    """The names that --columns gave, or none."""
+    try:
+        columns = json.loads((folder / NAME).read_bytes())["columns"]
+        return names(",".join(columns).encode())
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return ()
 
 
 def withdraw(folder: Path) -> None:

@@ -75,7 +75,7 @@ def capture_lines(
             began = datetime.now(UTC) - timedelta(seconds=time.monotonic() - beginning.since_s)
             until_committed.enter_context(end_request.listening())
             log = Log(folder, LINES)
-            note(folder, began)
+            note(folder, began, columns)
             Screen().say(how_to_end())
             try:
                 outcome = follow(port, log, end_request, folder, columns, beginning, longest_s)
@@ -85,7 +85,7 @@ def capture_lines(
             finally:
                 log.close()
         ended = datetime.now(UTC)
-        note(folder, began, ended, outcome)  # for --recover, where no line can be read now
+        note(folder, began, columns, ended, outcome)  # for --recover, where no line can be read now
         return commit_lines(folder, columns, began, ended, outcome)
 
 

@@ -1,17 +1,21 @@
 """The samples that were appended to a recording since it was read last, as frames or as printed lines."""
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..capture.lines import Lines, Splitter
+from ..ground.command import recover_command
 from ..ground.kinematics import Array
 from ..ground.units import conversion
+from ..run.description import Run
 from ..run.named_units import TIMES
 from ..wire import Event, Ledger
 from ..wire.counters import Whole, steps_of
+from .named import channel_of
 
 LONGEST_STEP_US = 60_000_000  # a clock that goes on by more was set anew
 
@@ -47,6 +51,9 @@ class Source(Protocol):
 
     def counts(self) -> Counts:
         """What was lost so far."""
+
+    def why_none(self, folder: Path) -> str:
+        """Why nothing of what came is a sample, and what to do; empty where nothing tells."""
 
 
 class Frames:
@@ -99,15 +106,19 @@ class Frames:
         done = sum(code == Event.STROKE_END for _, code, _ in tally.events)
         return Counts(tally.bad, tally.lost, self._jumps, done, hello.strokes if hello else 0)
 
+    def why_none(self, folder: Path) -> str:
+        """Nothing: frames name what they carry."""
+        return ""
+
 
 class Printed:
-    """`recording.lines`."""
+    """`recording.lines` of a `run`, its columns named by `given`, or by the rig where nothing is given."""
 
-    def __init__(self) -> None:
+    def __init__(self, given: tuple[str, ...] = (), run: Run | None = None) -> None:
         self.columns: tuple[str, ...] = ()
         self.rate_hz: float | None = None
         self.device = "a rig that prints lines"
-        self._splitter, self._lines = Splitter(), Lines()
+        self._splitter, self._lines, self._run = Splitter(), Lines(given), run
         self._time_s, self._clock_s, self._jumps = 0.0, float("nan"), 0
 
     def feed(self, chunk: bytes) -> Piece | None:
@@ -115,18 +126,24 @@ class Printed:
         rows = [row for line in self._splitter.feed(chunk) if (row := self._lines.take(line)) is not None]
         if not rows:
             return None
-        at = self._lines.time_at
-        values = np.array(rows, dtype=np.float64)
-        self.columns = tuple(name for place, name in enumerate(self._lines.columns) if place != at)
-        time_s = np.array([self._next(row[at] if at >= 0 else float("nan")) for row in values])
-        return Piece(np.column_stack([time_s, np.delete(values, at, axis=1) if at >= 0 else values]), [])
+        printed, values = self._lines.columns, np.array(rows, dtype=np.float64)
+        channels = [channel_of(self._run, printed, place) for place in range(len(printed))]
+        names = [name for name, *_ in channels]
+        at = names.index("time_s") if "time_s" in names else self._lines.time_at
+        values = values * [factor for _, factor, _ in channels] + [shift for *_, shift in channels]
+        if at < 0:
+            self.columns = tuple(names)
+            return Piece(np.column_stack([[self._next(None) for _ in rows], values]), [])
+        if names[at] != "time_s":
+            values[:, at] *= conversion("time_s", TIMES.get(printed[at]))[0]
+        self.columns = tuple(names[:at] + names[at + 1 :])
+        time_s = [self._next(stamp) for stamp in values[:, at].tolist()]
+        return Piece(np.column_stack([time_s, np.delete(values, at, axis=1)]), [])
 
-    def _next(self, stamp: float) -> float:
+    def _next(self, clock_s: float | None) -> float:
         """Time in s since the first sample; without a clock the number of the sample."""
-        at = self._lines.time_at
         step = 1.0
-        if at >= 0:
-            clock_s = stamp * conversion("time_s", TIMES.get(self._lines.columns[at]))[0]
+        if clock_s is not None:
             step = clock_s - self._clock_s if self._clock_s == self._clock_s else 0.0
             self._clock_s = clock_s
             if not 0.0 <= step <= LONGEST_STEP_US * 1e-6:
@@ -137,3 +154,10 @@ class Printed:
     def counts(self) -> Counts:
         """Lines that are no samples."""
         return Counts(self._lines.bad, None, self._jumps, None, 0)
+
+    def why_none(self, folder: Path) -> str:
+        """What came instead of samples, and the command that names the columns when the recording has ended."""
+        if self._lines.good or not self._lines.not_read:
+            return ""
+        problem, mend = self._lines.problem(0.0, recover_command(folder))
+        return f"No line is read yet, but all are kept: {problem}. When the recording has ended: {mend}"

@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from ..capture.log import in_use
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
 from .appended import Frames, Printed, Source
 from .envelope import Envelope
+from .named import stored_columns
 from .noise import Noise
 from .nominal import Nominal
 
@@ -23,6 +25,7 @@ BUDGET_S = 0.4  # a long recording is caught up with in steps of this
 WHOLE, STROKE = 1200, 600  # parts that are kept of all, and of a stroke
 KEPT = 3  # strokes
 READING = "displacement_mm"
+STALE_S = 3.0  # so long after its last sample a recording is silent
 CUT_S = 20.0  # what counts as a stroke where nothing tells of strokes
 
 
@@ -31,12 +34,14 @@ class Followed:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
+        self._names: tuple[str, ...] = ()
+        self._growing = False  # a capture program writes to it
         self._forget(None)
         self.replaced = 0
 
     def _forget(self, identity: tuple[int, int] | None, name: str = CAPTURED[0]) -> None:
         self._identity, self._at, self.behind = identity, 0, 0
-        self.source: Source = Printed() if name == CAPTURED[1] else Frames()
+        self.source: Source = Printed(self._names, self.run()) if name == CAPTURED[1] else Frames()
         self.samples = 0
         self.last: Array = np.zeros(0)
         self.whole: Envelope | None = None
@@ -44,7 +49,7 @@ class Followed:
         self._cut_s, self._told = 0.0, False
         self._nominal: Nominal | None = None
         self._noise = Noise()
-        self._new_s: float | None = None
+        self._new_s: float | None = None  # when the file was changed by the last sample, since the epoch
 
     def poll(self) -> None:
         """Read what was appended; a recording that was replaced or cut is begun anew."""
@@ -54,26 +59,28 @@ class Followed:
                 self.replaced += 1
                 self._forget(None)
             return
+        self._growing = in_use(path)
+        names = stored_columns(self.folder) or self._names
+        if names != self._names:  # they became known, or were corrected: all lines are read anew
+            self._names, self._identity = names, None
         with open(path, "rb") as file:
             stat = os.fstat(file.fileno())
             identity = (stat.st_dev, stat.st_ino)
             if identity != self._identity or stat.st_size < self._at:
                 self.replaced += self._identity is not None
                 self._forget(identity, path.name)
-                self._new_s = time.monotonic() - max(0.0, time.time() - stat.st_mtime)
             file.seek(self._at)
             began_s = time.monotonic()
             while time.monotonic() - began_s < BUDGET_S and (chunk := file.read(PIECE)):
                 self._at += len(chunk)
-                self._take(chunk)
+                self._take(chunk, stat.st_mtime)
             self.behind = max(0, os.fstat(file.fileno()).st_size - self._at)
 
-    def _take(self, chunk: bytes) -> None:
+    def _take(self, chunk: bytes, changed_s: float) -> None:
         piece = self.source.feed(chunk)
         if piece is None:
             return
-        if self.samples:
-            self._new_s = time.monotonic()
+        self._new_s = changed_s
         rows = piece.rows
         if self.whole is None or self.last.shape != rows[-1].shape:
             self.whole = Envelope(rows.shape[1], WHOLE)
@@ -120,6 +127,26 @@ class Followed:
         """
         return self._nominal.at(rows) if self._nominal and self._nominal.usable and len(rows) else None
 
+    def _waiting(self, age_s: float | None) -> str:
+        """How it stands while nobody wrote an end."""
+        if self._identity is None:
+            return "no recording yet"
+        if age_s is not None and age_s <= STALE_S:
+            return "recording"
+        if self._growing:
+            return "recording" if age_s is None else "silent"
+        return "no end was written"
+
+    def _empty(self) -> str:
+        """Why there is no curve of displacement over twist, and what to do; empty where there is one."""
+        if self._identity is None:
+            return "Nothing is recorded yet."
+        if not self.samples:
+            return self.source.why_none(self.folder) or "No sample came yet."
+        if not {"motor_turns", READING} <= {*self.source.columns}:
+            return f"Nothing here is motor_turns and {READING}; it has {', '.join(self.source.columns)}."
+        return ""
+
     def state(self) -> dict[str, Any]:
         """How it stands, in words and numbers."""
         counts = self.source.counts()
@@ -128,10 +155,12 @@ class Followed:
         except (BadInput, OSError):
             info = {}
         status = info.get("exit_status")
-        waiting = "no recording yet" if self._identity is None else "no end was written"
+        age_s = None if self._new_s is None else max(0.0, time.time() - self._new_s)
         return {
-            "state": str(status) if status else waiting,
+            "state": str(status) if status else self._waiting(age_s),
             "ended": bool(status),
+            "ended_utc": str(info.get("ended_utc", "")),
+            "empty": self._empty(),
             "device": self.source.device,
             "samples": self.samples,
             "rate_hz": self.source.rate_hz,
@@ -140,7 +169,7 @@ class Followed:
             "jumps": counts.jumps,
             "replaced": self.replaced,
             "behind_bytes": self.behind,
-            "age_s": None if self._new_s is None else max(0.0, time.monotonic() - self._new_s),
+            "age_s": age_s,
             "free_bytes": shutil.disk_usage(self.folder).free,
             "strokes": counts.strokes,
             "planned": counts.planned,

@@ -8,7 +8,7 @@ from typing import Any
 from ..ground.kinematics import Array
 from .envelope import Envelope
 from .recording import Followed
-from .reports_of_run import strokes_left, verdicts
+from .reports_of_run import newest_verdict, strokes_left, verdicts
 
 
 def numbers(values: Array) -> list[float | None]:
@@ -55,9 +55,9 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
         turns, mm = 1 + columns.index("motor_turns"), 1 + columns.index("displacement_mm")
         content["loops"] = [_loop(followed, part, turns, mm) for part in followed.strokes if len(part.first)]
     content["verdicts"] = verdicts(reports)
-    content["verdict"] = next(
-        (verdict["verdict"] for verdict in content["verdicts"] if verdict["run"] == content["run"]), None
-    )
+    listed = next((verdict for verdict in content["verdicts"] if verdict["run"] == content["run"]), None)
+    newest = newest_verdict(reports, content["run"]) or listed
+    content["verdict"], content["verdict_page"] = (newest["verdict"], newest["page"]) if newest else (None, None)
     content["index"] = (reports / "index.html").is_file()
     content["left"] = strokes_left(reports, run.string_id) if run else None
     return json.dumps(content, separators=(",", ":")).encode()

@@ -1,6 +1,7 @@
 """The page against the capture program and the synthetic rig, over HTTP and in a real browser."""
 
 import contextlib
+import fcntl
 import http.client
 import json
 import os
@@ -10,6 +11,7 @@ import socket
 import subprocess
 import sys
 import time
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +21,7 @@ import yaml
 from made_recording import content
 from scripted_rig import synthetic_rig
 
+from pipeline.capture.pending import note
 from pipeline.watch.appended import Printed
 from pipeline.wire import Channel, Event, Hello, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
@@ -240,3 +243,91 @@ def test_printed_time_is_read_in_the_unit_of_its_name(name, stamps):
     piece = source.feed(f"{name},motor_turns,displacement_mm\n{lines}".encode())
     assert piece is not None and source.columns == ("motor_turns", "displacement_mm")
     assert piece.rows[:, 0].tolist() == pytest.approx([0.0, 2.0])
+
+
+NAMELESS = "".join(f"{at * 10},{at / 100},{at / 200}\n" for at in range(1, 900))
+
+
+@contextlib.contextmanager
+def written_to(path: Path):
+    """A recording that a capture program writes to now."""
+    with open(path, "ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def test_names_that_a_person_gave_are_known_while_it_is_recorded_and_afterwards(tmp_path: Path):
+    """`--columns` alone named them: the page showed `samples 0`, axes from 0 to 1 and `no end was written`."""
+    run = folder(tmp_path)
+    (run / "recording.lines").write_text(NAMELESS)
+    columns = ("time_ms", "motor_turns", "displacement_mm")
+    with watched(run) as (port, _):
+        with written_to(run / "recording.lines"):
+            found = told(port, lambda found: found["state"] == "recording" and found["empty"] != "No sample came yet.")
+            assert found["samples"] == 0 and found["empty"].startswith("No line is read yet, but all are kept")
+            assert (
+                f"name them in the order in which the rig prints them: python -m pipeline.capture --recover {run}"
+                in (found["empty"])
+            )
+            note(run, datetime.now(UTC), columns)
+            found = told(port, lambda found: found["samples"])
+            assert found["columns"] == [*columns[1:]] and found["state"] in ("recording", "silent")
+            assert found["empty"] == ""
+        assert ready.run("pipeline.capture", "--recover", run).returncode == 0, "the note names them here too"
+        found = told(port, lambda found: found["ended"])
+    assert found["samples"] == 898 and found["columns"] == [*columns[1:]] and found["replaced"] == 0
+
+
+def test_a_column_is_shown_as_the_channel_that_run_yaml_reads_it_as(tmp_path: Path):
+    channels = {"motor_turns": {"column": "theta", "unit": "rad"}, "displacement_mm": {"column": 2, "scale": 2.0}}
+    run = folder(tmp_path, channels=channels)
+    (run / "recording.lines").write_text("time_ms,theta,x\n" + NAMELESS)
+    with watched(run) as (port, _):
+        found = told(port, lambda found: found["samples"] == 899)
+    assert found["columns"] == ["motor_turns", "displacement_mm"] and found["loops"] and found["empty"] == ""
+    assert found["last"] == pytest.approx([8.98, 8.99 / (2 * np.pi), 8.99], rel=1e-4)
+
+
+def test_a_silent_recording_is_told_from_one_that_was_cut_off_and_one_that_ended_says_when(tmp_path: Path):
+    run = folder(tmp_path)
+    lines = run / "recording.lines"
+    with watched(run) as (port, _):
+        assert told(port)["empty"] == "Nothing is recorded yet."
+        lines.write_text("time_ms,motor_turns,displacement_mm\n" + NAMELESS)
+        os.utime(lines, (time.time() - 500, time.time() - 500))
+        found = told(port, lambda found: found["samples"])
+        assert found["state"] == "no end was written" and 490 < found["age_s"] < 600, "by the file, not the start"
+        with written_to(lines):
+            assert told(port, lambda found: found["state"] == "silent")
+        assert ready.run("pipeline.capture", "--recover", run).returncode == 0
+        found = told(port, lambda found: found["ended"])
+    assert found["ended_utc"] == json.loads((run / "capture.json").read_text())["ended_utc"]
+
+
+def test_a_diagnosis_and_a_forecast_are_shown_wherever_they_lie_in_reports_the_newest_one(tmp_path: Path):
+    """After `diagnose … --out reports/mine` the page said: This run has no diagnosis yet."""
+    string = content("run-1")["string"] | {"id": "spool-1"}
+    run, reports = folder(tmp_path, string=string), tmp_path / "reports"
+
+    def diagnosed(place: str, verdict: str, left: float, seconds: float) -> None:
+        for name in ("run-1", "spool-1"):
+            (reports / place / name).mkdir(parents=True)
+        (reports / place / "run-1" / "verdict.txt").write_text(f"{verdict}\nmore\n")
+        strokes = {"low": left - 1, "median": left, "high": left + 1}
+        forecast = {"first": "a", "questions": {"a": {"strokes_left": strokes}}}
+        for path, held in (("run-1/diagnosis.json", {}), ("spool-1/lifespan.json", forecast)):
+            (reports / place / path).write_text(json.dumps(held))
+            os.utime(reports / place / path, (seconds, seconds))
+
+    diagnosed("diagnosis", "explained: creep", 9.0, 1e9)
+    diagnosed("mine", "explained: friction", 5.0, 2e9)
+    with watched(run) as (port, _):
+        found = told(port)
+        assert (found["verdict"], found["verdict_page"]) == ("explained: friction", "mine/run-1/verdict.txt")
+        assert (found["left"]["median"], found["left"]["file"]) == (5.0, "mine/spool-1/lifespan.json")
+        assert get(port, f"/reports/{found['verdict_page']}")[0] == 200
+        (reports / "mine" / "run-1" / "diagnosis.json").unlink()
+        assert told(port, lambda found: found["verdict"] == "explained: creep")
+    diagnosed("mine/deep", "explained: wear", 3.0, 2e9)
+    with watched(run, "--reports", reports / "mine" / "deep") as (port, _):
+        assert told(port)["verdict_page"] == "run-1/verdict.txt"

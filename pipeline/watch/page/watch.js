@@ -21,11 +21,11 @@ function facts(d) {
   const left = d.left && d.left.median !== null ? `${round(d.left.median, 3)} (${round(d.left.low, 3)} to ${round(d.left.high, 3)})` : "no forecast";
   const planned = d.loop?.moves?.winds || d.planned; // a program's strokes, not those of the rig's own motion
   at("facts").replaceChildren(
-    fact("state", d.ended ? d.state : d.samples ? (stale ? "silent" : "recording") : d.state, "state", stale),
+    fact("state", d.state, "state", stale),
     fact("samples", d.samples.toLocaleString("en"), "samples"),
     fact("rate (Hz)", round(d.rate_hz, 6), "rate"),
     fact("frames lost, bad", d.lost === null ? `–, ${d.bad}` : `${d.lost}, ${d.bad}`, "lost", d.lost > 0 || d.bad > 0),
-    fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
+    d.ended && d.ended_utc ? fact("ended at", new Date(d.ended_utc).toLocaleString("sv"), "age") : fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
     fact("disk left", bytes(d.free_bytes), "disk", d.free_bytes < 1e9),
     fact("strokes", d.strokes === null ? "–" : planned ? `${d.strokes} of ${planned}` : `${d.strokes}`, "strokes"),
     fact("strokes left, forecast", left, "left"),
@@ -36,6 +36,20 @@ function facts(d) {
 
 function draw(d) {
   const loops = d.loops;
+  show("empty", d.empty);
+  for (const id of ["loop", "loop-key"]) at(id).hidden = !loops.length;
+  if (loops.length) drawLoops(loops, d);
+  const box = at("channels");
+  while (box.children.length > d.channels.length) box.lastChild.remove();
+  while (box.children.length < d.channels.length) box.append(document.createElement("canvas"));
+  at("channels-part").hidden = !d.channels.length;
+  d.channels.forEach((one, k) => {
+    const shown = axes(box.children[k], [d.time_s], [one.low, one.high], k === d.channels.length - 1 ? "time (s)" : "", label(one.name));
+    band(shown, d.time_s, one.low, one.high, "#2166ac", 1);
+  });
+}
+
+function drawLoops(loops, d) {
   const plot = axes(at("loop"), loops.map((one) => one.motor_turns), loops.flatMap((one) => [one.low_mm, one.high_mm, one.simulated_mm]), "twist (turns)", "displacement (mm)");
   loops.forEach((one, k) => {
     band(plot, one.motor_turns, one.low_mm, one.high_mm, "#2166ac", 0.25 + 0.75 * (k + 1) / loops.length);
@@ -43,22 +57,17 @@ function draw(d) {
     if (d.noise_mm) strip(plot, turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
     band(plot, turns, one.simulated_mm, one.simulated_mm, "#d6604d", 0.8);
   });
-  const box = at("channels");
-  while (box.children.length > d.channels.length) box.lastChild.remove();
-  while (box.children.length < d.channels.length) box.append(document.createElement("canvas"));
-  d.channels.forEach((one, k) => {
-    const shown = axes(box.children[k], [d.time_s], [one.low, one.high], k === d.channels.length - 1 ? "time (s)" : "", label(one.name));
-    band(shown, d.time_s, one.low, one.high, "#2166ac", 1);
-  });
 }
 
 let listed = "";
 function verdicts(d) {
   show("verdict", d.verdict || "This run has no diagnosis yet.");
-  const text = JSON.stringify([d.verdicts, d.index]);
+  const text = JSON.stringify([d.verdicts, d.index, d.verdict_page, d.left && d.left.file]);
   if (text === listed) return;
   listed = text;
   const link = (name, path) => { const a = document.createElement("a"); a.textContent = name; a.href = "/reports/" + path.split("/").map(encodeURIComponent).join("/"); return a; };
+  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page)] : []));
+  at("left-file").replaceChildren(...(d.left ? ["The strokes left stand in ", link(`reports/${d.left.file}`, d.left.file)] : []));
   at("index").replaceChildren(...(d.index ? [link("All reports", "index.html")] : []));
   at("verdicts").replaceChildren(...d.verdicts.map((one) => {
     const row = document.createElement("tr"), run = document.createElement("td"), said = document.createElement("td");
