@@ -15,12 +15,12 @@ SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}
 
 
 class Progress:
-    """Counts what comes and shows it; what is wrong it says at once."""
+    """Counts what comes and shows it; what is wrong it says at once. `motion_s`: what a program takes."""
 
-    def __init__(self, hello: Hello) -> None:
+    def __init__(self, hello: Hello, motion_s: float | None = None) -> None:
         self.hello = hello
         self.samples = self.lost = self.bad = 0
-        self.screen, self.watch, self.left = Screen(), Watch(hello), Left(hello.strokes)
+        self.screen, self.watch, self.left = Screen(), Watch(hello), Left(hello.strokes, motion_s)
         self.numbers = Numbers(hello.rate_hz)
         self._stroke = 0  # the one under way
         self._missing: set[int] = set()
@@ -65,7 +65,7 @@ class Progress:
         # as they come, which for a rig at another pace is not its own rate
         rate_hz = self.samples / max(passed_s, 1e-3)
         own = f" ({rate_hz / self.hello.rate_hz:.2g} times the {self.hello.rate_hz:g} of the rig's own clock)"
-        left_s, lost = self.left.at(passed_s), f"{counted(self.lost, 'frame')} lost"
+        left_s, lost = self.left.at(passed_s, recorded_s), f"{counted(self.lost, 'frame')} lost"
         readings = [f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now]
         done = "stroke done" if self.left.done == 1 and not of else "strokes done"
         return [

@@ -127,7 +127,8 @@ def capture(
             try:
                 log.append(beginning)
                 began = datetime.now(UTC)
-                outcome = record(port, log, hello, lambda: end_request() + stopped(), longest_s, beats=bool(legs))
+                motion_s = sum(leg.seconds for leg in legs) if legs else None
+                outcome = record(port, log, hello, lambda: end_request() + stopped(), longest_s, motion_s)
             except OSError as error:
                 mend = f"make room, then run {recover_command(folder)}"
                 raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None

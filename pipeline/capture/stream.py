@@ -34,8 +34,8 @@ class Outcome:
 class Listener:
     """Looks at what comes: whether it ends the recording, and how many of its bytes belong to it."""
 
-    def __init__(self, hello: Hello) -> None:
-        self.hello, self.decoder, self.progress = hello, Decoder(hello.protocol), Progress(hello)
+    def __init__(self, hello: Hello, motion_s: float | None = None) -> None:
+        self.hello, self.decoder, self.progress = hello, Decoder(hello.protocol), Progress(hello, motion_s)
         self.end_seq: int | None = None  # of an END that is to be acknowledged
         self._wrong_ends = 0
 
@@ -75,18 +75,19 @@ def record(
     hello: Hello,
     stops: Callable[[], int],
     longest_s: float = math.inf,
-    beats: bool = False,
+    motion_s: float | None = None,
 ) -> Outcome:
     """Record from START to END; what is in the log afterwards is on the disk, and then the END is acknowledged.
 
     `stops` says how often the person has asked to stop: once, or `longest_s` over, sends STOP and waits for the END;
-    twice ends it. With `beats` the device is told again and again that somebody is there.
+    twice ends it. `motion_s` is what a program takes that the device follows: it is told again and again that somebody
+    is there.
     """
-    listener = Listener(hello)
+    listener = Listener(hello, motion_s)
     progress = listener.progress
     silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
     began_s = heard_s = new_s = time.monotonic()
-    stopped_s, newest, beat_s = math.inf, 0, began_s if beats else math.inf
+    stopped_s, newest, beat_s = math.inf, 0, math.inf if motion_s is None else began_s
     over: str | None = None  # what stopped it
     outcome: Outcome | None = None
     try:

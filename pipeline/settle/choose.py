@@ -105,7 +105,7 @@ def apart(run: ProposedRun) -> str:
     """How far apart a run puts the two closest explanations, in words; nothing where it parts none."""
     if "gap_then" not in run:
         return ""
-    return f"the closest two explanations are then expected {in_words(gaps(run)[1])} apart"
+    return f"With it the closest two explanations are expected {in_words(gaps(run)[1])} apart."
 
 
 def in_words(deviations: float) -> str:

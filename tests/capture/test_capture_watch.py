@@ -106,6 +106,19 @@ def test_every_time_but_the_rigs_own_is_the_persons(monkeypatch, passed_s, other
     assert ("0:10 by the rig's clock" in parts) is other
 
 
+def test_of_a_program_the_time_that_is_left_is_that_of_its_legs(monkeypatch):
+    """Foretold from strokes alone it stood at 0:05 for 8 s, and said nothing within a first stroke with a hold."""
+    shown, counted_s = Progress(HELLO, 60.0), []
+    for recorded_s in (0.5, 20.0, 40.0, 55.0, 60.0):
+        shown.samples = round(recorded_s * RATE_HZ)
+        now_s = shown._began_s + recorded_s / 5.0  # the rig goes at five times real time
+        monkeypatch.setattr("pipeline.capture.progress.time.monotonic", lambda at_s=now_s: at_s)
+        counted_s.append(next((part for part in shown.parts() if part.endswith(" left")), None))
+        shown.left.starts(recorded_s / 5.0)
+        shown.left.ends(recorded_s / 5.0)
+    assert counted_s == [None, *(f"about 0:{left_s:02d} left" for left_s in (8, 4, 1, 0))]
+
+
 def test_the_last_line_foretells_no_time():
     shown = Progress(HELLO)
     shown.left.starts(1.0)

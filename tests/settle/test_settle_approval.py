@@ -29,7 +29,7 @@ def test_before_a_person_says_yes_each_leg_is_said_in_numbers(tmp_path):
     assert ["1", "2.0", "stands", "at", "0.00", "0", "20"] in rows
     assert ["2", "5.0", "0.00", "to", "20.00", "4.08", "40"] in rows, "with the ramps of the rig: faster than 20 / 5"
     assert ["3", "5.0", "20.00", "to", "0.00", "4.08", "40"] in rows
-    assert "then expected about 20 standard deviations apart" in text and "gap" not in text
+    assert "With it the closest two explanations are expected about 20 standard deviations apart." in text
 
 
 def test_the_table_begins_where_the_motor_stands_now():

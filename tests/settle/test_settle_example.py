@@ -41,6 +41,7 @@ def test_the_example_goes_from_nothing_to_a_right_and_firm_verdict_with_the_page
     assert "stays until this program ends" in done.stdout and f"runs: {run}, {run}-s1" in done.stdout
     assert f"drawn before it is made: {out}/step-1/proposed.png" in done.stdout
     assert f"the last verdict: {out}/step-" in done.stdout and "RUN_OF_RECORDING" not in done.stdout
+    assert "stroke 1 of 1, about 0:0" in done.stdout, "how long the run with a hold still takes"
     assert "RUN_OF_RECORDING" in (tmp_path / "rig.log").read_text()
     found = json.loads((tmp_path / "reports" / "settle" / "poor-1" / "settled.json").read_text())
     assert found["spent"]["runs"] >= 1 and (tmp_path / "raw" / "poor-1" / "capture.json").is_file()

@@ -19,7 +19,8 @@ function fact(name, text, id, bad) {
 function facts(d) {
   const stale = !d.ended && d.age_s !== null && d.age_s > STALE_S;
   const left = d.left && d.left.median !== null ? `${round(d.left.median, 3)} (${round(d.left.low, 3)} to ${round(d.left.high, 3)})` : "no forecast";
-  const planned = d.loop?.moves?.winds || d.planned; // a program's strokes, not those of the rig's own motion
+  // a program's strokes, not those of the rig's own motion; of an earlier step's run nothing tells any more
+  const planned = d.loop?.moves?.winds || (d.loop && d.ended ? 0 : d.planned);
   at("facts").replaceChildren(
     fact("state", d.state, "state", stale),
     fact("samples", d.samples.toLocaleString("en"), "samples"),
