@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 import ready
 import yaml
+from browser import CHROMIUM, browser
 from made_recording import content
 from scripted_rig import synthetic_rig
 
@@ -234,6 +235,30 @@ def test_a_browser_shows_the_recording_and_no_hostile_text_acts(tmp_path: Path):
     assert (values["samples"], values["lost"]) == ("3,009", "10, 0"), values
     assert "<title>run-1</title>" in shown and "<img" not in shown and shown.count("&lt;img src=x") >= 2
     assert shown.count("<canvas") == 5 and re.search(r'id="link"[^>]*>live<', shown)
+
+
+@CHROMIUM
+def test_a_browser_shows_words_where_nothing_is_recorded_and_when_a_run_ended(tmp_path: Path):
+    """Axes from 0 to 1 without a curve looked broken; a run that had ended said `last sample 4.6 s ago`."""
+    run = folder(tmp_path)
+    with watched(run) as (port, _), browser(tmp_path / "home") as page:
+        page.open(f"http://127.0.0.1:{port}/")
+        page.until("document.getElementById('empty')?.textContent === 'Nothing is recorded yet.'")
+        seen = "[...document.querySelectorAll('canvas')].filter((each) => each.offsetParent).length"
+        assert page.run(seen) == 0
+        (run / "recording.lines").write_text("time_ms,motor_turns,displacement_mm\n" + NAMELESS)
+        assert ready.run("pipeline.capture", "--recover", run).returncode == 0
+        page.until("document.getElementById('state')?.textContent === 'recovered'")
+        page.until(f"{seen} === 3")
+        assert page.text("empty") == "" and page.run("document.getElementById('age').previousSibling.textContent") == (
+            "ended at"
+        )
+        mine = tmp_path / "reports" / "mine" / "run-1"
+        mine.mkdir(parents=True)
+        (mine / "verdict.txt").write_text("explained: friction\n")
+        (mine / "diagnosis.json").write_text("{}")
+        page.until("document.getElementById('verdict').textContent === 'explained: friction'")
+        assert page.text("verdict-page") == "It stands in reports/mine/run-1/verdict.txt"
 
 
 @pytest.mark.parametrize(("name", "stamps"), [("time_s", "0 2"), ("t_ms", "0 2000"), ("micros", "0 2000000")])
