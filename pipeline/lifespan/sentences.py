@@ -58,10 +58,10 @@ def so_far(answer: Answer) -> str:
         off = f"a model calibrated on the first {REFERENCE} strokes is off by {beside_limit(middle, answer.limit)}"
         return f"So far: {off} {answer.unit} (median of {of})."
     against = f"{of} against the first {REFERENCE}"
-    if middle <= 0.0:
-        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
-    if 100.0 * middle < LEAST_LOSS:
+    if abs(100.0 * middle) < LEAST_LOSS:
         return f"So far: nothing measurable of the stroke is lost ({against})."
+    if middle < 0.0:
+        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
     lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
     return f"So far: {lost} % of the stroke is lost ({against})."
 

@@ -278,9 +278,9 @@ def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
         values[-3:] = last
         against = "(the last 3 strokes against the first 3)."
         assert so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, left)) == f"So far: {said} {against}"
-    least = np.full(12, 1.1e-16)
-    told = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, left))
-    assert told == "So far: nothing measurable of the stroke is lost (the last 3 strokes against the first 3)."
+    for least in (np.full(12, 1.1e-16), np.full(12, -1.1e-16)):
+        told = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, left))
+        assert told == "So far: nothing measurable of the stroke is lost (the last 3 strokes against the first 3)."
     off = np.full(12, 0.841)
     told = so_far(Answer("model_error", "", "mm", n, off, off, 1.0, left))
     assert told == "So far: a model calibrated on the first 3 strokes is off by 0.84 mm (median of the last 3 strokes)."
