@@ -22,6 +22,7 @@ DECIDE_NOTHING = (
         "covered",
         "design",
         "driver_panels",
+        "earlier",
         "evidence",
         "expected",
         "figures",
