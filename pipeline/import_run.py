@@ -20,7 +20,7 @@ from .foreign.origin import origin
 from .formats import read_foreign
 from .ground import schemas
 from .ground.command import HOUSE, command
-from .ground.counts import counted
+from .ground.counts import counted, mends
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.folders import whole_folder
@@ -90,7 +90,7 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     if not loads:
         samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
-    rules = ", ".join(counted(times, rule.replace("_", " ").removesuffix("s")) for rule, times in mended.items())
+    rules = ", ".join(mends(mended))
     sentence = f"{folder}: {counted(len(samples), 'sample')}" + (f"; mended {rules}" if rules else "")
     sentence = "\n".join(filter(None, (sentence, read_as(run, samples, file), read_back(run))))
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)

@@ -4,7 +4,7 @@ import io
 from contextlib import redirect_stderr
 from pathlib import Path
 
-from ..ground.counts import counted
+from ..ground.counts import mends
 from ..run.capture_json import CaptureJson
 from ..run.description import Run
 
@@ -18,5 +18,4 @@ def tell_clock(run: Run, folder: Path, info: CaptureJson) -> None:
     with redirect_stderr(io.StringIO()):  # which column is read as what is said when the run is used
         mended = printed_samples(run, folder).counted
     if mended:
-        rules = [counted(times, rule.replace("_", " ").removesuffix("s")) for rule, times in mended.items()]
-        print(f"{folder}: its clock gave {' and '.join(rules)}, mended when the run is read")
+        print(f"{folder}: its clock gave {' and '.join(mends(mended))}, mended when the run is read")

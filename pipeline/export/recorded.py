@@ -26,13 +26,13 @@ ALONE = (
 )
 
 
-def values_recorded(dataset: Path, last_stroke: int) -> dict[str, str]:
-    """Of each measured column of a dataset that differs up to a stroke, its values with their twists, in words.
+def twists_recorded(dataset: Path, last_stroke: int) -> pd.DataFrame:
+    """The twist and the measured columns of a dataset's points up to a stroke; empty where no dataset is there."""
+    return points_to(dataset, last_stroke, ["motor_turns", *MEASURED])
 
-    Empty where no such dataset is there.
-    """
-    points = columns_of(dataset, ["stroke", "motor_turns", *MEASURED])
-    points = points[points["stroke"] <= last_stroke] if len(points) else points
+
+def values_recorded(points: pd.DataFrame) -> dict[str, str]:
+    """Of each measured column of `twists_recorded` that differs, its values with their twists, in words."""
     words = {}
     for name in MEASURED if len(points) else ():
         values = points[name].to_numpy(float)
@@ -41,16 +41,14 @@ def values_recorded(dataset: Path, last_stroke: int) -> dict[str, str]:
     return words
 
 
-def pairs_recorded(dataset: Path, last_stroke: int) -> tuple[Paired, ...] | None:
-    """Which twists a dataset's points up to a stroke have around which conditions; None where no dataset is there."""
-    points = columns_of(dataset, ["stroke", "motor_turns", *MEASURED])
-    points = points[points["stroke"] <= last_stroke] if len(points) else points
+def pairs_recorded(points: pd.DataFrame) -> tuple[Paired, ...] | None:
+    """Which twists of `twists_recorded` there are around which conditions; None where no dataset was there."""
     return pairs_of(points) if len(points) else None
 
 
 def strokes_foreseen(dataset: Path) -> tuple[int, int] | None:
     """How many strokes a dataset's longest string has, and how many ahead errors are measured; None where unknown."""
-    points = columns_of(dataset, ["string", "stroke"])
+    points = _columns(dataset, ["string", "stroke"])
     if not len(points):
         return None
     strokes = int(points.groupby("string")["stroke"].nunique().max())
@@ -81,7 +79,13 @@ def unread(source: Source) -> str:
     return " ".join(sentences)
 
 
-def columns_of(dataset: Path, names: list[str]) -> pd.DataFrame:
+def points_to(dataset: Path, last_stroke: int, names: list[str]) -> pd.DataFrame:
+    """The stroke and other columns of a dataset's points up to a stroke; empty where there is no such dataset."""
+    points = _columns(dataset, ["stroke", *names])
+    return points[points["stroke"] <= last_stroke] if len(points) else points
+
+
+def _columns(dataset: Path, names: list[str]) -> pd.DataFrame:
     """Columns of a dataset, which may be large; an empty table where there is no such dataset."""
     try:
         return pq.read_table(dataset, columns=names).to_pandas()[names]

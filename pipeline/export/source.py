@@ -19,7 +19,7 @@ from ..stages.train import SPLITS, divided
 from .facts import zeroed_runs
 from .inputs import Inputs
 from .interface import Source, exporter, names
-from .recorded import pairs_recorded, strokes_foreseen, values_recorded
+from .recorded import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
 from .trained_on import trained_on
 
 TRIED = 20  # queries that a model must answer before it is exported
@@ -81,8 +81,8 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
     dataset = _dataset(file, beside)
     last, foreseen = inputs.last_stroke, strokes_foreseen(dataset)
-    pairs, trained = pairs_recorded(dataset, last), trained_on(dataset, last)
-    values = values_recorded(dataset, last)
+    points, trained = twists_recorded(dataset, last), trained_on(dataset, last)
+    values, pairs = values_recorded(points), pairs_recorded(points)
     return Source(name, model, inputs, zero_mm, zeroed_runs(dataset), values, foreseen, pairs=pairs, trained=trained)
 
 

@@ -4,10 +4,11 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE
 from ..ground.regular_file import read_regular
-from .recorded import columns_of
+from .recorded import points_to
 
 SHOWN = 3  # runs that are named
 LARGEST = 10_000_000  # bytes of a capture.json
@@ -16,8 +17,7 @@ NO_STRING = "They are of twistbench's synthetic rig: a simulation, and no real s
 
 def trained_on(dataset: Path, last_stroke: int) -> str:
     """The runs and the material that a dataset's points up to a stroke are of; empty where no dataset is there."""
-    points = columns_of(dataset, ["run", "string", "stroke", "motor_turns"])
-    points = points[points["stroke"] <= last_stroke] if len(points) else points
+    points = points_to(dataset, last_stroke, ["run", "string", "motor_turns"])
     if not len(points):
         return ""
     runs = list(dict.fromkeys(points["run"].astype(str)))
@@ -27,7 +27,7 @@ def trained_on(dataset: Path, last_stroke: int) -> str:
     processed = folder.parent.name == "processed"
     material = f" of material {folder.name}" if processed else ""
     turns = points["motor_turns"]
-    span = f"{count} stroke{'s' * (count != 1)}, twists {turns.min():.4g} to {turns.max():.4g} turns"
+    span = f"{counted(count, 'stroke')}, twists {turns.min():.4g} to {turns.max():.4g} turns"
     words = f"Fitted to points of run{'s' * (len(runs) > 1)} {named}{material}: {span}."
     made_up = processed and (folder.name == SYNTHETIC or _of_the_synthetic_rig(folder.parents[1] / "raw", runs))
     return f"{words} {NO_STRING}" if made_up else words

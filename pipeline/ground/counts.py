@@ -1,5 +1,7 @@
 """How many of a thing, in words."""
 
+from collections.abc import Mapping
+
 
 def counted(count: int, what: str) -> str:
     """So many of a thing: 1 line, 2 lines."""
@@ -9,3 +11,8 @@ def counted(count: int, what: str) -> str:
 def are(count: int) -> str:
     """The verb of so many things."""
     return "is" if count == 1 else "are"
+
+
+def mends(times_by_rule: Mapping[str, int]) -> list[str]:
+    """How often each rule that mends time stamps was needed: 1 repeated time stamp, 2 backward time stamps."""
+    return [counted(times, rule.replace("_", " ").removesuffix("s")) for rule, times in times_by_rule.items()]

@@ -2,6 +2,8 @@
 
 import math
 
+from ..ground.counts import counted
+
 HAIR = 1e-6  # of a stroke: what arithmetic adds to a whole number makes it no other
 
 
@@ -27,4 +29,4 @@ def strokes_at_most(bound: float) -> str:
 
 def strokes(count: int) -> str:
     """A number of strokes: `1 stroke`, `4 strokes`."""
-    return f"{count} stroke{'s' if count != 1 else ''}"
+    return counted(count, "stroke")

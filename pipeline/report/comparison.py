@@ -64,7 +64,7 @@ def why_apart(whole: pd.DataFrame, material: str) -> str:
     return (
         f"{reason}: forward, winding, n={stroke}, the INN's RMSE is {ours:.3f} mm here and {printed[stroke]:.3f} mm "
         f"in the paper. Noise and the loop that the INN is not told of are {floor:.3f} mm here (floor without "
-        f"direction, on the page of the models), and it cannot go far below them; the paper does not state its own. "
+        "direction, on the page of the models), and it cannot go far below them; the paper does not state its own. "
         f"{tells}"
     )
 

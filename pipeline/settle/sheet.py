@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from .motion_table import speed
-from .step import Step
+from .step import STANDS, Step
 
 
 def sheet(step: Step, like: Path, why: str) -> str:
@@ -16,9 +16,9 @@ def sheet(step: Step, like: Path, why: str) -> str:
     at, hangs = step.proposal.get("from", 0.0), step.loads_n[0] if len(step.loads_n) == 1 else None
     for number, leg in enumerate(step.legs, 1):
         to, load = leg["motor_turns"], leg.get("load_n")
-        fast = speed(to - at, leg["seconds"], None)
-        does = f"stand at {to:.2f} turns" if abs(to - at) < 5e-3 else f"go from {at:.2f} to {to:.2f} turns"
-        pace = "" if does.startswith("stand") else f", at {fast:.2f} turns/s"
+        moves = abs(to - at) > STANDS
+        does = f"go from {at:.2f} to {to:.2f} turns" if moves else f"stand at {to:.2f} turns"
+        pace = f", at {speed(to - at, leg['seconds'], None):.2f} turns/s" if moves else ""
         weight = f", under {load:g} N" if load is not None and load != hangs and len(step.loads_n) != 1 else ""
         lines.append(f"  {number}. {does} in {leg['seconds']:.1f} s{pace}{weight}")
         at, hangs = to, load if load is not None else hangs
