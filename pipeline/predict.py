@@ -3,9 +3,10 @@
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
 (`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist that was not
 recorded around its load, or further ahead of the last recorded stroke than errors could be learnt, is answered, flagged
-(`inside` false, its reason in `why`) and given infinite bounds. With `--saved` a model that was fitted before answers,
-as its export does and without intervals; the same questions are flagged. No question tells how long the string has
-stood: holds and rests are asked of `simulate --motion`.
+(`inside` false, its reason in `why`) and given infinite bounds. Between recorded loads the interval is wider: by the
+errors at recorded loads that were left out whole, or, of two loads, over the answers at both. With `--saved` a model
+that was fitted before answers, as its export does and without intervals; the same questions are flagged. No question
+tells how long the string has stood: holds and rests are asked of `simulate --motion`.
 """
 
 import sys
@@ -27,7 +28,8 @@ from .ground.given_table import opened
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import about, usual
-from .models.parts.prediction_intervals import GIVEN, Intervals, TooFew
+from .models.parts.foreseen import GIVEN
+from .models.parts.prediction_intervals import Intervals, TooFew
 from .models.parts.questions import ASKED, EITHER, by_known, read_questions
 from .models.parts.recorded_pairs import pairs_of
 from .models.parts.rolling_origin import last_strokes

@@ -2,19 +2,18 @@
 
 Conformal in kind: no law of the errors is assumed. The model is fitted without the last strokes, then without fewer,
 and each time asked about those that follow (rolling origin). Errors are counted in units of the local scatter, which
-depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were
-seen get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is
-asked knows more than those that were tried: what their errors have above the noise is taken to fall with the points,
-and ahead with the square of the strokes. A point outside the model's box, at a twist that was not recorded
-around its load (`recorded_pairs.py`), or farther ahead than could be tried, gets no interval: low and high are
-infinite and it is flagged.
+depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were seen
+get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is asked
+knows more than those that were tried: what their errors have above the noise is taken to fall with the points, and
+ahead with the square of the strokes. Between recorded loads an interval is wider (`between.py`). A point outside the
+model's box, at a twist that was not recorded around its load (`recorded_pairs.py`), or farther ahead than could be
+tried, gets no interval: low and high are infinite and it is flagged.
 
 Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction); Tashman, "Out-
 of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000 (rolling origin).
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
@@ -23,44 +22,15 @@ from numpy.typing import NDArray
 from ...ground.kinematics import Array
 from ...ground.progress import steps
 from ..interface import Model
+from .between import Between
 from .box import Box
+from .foreseen import GIVEN, foreseen
 from .reach import brought
 from .recorded_pairs import pairs_of, turns_at
 from .rolling_origin import FOLDS, last_seen, last_strokes, parts_of
+from .scatter import Scatter, quantile
 
-TWISTS = 6  # ranges of twist, equally populated, that have a scatter of their own
-GIVEN = {"displacement_mm": "motor_turns", "motor_turns": "displacement_mm"}  # of each map, by what it predicts
-MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
 Mask = NDArray[np.bool_]
-
-
-@dataclass(frozen=True)
-class Scatter:
-    """Local root mean square error of one map, by range of twist and direction."""
-
-    edges_turns: Array  # (ranges + 1,)
-    size: Array  # (ranges, 2): winding, unwinding; in the predicted column's unit
-
-    @classmethod
-    def of(cls, turns: Array, direction: Array, error: Array) -> "Scatter":
-        """The scatter of errors at twists, all of shape (points,).
-
-        Twist in turns; errors in mm, or in turns for the inverse.
-        """
-        edges = np.quantile(turns, np.linspace(0.0, 1.0, TWISTS + 1)[1:-1])
-        whole = float(np.sqrt(np.mean(error**2)))
-        size = np.full((TWISTS, 2), whole)
-        place = np.searchsorted(edges, turns)
-        for number in range(TWISTS):
-            for way, sign in enumerate((1, -1)):
-                in_group = error[(place == number) & (direction == sign)]
-                if len(in_group):
-                    size[number, way] = np.sqrt(np.mean(in_group**2))
-        return cls(edges, np.maximum(size, 1e-12))
-
-    def at(self, turns: Array, direction: Array) -> Array:
-        """Scatter at twists, shape (points,). In the unit of the errors; twist in turns, direction 1 or -1."""
-        return self.size[np.searchsorted(self.edges_turns, turns), np.where(direction > 0, 0, 1)]
 
 
 class TooFew(ValueError):
@@ -82,12 +52,13 @@ class Intervals:
         if not parts:
             raise TooFew("are all of one block, so nothing can be foreseen from the rest")
         self.model, self.box, self.pairs = self.make(), Box.of(points), pairs_of(points)
+        self.between = Between(self.make, points, seed)
         self.strokes, error_tables = last_strokes(points), []
         for part in steps([None, *parts], "fit"):
             if part is None:
                 self.model.fit(points, seed)
             else:
-                error_tables.append(self._foreseen(*part, seed))
+                error_tables.append(foreseen(self.make, *part, seed))
         errors = pd.concat(error_tables, ignore_index=True)
         count = int(points.groupby("string")["stroke"].nunique().max())
         self.scatter: dict[str, Scatter] = {}
@@ -118,7 +89,7 @@ class Intervals:
 
     def quantile(self, wanted: str, ahead: int, level: float) -> float:
         """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where none was tried."""
-        known = {n: _quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
+        known = {n: quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
         numbers = sorted(known)
         if ahead > numbers[-1]:
             return float("inf")
@@ -160,13 +131,15 @@ class Intervals:
     def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:
         if wanted == "displacement_mm":
             value, wrong = self.model.forward(points), np.zeros(len(points), bool)
-            half = self._half(points, wanted, points["motor_turns"].to_numpy(float), level)
+            turns = points["motor_turns"].to_numpy(float)
         else:
             value, wrong = self.brought(points, level)
-            half = self._half(points, wanted, value, level)
+            turns = value
+        half = self._half(points, wanted, turns, level)
+        low, high = self.between.widened(self.model, points, self.pairs, wanted, turns, level, value, half)
         inside = np.isfinite(half) & ~np.any([wrong, *self.outside(points, wanted).values()], axis=0)
-        half = np.where(inside, half, np.inf)
-        return pd.DataFrame({"value": value, "low": value - half, "high": value + half, "inside": inside})
+        low, high = np.where(inside, low, -np.inf), np.where(inside, high, np.inf)
+        return pd.DataFrame({"value": value, "low": low, "high": high, "inside": inside})
 
     def _half(self, points: pd.DataFrame, wanted: str, turns: Array, level: float) -> Array:
         """Half widths at twists in turns, in the wanted column's unit; each of shape (points,)."""
@@ -174,27 +147,3 @@ class Intervals:
         ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
         size = self.scatter[wanted].at(turns, points["direction"].to_numpy())
         return np.asarray(size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place])
-
-    def _foreseen(self, known: pd.DataFrame, rest: pd.DataFrame, seed: int) -> pd.DataFrame:
-        """Errors of both maps on points that a model fitted on the known ones has not seen."""
-        model = self.make()
-        model.fit(known, seed)
-        turns = model.inverse(rest.assign(motor_turns=np.nan))
-        fitted = {wanted: getattr(model, map_)(known) - known[wanted] for wanted, map_ in MAPS.items()}
-        return pd.DataFrame(
-            {
-                "displacement_mm": model.forward(rest.assign(displacement_mm=np.nan)) - rest["displacement_mm"],
-                "displacement_mm_at": rest["motor_turns"],
-                "motor_turns": turns - rest["motor_turns"],
-                "motor_turns_at": turns,
-                **{f"{wanted}_fitted": float(np.mean(error**2)) for wanted, error in fitted.items()},
-                "direction": rest["direction"],
-                "ahead": np.maximum(rest["stroke"] - last_seen(rest, last_strokes(known)), 0).fillna(0).astype(int),
-            }
-        )
-
-
-def _quantile(sorted_scores: Array, level: float) -> float:
-    """The conformal quantile: the least score that at least a share `level` of n + 1 scores do not pass."""
-    rank = int(np.ceil(level * (len(sorted_scores) + 1)))
-    return float(sorted_scores[min(rank, len(sorted_scores)) - 1])

@@ -49,18 +49,33 @@ class Paired:
         below, above = (np.interp(at, *corners.T) for corners in self.corners)
         return below, above
 
+    def groups(self) -> list[tuple[float, float]]:
+        """The recorded values in ranges that nothing parts by more than their room; least and most, in its unit."""
+        parted = np.split(self.values, 1 + np.flatnonzero(np.diff(self.values) > 2.0 * self.room))
+        return [(float(near[0]), float(near[-1])) for near in parted]
+
+    def neighbours(self, points: pd.DataFrame) -> tuple[Array, Array]:
+        """The recorded values below and above each question's that lies between them and near neither, else NaN.
+
+        In the condition's unit, each of shape (points,).
+        """
+        at = points[self.name].to_numpy(float)
+        ends, place = np.full((2, len(points)), np.nan), np.searchsorted(self.values, at)
+        rows = np.flatnonzero((place > 0) & (place < len(self.values)))
+        around = np.array([self.values[place[rows] - 1], self.values[place[rows]]])
+        far = np.minimum(at[rows] - around[0], around[1] - at[rows]) > self.room
+        ends[:, rows[far]] = around[:, far]
+        return ends[0], ends[1]
+
     def gaps(self, points: pd.DataFrame) -> list[str]:
         """Of each question whose value lies between recorded ones, and near none, which ones; else empty."""
         unit = unit_of(self.name)
         sentences = [""] * len(points)
-        for row, value in enumerate(points[self.name].to_numpy(float)):
-            place = int(np.searchsorted(self.values, value))
-            if 0 < place < len(self.values):
-                below, above = self.values[place - 1 : place + 1]
-                if min(value - below, above - value) > self.room:
-                    ends = f"{below:.4g} and {above:.4g}{'' if unit == '1' else f' {unit}'}"
-                    what = f"no {WORDS.get(self.name, self.name)} between {ends} was recorded"
-                    sentences[row] = f"{what}, so no error was measured there"
+        for row, (below, above) in enumerate(zip(*self.neighbours(points), strict=True)):
+            if np.isfinite(below):
+                ends = f"{below:.4g} and {above:.4g}{'' if unit == '1' else f' {unit}'}"
+                what = f"no {WORDS.get(self.name, self.name)} between {ends} was recorded"
+                sentences[row] = f"{what}, so no error was measured there"
         return sentences
 
     def never(self, points: pd.DataFrame, turns: Array) -> list[str]:

@@ -34,7 +34,9 @@ def reasons(
     if len(rows):
         sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
     for paired in intervals.pairs:
-        sentences[:] = [also(*both) for both in zip(sentences, paired.gaps(points), strict=True)]
+        gaps, rests_on = paired.gaps(points), intervals.between.said(paired)
+        gaps = [also(gap, rests_on) if gap and within else gap for gap, within in zip(gaps, inside, strict=True)]
+        sentences[:] = [also(*both) for both in zip(sentences, gaps, strict=True)]
     return list(sentences)
 
 

@@ -1,0 +1,69 @@
+"""Between recorded loads an interval of `predict` holds what it says: it was as narrow as under a recorded load."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import programs
+import pytest
+from made_dataset import TOP_TURNS, made_dataset
+
+from pipeline.ground import schemas
+
+ASKED_N = 20.0
+
+
+def under_loads(loads_n: tuple[float, ...], strokes: int) -> pd.DataFrame:
+    """Strokes under loads in turn; what a load adds is curved, and none of the models' own form."""
+    points = made_dataset(60, strokes)
+    points["load_n"] = np.take(loads_n, (points["stroke"].to_numpy() - 1) % len(loads_n))
+    given_mm = 1.5 * np.sqrt(points["load_n"] / 40.0) * (1.0 + points["motor_turns"] / TOP_TURNS)
+    return points.assign(displacement_mm=points["displacement_mm"] - given_mm)
+
+
+def asked_between(folder: Path, loads_n: tuple[float, ...], given: str = "motor_turns") -> tuple[pd.DataFrame, str]:
+    """Answers of the program about the strokes under 20 N, which it never saw, with what was measured."""
+    points = under_loads(loads_n, 12)
+    truth = points[points["load_n"] == ASKED_N].iloc[::5].reset_index(drop=True)
+    dataset, questions, answers = folder / "dataset.parquet", folder / "questions.csv", folder / "answers.csv"
+    schemas.write(points[points["load_n"] != ASKED_N].reset_index(drop=True), schemas.DATASET, dataset)
+    truth[["stroke", "direction", given, "load_n"]].to_csv(questions, index=False)
+    done = programs.run("pipeline.predict", dataset, questions, "--out", answers, "--model", "polynomial")
+    assert done.returncode == 0, done.stderr
+    wanted = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[given]
+    found = pd.read_csv(answers)
+    return found.assign(
+        held=truth[wanted].between(found[f"{wanted}_low"], found[f"{wanted}_high"]),
+        half=(found[f"{wanted}_high"] - found[f"{wanted}_low"]) / 2.0,
+    ), done.stdout
+
+
+@pytest.mark.parametrize("given", ["motor_turns", "displacement_mm"])
+@pytest.mark.parametrize(
+    ("loads_n", "why"),
+    [
+        ((8.0, ASKED_N, 40.0), "the interval reaches over the answers at both"),
+        ((8.0, ASKED_N, 32.0, 45.0), "the interval is as wide as the errors at 1 recorded value left out whole"),
+        ((8.0, ASKED_N, 28.0, 36.0, 44.0), "the interval is as wide as the errors at 2 recorded values left out whole"),
+    ],
+    ids=["two", "three", "four"],
+)
+def test_a_load_that_was_held_out_lies_in_the_intervals(
+    tmp_path: Path, loads_n: tuple[float, ...], why: str, given: str
+) -> None:
+    found, out = asked_between(tmp_path, loads_n, given)
+    inside = found["inside"]
+    assert inside.mean() > 0.9 and found["held"][inside].mean() >= 0.9
+    sentence = f"no load between 8 and {loads_n[2]:g} N was recorded, so no error was measured there; {why}"
+    assert (found["why"][inside] == sentence).all() and f"  row {1 + int(np.argmax(inside))}: {sentence}" in out
+
+
+def test_under_a_recorded_load_the_interval_stays_as_narrow(tmp_path: Path) -> None:
+    dataset, questions, answers = (tmp_path / name for name in ("dataset.parquet", "questions.csv", "answers.csv"))
+    schemas.write(under_loads((8.0, 28.0, 40.0), 12), schemas.DATASET, dataset)
+    questions.write_text("stroke,direction,motor_turns,load_n\n4,1,12,28\n4,1,12,18\n4,1,12,8\n")
+    done = programs.run("pipeline.predict", dataset, questions, "--out", answers, "--model", "polynomial")
+    assert done.returncode == 0, done.stderr
+    found = pd.read_csv(answers)
+    half = (found["displacement_mm_high"] - found["displacement_mm_low"]) / 2.0
+    assert half[0] == pytest.approx(half[2]) and half[1] > 1.3 * half[0] and half[0] < 0.1
