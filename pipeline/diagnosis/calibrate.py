@@ -73,10 +73,13 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
         for place, act in enumerate(state.acts):
             if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
                 continue
-            candidates = mechanisms()[act.id].candidates(problem.drivers)
+            mechanism = mechanisms()[act.id]
+            candidates = mechanism.candidates(problem.drivers)
             for number in range(len(act.nonlinear)):
                 act = state.acts[place]
-                near = [act.nonlinear[number], *_between(candidates, act.nonlinear[number], 0.6 * 0.55**level, kinds)]
+                beside = _between(candidates, act.nonlinear[number], 0.6 * 0.55**level, kinds)
+                beside = [other for other in beside if mechanism.tells(problem.drivers, other)]
+                near = [act.nonlinear[number], *beside]
                 if len(near) == 1:
                     continue
                 own = [other for other in state.acts if other not in problem.included]

@@ -89,8 +89,12 @@ def by_stroke(
     if not len(where):
         return False
     order = np.argsort(where, kind="stable")
-    by_name = {name: mean[order] for name, mean in zip(residuals, means, strict=True)}
-    _draw(axes, where[order], by_name, floor, f"{label}, means of whole strokes", label == TIME)
+    begins = drivers.elapsed_s[drivers.first == 0][1:] if label == TIME else []
+    breaks = np.searchsorted(where[order], begins)  # no line leads from run to run
+    by_name = {name: np.insert(mean[order], breaks, np.nan) for name, mean in zip(residuals, means, strict=True)}
+    _draw(
+        axes, np.insert(where[order], breaks, np.nan), by_name, floor, f"{label}, means of whole strokes", label == TIME
+    )
     return True
 
 

@@ -12,6 +12,7 @@ from ..systems import Parameter, System
 from ..systems.interface import PORTS
 from . import calibrate, candidates, chance, discrepancy, generic
 from .adopt import acts_from
+from .bounds import HOME_REACH
 from .drivers import Drivers, drivers_of
 from .judge import Judge, judge
 from .judged import NOTHING, judged
@@ -71,12 +72,15 @@ def make_problem(
 
 
 def homes_of(system: System, runs: list[Run]) -> list[Parameter]:
-    """Where the motor's zero lies in each run after the first, unless one string is named and so never taken off."""
-    ids = {run.string.id if run.string else None for run in runs}
-    if system.homed is None or (len(ids) == 1 and None not in ids):
+    """Where the motor's zero lies in each run after the first: in a break a person may home it or hang the string anew.
+
+    So it may go further than a dimension may, and a step of the twist between two runs is no slip.
+    """
+    if system.homed is None:
         return []
     first = next(parameter for parameter in system.parameters(runs[0]) if parameter.name == system.homed)
-    return [replace(first, name=f"{first.name}_{number}", nominal=0.0) for number in range(2, len(runs) + 1)]
+    home = replace(first, nominal=0.0, reach=HOME_REACH)
+    return [replace(home, name=f"{first.name}_{number}") for number in range(2, len(runs) + 1)]
 
 
 def unplaced(system: System, drivers: Drivers) -> frozenset[str]:

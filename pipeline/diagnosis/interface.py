@@ -81,6 +81,7 @@ class Mechanism:
     derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names
     units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
     suggest: Callable[[Drivers, Array], list[Nonlinear]] = lambda drivers, residual: []
+    tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen
     random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
     mark: Callable[[Drivers, Array, Array], float] | None = None
     least_mark: float = 0.0

@@ -8,6 +8,7 @@ from ..ground.kinematics import Array
 from . import chance, locate, loops
 from .adopt import entries
 from .content import Part
+from .drivers import Drivers
 from .interface import Term
 from .intervals import Interval, Intervals
 from .library import mechanisms
@@ -16,6 +17,7 @@ from .problem import Act, Problem, State
 from .system_units import Units
 
 RANDOM_ENDS = (0.85, 1.15)  # of the size of a random effect, which is what fits and floor leave
+EVENT = "at_s"  # the time at which something happens suddenly
 HALF_LOOP = "half_loop_mm"  # of the sums, the one that is the same at every load
 HalfWidths = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
 
@@ -56,6 +58,9 @@ def parameters_of(
             half = half_widths.get((act.id, number, own.get(name, name)), 0.0)  # none where it was chosen from a few
             low, high = sorted(value * factor for factor in (relative if name in units else (1.0 - half, 1.0 + half)))
             nonlinear = own.get(name, name)
+            if nonlinear == EVENT and value >= 0.0:
+                begin, end = recorded_about(problem.drivers, value)
+                low, high = min(max(low, begin), value), max(min(high, end), value)
             unit = units.get(name, names.unit(mechanisms()[act.id].units.get(nonlinear, unit_of_nonlinear(nonlinear))))
             label = name if number == 0 else f"{name}_{number + 1}"
             parameters[label] = {"value": value, "low": low, "high": high, "unit": unit}
@@ -115,6 +120,14 @@ def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: st
             by_load = {"by_load": [list(pair) for pair in loop.by_load]} if loop.by_load else {}
             open_by_id[id_] = {reading: loop.width, driver: loop.motion, **by_load}
     return open_by_id
+
+
+def recorded_about(drivers: Drivers, at_s: float) -> tuple[float, float]:
+    """Begin and end, in s, of the run that a time lies in: nothing is known to happen where nothing was recorded."""
+    begins = np.flatnonzero(drivers.first == 0)
+    run = max(int(np.searchsorted(drivers.elapsed_s[begins], at_s, side="right")) - 1, 0)
+    last = begins[run + 1] - 1 if run + 1 < len(begins) else len(drivers.elapsed_s) - 1
+    return float(drivers.elapsed_s[begins[run]]), float(drivers.elapsed_s[last])
 
 
 def totals(

@@ -3,6 +3,7 @@
 from textwrap import fill
 from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
@@ -43,8 +44,10 @@ def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[s
     Each channel has the shape (samples,), in the unit that its label says.
     """
     show = slice(None, None, max(1, len(drivers.time_s) // 5000))
+    breaks = np.flatnonzero(np.diff(np.cumsum(drivers.first == 0)[show])) + 1  # no line leads from run to run
+    time_s = np.insert(drivers.elapsed_s[show], breaks, np.nan)
     for name, (values, style) in lines.items():
-        axes.plot(drivers.elapsed_s[show], values[show], label=name, **style)
+        axes.plot(time_s, np.insert(values[show], breaks, np.nan), label=name, **style)
     axes.set(ylabel=label, xlim=(0.0, drivers.elapsed_s[-1]))
     axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
 

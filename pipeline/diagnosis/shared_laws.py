@@ -57,18 +57,35 @@ def grid(name: str, low: float, high: float, count: int) -> list[Nonlinear]:
 
 
 def slips(drivers: Drivers) -> list[Nonlinear]:
-    """Candidate times of a slip that is over at once, and fewer of one that takes `within_s`."""
-    at_once, slowly = times(drivers, 60), times(drivers, 30)
+    """Candidate times of a slip that is over at once, and fewer of one that takes `within_s`; none in a break."""
+    at_once, slowly = ([time for time in times(drivers, count) if happens_within(drivers, time)] for count in (60, 30))
     return [time | {"within_s": 0.0} for time in at_once] + [time | {"within_s": WITHIN_S} for time in slowly]
 
 
-def jumps(residual: Array) -> Array:
-    """How far a residual jumps at each sample: the mean after it less the mean before it.
+def begins(drivers: Drivers, samples: int) -> list[int]:
+    """Places among the first `samples` at which a run after the first begins."""
+    return [int(place) for place in np.flatnonzero(drivers.first[:samples] == 0) if place]
+
+
+def happens_within(drivers: Drivers, nonlinear: Nonlinear) -> bool:
+    """Whether a slip lies within a run, with samples of it on both sides: what changed in a break a person may change.
+
+    A slip at every stroke does.
+    """
+    at_s, last = nonlinear["at_s"], len(drivers.elapsed_s) - 1
+    near = ((max(begin - 1 - BESIDE, 0), min(begin + BESIDE, last)) for begin in begins(drivers, last + 1))
+    return not any(drivers.elapsed_s[before] < at_s < drivers.elapsed_s[after] for before, after in near)
+
+
+def jumps(drivers: Drivers, residual: Array) -> Array:
+    """How far a residual jumps at each sample: the mean after it less the mean before it; 0 between two runs.
 
     In the residual's unit, both of shape (samples,).
     """
     size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
     size[:BESIDE] = size[len(size) - BESIDE :] = 0.0
+    for begin in begins(drivers, len(residual)):
+        size[max(begin - BESIDE, 0) : begin + BESIDE] = 0.0
     return np.abs(size)
 
 
@@ -77,7 +94,7 @@ def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 
     A number from 0 to 6 without a unit; residual and prediction of shape (samples,), in the channel's unit.
     """
-    height = jumps(residual)
+    height = jumps(drivers, residual)
     usual = 1.4826 * float(np.median(height)) / 0.6745
     return float(np.clip(np.log(max(height.max() / max(usual, 1e-300) / 4.0, 1.0)) * 2.0, 0.0, 6.0))
 
@@ -87,7 +104,7 @@ def slips_seen(drivers: Drivers, residual: Array) -> list[Nonlinear]:
 
     The residual has the shape (samples,), in the channel's unit; times in s.
     """
-    height = jumps(residual)
+    height = jumps(drivers, residual)
     apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
     candidates: list[Nonlinear] = []
     for _ in range(SEEN):

@@ -5,7 +5,7 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..drivers import Drivers
 from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import jump_mark, slipped, slips, slips_seen
+from ..shared_laws import happens_within, jump_mark, slipped, slips, slips_seen
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -39,6 +39,7 @@ MECHANISM = Mechanism(
     candidates=candidates,
     terms=terms,
     suggest=suggest,
+    tells=happens_within,
     mark=jump_mark,
     steps=4,
 )

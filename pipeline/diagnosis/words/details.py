@@ -8,6 +8,7 @@ from ..content import Part, Verdict, mismatch_of
 from . import (
     adopted_table,
     adoption,
+    breaks,
     certainty,
     commands,
     deciding_run,
@@ -64,6 +65,7 @@ def details_text(
             [
                 *doubts,
                 *adoption.cautions(content),
+                *breaks.changed(content),
                 *unseen_doubts.cautions(content, words),
                 *slow_look_alikes.lines(content, words),
                 *tolerances.doubts(content, words),

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable
 
 from ...ground.units import unit_of
-from ..bounds import BOUND, at_bound
+from ..bounds import BOUND, at_bound, of_later_run
 from ..content import Verdict
 from . import exactness, tolerances
 from .headline import LITTLE, moved_in_vain
@@ -21,7 +21,7 @@ CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of th
 def far_moved(content: Verdict) -> dict[str, float]:
     """By how many sigma each dimension moved that is to be measured again: none where the adopted ones fit as well."""
     moved = {} if adopted_fit(content) else content["evidence"]["moved_sigma"]
-    return {name: sigma for name, sigma in moved.items() if abs(sigma) > LEAVES}
+    return {name: sigma for name, sigma in moved.items() if abs(sigma) > LEAVES and not of_later_run(name)}
 
 
 def adopted_fit(content: Verdict) -> bool:

@@ -1,5 +1,6 @@
 """The dimensions to measure again: what run.yaml says, what fits best, how to measure, and then what."""
 
+from ..bounds import of_later_run
 from ..content import Verdict
 from . import exactness, tolerances
 from .dimensions import far_moved, from_to, name_of, whence
@@ -18,7 +19,8 @@ BESIDE = 2.0  # sigma: one that moved so far is measured too where another must 
 def to_measure(content: Verdict) -> list[str]:
     """The dimensions to measure again, the farthest first; none where none moved far."""
     moved = content["evidence"]["moved_sigma"] if far_moved(content) else {}
-    again = [name for name, sigma in moved.items() if abs(sigma) >= BESIDE and name in content["parameters"]]
+    known = [name for name in moved if name in content["parameters"] and not of_later_run(name)]
+    again = [name for name in known if abs(moved[name]) >= BESIDE]
     return sorted(again, key=lambda name: -abs(moved[name]))
 
 

@@ -9,6 +9,7 @@ from ..interface import physics
 from . import (
     adopted_table,
     adoption,
+    breaks,
     chances,
     effect_table,
     error_table,
@@ -80,6 +81,7 @@ def _sections(
     first = [
         *doubts,
         *adoption.cautions(content),
+        *breaks.changed(content),
         *_shorter([*unseen_doubts.cautions(content, words), *_left(content, words)], brief.doubts),
         *_provisional(content, words, brief.doubts),
         *spikes.on_page(content, words),
