@@ -1,5 +1,7 @@
 """Spikes of a channel: single samples that stand out from neighbours which agree among themselves."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
@@ -14,6 +16,9 @@ SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a
 MEDIAN_SAMPLES = 5  # width of that filter
 AGREE = 0.35  # of a sample's distance: neighbours within it agree
 RANGE_SHARE = 1e-3  # of a channel's range that counts as spread, where the filter leaves nothing
+NOTHING = 1e-6  # of that: a smaller distance is none
+HIDDEN = 0.6  # of the step between readings: noise that may hide in it, where the filter leaves nothing
+COMMON, SMALL = 0.01, 0.05  # of the samples, which a step moves; of the reading, which a step is
 BLOCK = 200_000  # samples that are looked at together
 HALF = MEDIAN_SAMPLES // 2
 
@@ -58,9 +63,24 @@ def spikes(rows: Rows, name: str) -> Places:
     far = (1.0 - AGREE) * 0.99 * SPIKE
     if not any((off(*span) > far * at_least).any() for span in rows.spans):
         return np.zeros(0, np.intp)
-    spread = 1.4826 * quantiles.median(lambda: (off(*span) for span in rows.spans), len(rows)) + at_least
+    usual = 1.4826 * quantiles.median(lambda: (off(*span) for span in rows.spans), len(rows))
+    if usual <= NOTHING * at_least:  # most samples read as their neighbours do: what noise there is hides in the steps
+        usual = max(usual, _hidden(rows, name, off, NOTHING * at_least) - at_least)
+    spread = usual + at_least
     places = [first + np.flatnonzero(_alone(rows, name, first, stop, SPIKE * spread)) for first, stop in rows.spans]
     return np.concatenate(places)
+
+
+def _hidden(rows: Rows, name: str, off: Callable[[int, int], Array], least: float) -> float:
+    """The noise that may hide in the steps of a coarse channel, by how far its samples are `off`; all in its unit.
+
+    A sample that stands alone is no step: steps are common, or small beside the reading.
+    """
+    beyond = [distances[distances > least] for distances in (off(*span) for span in rows.spans)]
+    step = min(float(distances.min(initial=np.inf)) for distances in beyond)
+    common = sum(map(len, beyond)) >= COMMON * len(rows)
+    small = step <= SMALL * float(np.abs(rows.percentiles(name, [1, 99])).max())
+    return HIDDEN * step if common or small else 0.0
 
 
 def _alone(rows: Rows, name: str, first: int, stop: int, least: float) -> NDArray[np.bool_]:

@@ -54,6 +54,22 @@ def test_spikes_are_the_same_whether_looked_at_in_one_block_or_in_many(monkeypat
     np.testing.assert_array_equal(lonely(signal, 10.0), whole)
 
 
+@pytest.mark.parametrize("step", [0.0, 0.3, 1.0, 1.2, 1.5, 2.0, 3.0, 6.0])
+def test_noise_alone_has_no_spikes_however_coarse_the_sensor_is(step):
+    noise = np.random.default_rng(7).normal(20.0, 1.0, 200_000)
+    signal = np.round(noise / step) * step if step else noise
+    assert len(spikes.spikes(Held(pd.DataFrame({"signal": signal})), "signal")) == 0
+    signal[1_000:100_000:9_000] += 30.0
+    assert len(spikes.spikes(Held(pd.DataFrame({"signal": signal})), "signal")) == 11, "spikes are found all the same"
+
+
+@pytest.mark.parametrize("reads", [0.0, 40.0])
+def test_a_lonely_sample_of_a_channel_without_noise_is_a_spike_and_no_step(reads):
+    signal = np.full(5_000, 20.0)
+    signal[[300, 900, 4_000]] = reads
+    assert spikes.spikes(Held(pd.DataFrame({"signal": signal})), "signal").tolist() == [300, 900, 4_000]
+
+
 def test_a_recording_with_spikes_is_cut_as_without_them():
     """A median alone reads one sample late beside a spike: the border of a stand would move."""
     plain, moved = recording(3), 0

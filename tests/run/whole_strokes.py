@@ -112,8 +112,13 @@ def _after_stands(points: Indices, holding: NDArray[np.bool_], reach: int) -> In
 def despiked_whole(signal: Array) -> Array:
     """A channel without its spikes; shape (samples,), in the channel's unit."""
     middle = median_filter(signal, 5, mode="nearest")
-    spread = 1.4826 * float(np.median(np.abs(signal - middle)))
-    spread += 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
+    off, share = np.abs(signal - middle), 1e-3 * float(np.subtract(*np.percentile(signal, [99, 1])))
+    spread = 1.4826 * float(np.median(off)) + share
+    moved = off[off > 1e-6 * share]
+    if spread - share <= 1e-6 * share and len(moved):  # noise that is finer than the steps of a sensor
+        size = np.abs(np.percentile(signal, [1, 99])).max()
+        if len(moved) >= 0.01 * len(signal) or moved.min() <= 0.05 * size:
+            spread = max(spread, 0.6 * moved.min())
     padded = np.pad(signal, 2, mode="reflect")
     around = np.vstack([padded[k : k + len(signal)] for k in (0, 1, 3, 4)])
     gap = np.abs(signal - np.median(around, axis=0))
