@@ -4,9 +4,10 @@ The model is fitted to the points of the material's dataset, held out or not, an
 (`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist that was not
 recorded around its load, or further ahead of the last recorded stroke than errors could be learnt, is answered, flagged
 (`inside` false, its reason in `why`) and given infinite bounds. Between recorded loads the interval is wider: by the
-errors at recorded loads that were left out whole, or, of two loads, over the answers at both. With `--saved` a model
-that was fitted before answers, as its export does and without intervals; the same questions are flagged. No question
-tells how long the string has stood: holds and rests are asked of `simulate --motion`.
+errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that is no question
+has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved` a model that
+was fitted before answers, as its export does and without intervals; the same questions are flagged. No question tells
+how long the string has stood: holds and rests are asked of `simulate --motion`.
 """
 
 import sys
@@ -22,15 +23,17 @@ from .export.source import Beside
 from .export.source import opened as opened_model
 from .ground import schemas
 from .ground.command import HOUSE, command
+from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.given_table import opened
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import about, usual
+from .models.parts.bad_rows import reason, refusal
 from .models.parts.foreseen import GIVEN
 from .models.parts.prediction_intervals import Intervals, TooFew
-from .models.parts.questions import ASKED, EITHER, by_known, read_questions
+from .models.parts.questions import ASKED, EITHER, Questions, by_known, read_questions
 from .models.parts.recorded_pairs import pairs_of
 from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
@@ -49,24 +52,34 @@ def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float
     return answered.assign(why=why)
 
 
-def beside_questions(
-    points: pd.DataFrame, columns: list[str], answer: Callable[[pd.DataFrame, str], pd.DataFrame]
-) -> pd.DataFrame:
+def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str], pd.DataFrame]) -> pd.DataFrame:
     """What was asked beside its answer; of the other columns, such as the load, those that the questions tell.
 
-    Where some rows ask for the twist and others for the contraction, the column `asked_for` says which.
+    Where some rows ask for the twist and others for the contraction, the column `asked_for` says which. A row that is
+    no question stays in its place, without an answer: its reason is in `why`.
     """
-    others = [name for name in points if name not in (*EITHER, *ASKED) and name in columns]
+    points = questions.points
+    others = [name for name in points if name not in (*EITHER, *ASKED) and name in questions.columns]
     tables = {}
-    for known, rows, questions in by_known(points):
-        tables[known] = pd.concat([questions[[known, *ASKED, *others]], answer(questions, known)], axis=1)
+    for known, rows, part in by_known(points):
+        tables[known] = pd.concat([part[[known, *ASKED, *others]], answer(part, known)], axis=1)
         tables[known].index = rows
     if len(tables) == 1:
-        return next(iter(tables.values()))
+        return _with_bad(next(iter(tables.values())), questions)
     whole = pd.concat([table.assign(asked_for=GIVEN[known]) for known, table in tables.items()]).sort_index()
     first = ["asked_for", *EITHER, *ASKED, *others]
     last = ["inside", "why"]
-    return whole[[*first, *(name for name in whole if name not in (*first, *last)), *last]]
+    return _with_bad(whole[[*first, *(name for name in whole if name not in (*first, *last)), *last]], questions)
+
+
+def _with_bad(table: pd.DataFrame, questions: Questions) -> pd.DataFrame:
+    """The answers in the order of the file's rows, and what stands in the bad ones beside what is wrong with it."""
+    if not questions.bad:
+        return table
+    why = [reason(entry) for entry in questions.bad]
+    given = questions.cells[[name for name in questions.cells if name in table]]
+    both = pd.concat([table.set_axis(questions.rows[table.index], axis=0), given.assign(inside=False, why=why)])
+    return both[list(table.columns)].sort_index().astype({"inside": bool})
 
 
 @program
@@ -109,15 +122,15 @@ def main() -> None:
     dataset = opened(arguments.dataset, schemas.DATASET, f"name {near}")
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
-    points, columns = read_questions(arguments.questions, dataset)
+    questions = read_questions(arguments.questions, dataset)
     if arguments.saved:
         check_own(arguments.saved, arguments.dataset)
-        strings = points["string"].unique()
+        strings = questions.points["string"].unique()
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
         pairs, strokes = pairs_of(dataset), last_strokes(dataset)
         table = beside_questions(
-            points, columns, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs, strokes)
+            questions, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs, strokes)
         )
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:
@@ -126,19 +139,23 @@ def main() -> None:
             with fitting(arguments.model):
                 intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
                 table = beside_questions(
-                    points, columns, lambda part, known: answers(intervals, part, known, arguments.level)
+                    questions, lambda part, known: answers(intervals, part, known, arguments.level)
                 )
         except TooFew as error:
             mend = "record more strokes, or more samples a stroke"
             raise BadInput(arguments.dataset, "points", str(error), mend) from None
         by, less = f"by a {arguments.model} fitted anew to {arguments.dataset}", "without an interval"
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
-    outside, noted = int((~table["inside"]).sum()), int((table["inside"] & (table["why"] != "")).sum())
+    outside = int((~table["inside"]).sum()) - len(questions.bad)
+    noted = int((table["inside"] & (table["why"] != "")).sum())
     counts = [f"{outside} of them {less}"] * (outside > 0) + [f"{noted} between what was recorded"] * (noted > 0)
-    print("; ".join([f"{len(table)} answer{'s' * (len(table) > 1)} in {arguments.out}, {by}", *counts]), end="")
+    counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
+    print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     print(". The column `why` says why; row 1 is the first question:" if counts else "")
-    for reason in first_of(table["why"].tolist()):
-        print(f"  {reason}")
+    for sentence in first_of(table["why"].tolist()):
+        print(f"  {sentence}")
+    if questions.bad:
+        raise refusal(arguments.questions, questions.bad, len(questions.points))
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.interface import about
 from ..models.parts.beyond import also, beyond, held, with_unit
+from ..models.parts.box import MARGIN
 from ..models.parts.reach import reached_mm, unreached
 from ..models.parts.recorded_pairs import Paired
 from ..models.parts.rolling_origin import too_far
@@ -47,7 +48,7 @@ def answers(
     for field in source.inputs.columns(known):
         for row in np.flatnonzero(_outside(source, field, points, file)).tolist():
             reason = _reason(source, field, points[field.name].iloc[row])
-            why[row] = also(why[row], f"{reason} (TSA_BAD_{field.name.upper()})")
+            why[row] = also(why[row], f"{reason}; TSA_BAD_{field.name.upper()})")
     for name, baked in _baked(source).items():
         other = np.abs(points[name].to_numpy(float) - baked) > (WIDE / 2.0 if name == "load_n" else SAME) * abs(baked)
         for row in np.flatnonzero(other).tolist():
@@ -85,10 +86,19 @@ def _too_far(source: Source, points: pd.DataFrame, strokes: Mapping[str, int]) -
 
 
 def _reason(source: Source, field: Field, value: object) -> str:
-    """What is wrong with one number of a question."""
+    """What is wrong with one number of a question, and what the limit is; a bracket is left open."""
     if field.name == "material":
-        return f"material {value} is none that the export takes: {', '.join(source.inputs.materials)}"
-    return beyond(field.name, float(value), field.low, field.high, "the export takes")  # type: ignore[arg-type]
+        return f"material {value} is none that the export takes ({', '.join(source.inputs.materials)}"
+    number = float(value)  # type: ignore[arg-type]
+    return f"{beyond(field.name, number, field.low, field.high, 'the export takes')} ({_limit(field, number)}"
+
+
+def _limit(field: Field, number: float) -> str:
+    """Where the end of a range that a number passes comes from: not all recorded points, as where it is fitted anew."""
+    if field.name == "stroke":
+        return f"{'twice the last' if number > field.high else 'the first'} stroke that it was fitted to"
+    spare = f", with {MARGIN[field.name]:.0%} to spare" if field.name in MARGIN else ""
+    return f"of the points that it was fitted to{spare}"
 
 
 def _baked(source: Source) -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""Rows of a file of questions that cannot be answered: all of them are named at once."""
+"""Rows of a file of questions that cannot be answered: all of them are named at once, and the others answered."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...ground.counts import are, counted
 from ...ground.errors import BadInput
 
 SHOWN = 10  # rows that are named; of the others it is said how many they are
@@ -29,22 +30,31 @@ def of_mask(mask: NDArray[np.bool_], column: str, what: Sequence[str] | str, ins
     return [BadRow(int(row) + 1, column, text, instead, mend) for row, text in zip(rows, texts, strict=True)]
 
 
-def refuse(path: Path, bad: Sequence[BadRow]) -> None:
-    """Raise BadInput that names the bad rows, each by the first thing that is wrong with it."""
+def first_of_each(wrong: Sequence[BadRow]) -> list[BadRow]:
+    """Each bad row once, by the first thing that is wrong with it, in the order of the rows."""
     by_row: dict[int, BadRow] = {}
-    for entry in bad:
+    for entry in wrong:
         by_row.setdefault(entry.row, entry)
-    first = [by_row[row] for row in sorted(by_row)]
-    if len(first) == 1:
-        row, column, what, instead, mend = first[0]
+    return [by_row[row] for row in sorted(by_row)]
+
+
+def reason(entry: BadRow) -> str:
+    """What is wrong with a row, and the mend, in the words of its answer."""
+    return f"no question: {entry.column} {entry.what}{entry.instead}; {entry.mend}".replace(":  ", ": ")
+
+
+def refusal(path: Path, bad: Sequence[BadRow], answered: int) -> BadInput:
+    """The complaint that names the bad rows, each once, and says that the others are `answered`."""
+    others = f". The other {counted(answered, 'row')} {are(answered)} answered" if answered else ""
+    if len(bad) == 1:
+        row, column, what, instead, mend = bad[0]
         if column:
-            raise BadInput(path, column, f"{what} in row {row}{instead}", mend)
-        raise BadInput(path, f"row {row}", what + instead, mend)
-    if first:
-        each = [f"row {entry.row}: {entry.column} {entry.what}{entry.instead}".replace(":  ", ": ") for entry in first]
-        more = [f"and {len(first) - SHOWN} more rows"] if len(first) > SHOWN + 1 else each[SHOWN:]
-        problem = f"{len(first)} cannot be answered (row 1 is the first question): {'; '.join([*each[:SHOWN], *more])}"
-        raise BadInput(path, "rows", problem, f"{_mends(first[:SHOWN])}. Until then no row is answered")
+            return BadInput(path, column, f"{what} in row {row}{instead}", f"{mend}{others}")
+        return BadInput(path, f"row {row}", what + instead, f"{mend}{others}")
+    each = [f"row {entry.row}: {entry.column} {entry.what}{entry.instead}".replace(":  ", ": ") for entry in bad]
+    more = [f"and {len(bad) - SHOWN} more rows"] if len(bad) > SHOWN + 1 else each[SHOWN:]
+    problem = f"{len(bad)} cannot be answered (row 1 is the first question): {'; '.join([*each[:SHOWN], *more])}"
+    return BadInput(path, "rows", problem, f"{_mends(bad[:SHOWN])}{others or '. Until then no row is answered'}")
 
 
 def _mends(bad: Sequence[BadRow]) -> str:

@@ -1,6 +1,7 @@
 """Questions as points of a dataset: each row tells the twist or the contraction, and is asked for the other."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from ...ground.command import command
 from ...ground.errors import BadInput
 from ...ground.units import unit_of
-from .bad_rows import BadRow, of_mask, refuse
+from .bad_rows import BadRow, first_of_each, of_mask, refusal
 from .box import COLUMNS
 from .conditions import Conditions
 from .question_table import bad_cells, question_table
@@ -20,14 +21,28 @@ ASKED = ("stroke", "direction")  # every question must tell
 WAYS = {1: "winding", -1: "unwinding"}
 MOST_STROKE = 10**9  # that a question may be about: any number that a person means
 EITHER = ("motor_turns", "displacement_mm")  # one of which a question tells, to be answered the other
+NAMED = 30  # strings that are named where a file names none
 LABELS = ("actuator", "string", "material", "phase")  # columns of words that are read
 
 
-def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, list[str]]:
-    """Questions as points with the dataset's columns, and which columns the file has.
+@dataclass(frozen=True)
+class Questions:
+    """The questions of a file: `points`, those that can be answered, with the dataset's columns; numbered anew.
 
-    In each point the wanted one of twist and contraction is NaN. What does not vary in the dataset need not be told.
-    Raises BadInput naming the column, and all rows that cannot be answered.
+    In each point the wanted one of twist and contraction is NaN.
+    """
+
+    points: pd.DataFrame
+    columns: list[str]  # that the file has
+    rows: NDArray[np.intp]  # of the points in the file, from 0
+    bad: list[BadRow]  # the other rows, each by the first thing that is wrong with it
+    cells: pd.DataFrame  # what stands in the bad rows, numbers alone; the index is the row, from 0
+
+
+def read_questions(path: Path, dataset: pd.DataFrame) -> Questions:
+    """Questions about a dataset. What does not vary in it need not be told.
+
+    Raises BadInput naming all columns that are missing, or all rows where none can be answered.
     """
     questions = question_table(path, [name for name in (*COLUMNS, *LABELS) if name in dataset])
     known = [name for name in EITHER if name in questions.columns]
@@ -36,12 +51,12 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, lis
         raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
     if questions.empty:
         raise BadInput(path, "rows", "there are none", "write one question a line")
-    points, bad = pd.DataFrame(index=range(len(questions))), list[BadRow]()
+    points, wrong, missing = pd.DataFrame(index=range(len(questions))), list[BadRow](), list[str]()
     for name in dataset.columns:
         if name in questions.columns:
             may_be_empty = len(known) == len(EITHER) and name in EITHER
             numeric = name in (*COLUMNS, *ASKED)
-            bad += bad_cells(questions[name], dataset[name], numeric, may_be_empty)
+            wrong += bad_cells(questions[name], dataset[name], numeric, may_be_empty)
             in_numbers = pd.to_numeric(questions[name], errors="coerce") if numeric else questions[name]
             points[name] = in_numbers.to_numpy()
         elif name in EITHER:
@@ -49,14 +64,22 @@ def read_questions(path: Path, dataset: pd.DataFrame) -> tuple[pd.DataFrame, lis
         elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
             points[name] = dataset[name].median()  # what little it varies is its cell's noise
         elif name in (*COLUMNS, "actuator", "string") and dataset[name].nunique(dropna=False) > 1:
-            raise BadInput(
-                path, name, "is missing, and varies in the recordings", f"add the column: {_which(dataset[name])}"
-            )
+            missing.append(name)
         else:
             points[name] = dataset[name].iloc[0]
-    refuse(path, [*bad, *_bad_rows(path, questions, points, dataset)])
-    points["stroke"] = points["stroke"].astype(np.int64)
-    return points, list(questions.columns)
+    if missing:
+        each = "; ".join(f"{name}, {_which(dataset[name])}" for name in missing)
+        problem = "are missing, and vary" if len(missing) > 1 else "is missing, and varies"
+        mend = f"add the columns: {each}" if len(missing) > 1 else f"add the column: {_which(dataset[missing[0]])}"
+        raise BadInput(path, ", ".join(missing), f"{problem} in the recordings", mend)
+    bad = first_of_each([*wrong, *_bad_rows(path, questions, points, dataset)])
+    if len(bad) == len(points):
+        raise refusal(path, bad, answered=0)
+    is_bad = np.isin(np.arange(len(points)), [entry.row - 1 for entry in bad])
+    good = points[~is_bad].reset_index(drop=True)
+    good["stroke"] = good["stroke"].astype(np.int64)
+    kept = [name for name in points if name in questions.columns]
+    return Questions(good, list(questions.columns), np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept])
 
 
 def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:
@@ -104,4 +127,6 @@ def _which(recorded: pd.Series) -> str:
     if recorded.dtype.kind in "iuf":
         unit = unit_of(str(recorded.name)).replace("1", "")
         return f"recorded are {recorded.min():.4g} to {recorded.max():.4g} {unit}".rstrip()
-    return f"recorded are {', '.join(map(str, sorted(set(recorded))[:5]))}"
+    values = sorted(set(map(str, recorded)))
+    more = f" and {len(values) - NAMED} more" if len(values) > NAMED else ""
+    return f"recorded are {', '.join(values[:NAMED])}{more}"
