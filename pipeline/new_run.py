@@ -21,6 +21,7 @@ from .run.columns_read import read_as
 from .run.copied_run import as_in, with_given
 from .run.description import STRING_ACTUATORS, Run, parse_run
 from .run.folder import RECORDINGS, has_recording, recording_path, unfinished
+from .run.needed_options import lacking, load_taken
 from .run.next_command import following
 from .run.option_mend import by_option
 from .run.recording import read_recording, to_samples
@@ -29,8 +30,6 @@ from .run.tolerances_given import read_back, tolerance_questions
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
 from .string.same_string import others_recorded, tares
-
-NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 
 
 def recording_name(recording: Path) -> str:
@@ -140,29 +139,23 @@ def main() -> None:
     for name, meaning in (
         ("torsion-zone-mm", "length of the zone that twists; needed with a separator"),
         ("separator-mm", "how far the separator holds the strings apart; needed with a separator"),
-        ("load-n", "load, where no channel load_n tells it; default: 0"),
+        ("load-n", "load, where no channel load_n tells it; default: 0, as if none hung"),
     ):
         parser.add_argument(f"--{name}", type=float, metavar=name.rsplit("-")[-1].upper(), help=meaning)
+    parser.add_argument("--string-id", metavar="ID", help="name of this very string, if several runs are made with it")
     parser.add_argument(
-        "--string-id", metavar="ID", help="name of this very string, if more than one run is made with it"
+        "--strokes-before", type=int, metavar="N", help="strokes done before its first recording; default: 0"
     )
-    parser.add_argument(
-        "--strokes-before",
-        type=int,
-        metavar="N",
-        help="strokes that the string had done before its first recording; default: 0",
-    )
-    columns = "time_s, motor_turns, displacement_mm and what else was measured, or what --channels names"
-    parser.add_argument(
-        "--recording", type=Path, metavar="FILE", help=f"a .csv, .csv.gz or .parquet with the columns {columns}"
-    )
-    channels = "which column is what: '{time_s: t, motor_turns: {column: theta, unit: rad}}'"
+    columns = "needed are the columns time_s, motor_turns, displacement_mm, or what --channels names; load_n, "
+    columns += "temperature_c, motor_current_a may be left out"
+    parser.add_argument("--recording", type=Path, metavar="FILE", help=f".csv, .csv.gz or .parquet; {columns}")
+    channels = "what is where: '{time_s: t, motor_turns: {column: a, unit: rad}}'"
     parser.add_argument("--channels", metavar="YAML", help=channels)
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")
     parser.add_argument(
         "--tolerance",
         metavar="YAML",
-        help="how well it was measured, the radius as a share: '{radius: 0.02, length_mm: 0.5}'",
+        help="how well measured, radius as a share: '{radius: 0.02, length_mm: 0.5}'",
     )
     tare = "run: the zero was moved since the string's run before; default: string"
     parser.add_argument("--tare", choices=("string", "run"), help=tare)
@@ -174,9 +167,8 @@ def main() -> None:
         help="where the run's folder is made; default: raw, or beside the run it is like",
     )
     arguments = parser.parse_args()
-    lacking = [f"--{name}" for name in NEEDED if getattr(arguments, name.replace("-", "_")) is None]
-    if lacking and not arguments.like:
-        parser.error(f"the following arguments are required without --like: {', '.join(lacking)}")
+    if wanting := lacking(arguments):
+        parser.error(wanting)
     out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
     content = with_string_id(arguments_to_content(arguments), out)
     folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
@@ -186,6 +178,8 @@ def main() -> None:
     print(f"{folder} is there{'' if recorded else '; nothing is recorded in it yet'}.")
     print("\n".join(following(folder, recorded, others)))
     print(read_back(run) + (f"\n{tares(run, others)}" if others else ""))
+    if arguments.recording is None and (load := load_taken(run)):
+        print(load)
     if "tolerance" not in content:
         print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")
     for sentence in advice_on(folder) if recorded else []:

@@ -232,7 +232,7 @@ def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp
     monkeypatch.setattr(sys, "argv", ["new_run", "a-03", "--material", "nylon"])
     with pytest.raises(SystemExit) as end:
         main()
-    lacking = "are required without --like: --radius-mm, --length-mm"
+    lacking = "are required without --like: --radius-mm, --length-mm, --torsion-zone-mm, --separator-mm; a rig without"
     assert end.value.code == 2 and lacking in capsys.readouterr().err
 
 
@@ -242,12 +242,22 @@ def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys
     with pytest.raises(SystemExit) as end:
         main()
     said = capsys.readouterr().err
-    assert end.value.code == 2 and "rig.torsion_zone_mm: is missing" in said and "--actuator twisted_pair" in said
+    assert end.value.code == 2 and "required without --like: --torsion-zone-mm, --separator-mm; " in said
+    assert "a rig without a separator: --actuator twisted_pair" in said
     monkeypatch.setattr(sys, "argv", ["new_run", "--help"])
     with pytest.raises(SystemExit):
         main()
     words = " ".join(capsys.readouterr().out.split())
     assert "separator (default), or twisted_pair: two strings without a separator" in words
+
+
+def test_a_load_of_nobody_is_said_to_be_taken_as_none(new):
+    """Without a recording nothing said that a run without a load hangs under 0 N."""
+    taken = "No load is given: where the recording has no channel load_n, it is taken as 0 N."
+    assert taken in new("a-01")[1] and taken not in new("a-02", "--load-n", "20")[1]
+    assert taken not in new("a-03", "--channels", "{load_n: {column: F, unit: N}}")[1]
+    status, said, _ = new("a-04", samples=GOOD.drop(columns="load_n", errors="ignore"))
+    assert status == 0 and taken not in said and "no load: taken as 0 N" in said, said
 
 
 @pytest.mark.parametrize("name", ["Zeit [ms]", "Zeit (ms)"])
@@ -320,7 +330,7 @@ def test_every_option_of_new_run_says_what_it_is(monkeypatch, capsys):
     with pytest.raises(SystemExit):
         main()
     words = " ".join(capsys.readouterr().out.split())
-    assert "strokes that the string had done before its first recording; default: 0" in words
+    assert "strokes done before its first recording; default: 0" in words
     assert "with the columns time_s, motor_turns, displacement_mm" in words and "contract" not in words
 
 

@@ -23,11 +23,11 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
         parts += [f"in {channel.unit}"] if channel and channel.unit else []
         whence = f" ({' '.join(parts)})" if parts else ""
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
-    if (
-        run.system.load == "load_n"
-        and "load_n" not in run.channels
-        and not run.rig.get("load_n")
-        and not np.any(samples.get("load_n", 0.0))
-    ):
+    if has_no_load(run) and not np.any(samples.get("load_n", 0.0)):
         sentences.append("no load: taken as 0 N; if one hangs, name its column as load_n, or write rig.load_n")
     return "\n  ".join([f"{path.name} has {counted(len(samples), 'sample')}. They are read as:", *sentences])
+
+
+def has_no_load(run: Run) -> bool:
+    """Whether a run of a string says nowhere which load hangs on it, other than by a column load_n."""
+    return run.system.load == "load_n" and "load_n" not in run.channels and not run.rig.get("load_n")

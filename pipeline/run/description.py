@@ -148,9 +148,9 @@ class Run(_Section):
                 raise ValueError(f"rig.{key_name(key)}: is not a known key; {meant(key, keys)}")
             if (value < 0 and key not in system.may_be_negative) or (value == 0 and key in system.never_zero):
                 raise ValueError(f"rig.{key}: is {value:g}; give {keys[key]} that was measured")
-        for key, meaning in system.rig.items():
-            if key not in self.rig:
-                raise ValueError(f"rig.{key}: is missing; add {meaning} that you measured on the rig{self._or_else}")
+        if lacking := [key for key in system.rig if key not in self.rig]:
+            are, add = "are" if lacking[1:] else "is", " and ".join(dict.fromkeys(system.rig[key] for key in lacking))
+            raise ValueError(f"rig.{', rig.'.join(lacking)}: {are} missing; add {add} that you measured{self._or_else}")
         for key in self.tolerance:
             if key not in system.tolerance:
                 raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {self._as_share(key)}")

@@ -43,6 +43,11 @@ def test_a_good_run_is_taken_as_written():
         (without("string", "material"), "string.material", "add it"),
         (without("rig", "separator_mm"), "rig.separator_mm", "add the length in mm"),
         (without("rig", "torsion_zone_mm"), "rig.torsion_zone_mm", "add the length in mm"),
+        (
+            {**content("a-01"), "rig": {}},
+            "rig.torsion_zone_mm, rig.separator_mm",
+            "add the length in mm that you measured",
+        ),
         (changed("rig", torsion_zone=150), "rig.torsion_zone", "did you mean 'torsion_zone_mm'"),
         ({**content("a-01"), "rig": {"torsion_zone_mm": 150, "seperator_mm": 8}}, "rig.seperator_mm", "'separator_mm'"),
         (changed("string", radius_mm=True), "string.radius_mm", "radius of one string in mm"),
