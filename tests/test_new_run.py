@@ -7,6 +7,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -156,7 +157,11 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
     assert f"Next: diagnose it, as snakemake reads raw/ alone: {alone}\n" in said
     monkeypatch.chdir(tmp_path)
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
-    small = "quick, small fits that are no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables"
+    quick = "snakemake --cores 2 --configfile pipeline/config/ci.yaml -- reports/UHMWPE/"
+    quick += "{table_1.csv,models.html,figure_5.png}"
+    small = f"quick, small fits that are no results: {quick}"
+    readme = (Path(__file__).parent.parent / "README.md").read_text()
+    assert quick.replace("UHMWPE", "nylon") in readme, "the README and the program say one command"
     both = f"{folder} {folder.with_name('a-02')} --together --out reports/mine/a-02"
     reports = [
         "make its reports: snakemake --cores 2",
@@ -331,7 +336,7 @@ def test_every_option_of_new_run_says_what_it_is(monkeypatch, capsys):
         main()
     words = " ".join(capsys.readouterr().out.split())
     assert "strokes done before its first recording; default: 0" in words
-    assert "with the columns time_s, motor_turns, displacement_mm" in words and "contract" not in words
+    assert "needed are the columns time_s, motor_turns, displacement_mm" in words and "contract" not in words
 
 
 def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp_path):

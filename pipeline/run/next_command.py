@@ -5,9 +5,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import INSTALLED, command
+from .folder import read_run
 
 MAIN = "snakemake --cores 2"
-QUICK = "  quick, small fits that are no results: snakemake --cores 2 --configfile pipeline/config/ci.yaml -- tables"
+QUICK = f"{MAIN} --configfile pipeline/config/ci.yaml -- "
+PAGES = "{table_1.csv,models.html,figure_5.png}"  # of a material: its tables, its page of models, its figures
 
 
 def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> list[str]:
@@ -21,7 +23,9 @@ def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> list
     else:
         diagnose = f"{diagnose} --out reports/mine"
     if not INSTALLED and folder.parent.resolve() == Path("raw").resolve():
-        reports = [f"make its reports: {MAIN}", QUICK, f"  or ask only what the simulator leaves out: {diagnose}"]
+        string = read_run(folder).string
+        quick = [f"  quick, small fits that are no results: {QUICK}reports/{string.material}/{PAGES}"] if string else []
+        reports = [f"make its reports: {MAIN}", *quick, f"  or ask only what the simulator leaves out: {diagnose}"]
     else:
         reports = [f"diagnose it{'' if INSTALLED else ', as snakemake reads raw/ alone'}: {diagnose}"]
     if recorded:
