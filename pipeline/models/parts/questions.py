@@ -34,7 +34,7 @@ class Questions:
 
     points: pd.DataFrame
     columns: list[str]  # that the file has
-    rows: NDArray[np.intp]  # of the points in the file, from 0
+    rows: NDArray[np.intp]  # (points,): their places in the file, from 0, without unit
     bad: list[BadRow]  # the other rows, each by the first thing that is wrong with it
     cells: pd.DataFrame  # what stands in the bad rows, numbers alone; the index is the row, from 0
 
