@@ -19,6 +19,7 @@ from .words import advice
 from .words.dimensions import name_of
 from .words.headline import unfit
 from .words.holdout import heading, included
+from .words.in_vain import other_name
 from .words.quantity import listing
 from .words.to_measure import to_measure
 from .words.unseen import noises
@@ -127,7 +128,8 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
     skip = int("as adopted" in simulations)
-    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip)
+    without = other_name(content)
+    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, without)
     followed = list(driver_panels.listeners(drivers).items())[:MOST]
     grid = driver_panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):

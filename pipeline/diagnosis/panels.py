@@ -22,7 +22,8 @@ COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE
 SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
-TITLE_WIDE = 34  # characters
+TITLE_WIDE, NAME_WIDE = 34, 22  # characters
+NAMED = "as diagnosed"
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
     "tied": (TIED, "likely as well"),
@@ -116,9 +117,12 @@ def plain(axis: Axis) -> None:
 
 def held_out(
     axes: Axes, held: Part | None, floor: float, ending: str, unit: str, noise: str = "noise",
-    title: str = "Error on unseen strokes", skip: int = 0,
+    title: str = "Error on unseen strokes", skip: int = 0, without: str = "",
 ) -> None:  # fmt: skip
-    """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys."""
+    """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
+
+    `without` is what was named without those strokes, where the verdict names other effects: the last error is its.
+    """
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
     if not held:
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
@@ -133,7 +137,10 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    axes.set(xticks=places, xticklabels=names, xlim=(-0.6, len(names) - 0.4))
+    called = [
+        fill(f"as named without them: {without}", NAME_WIDE) if each == NAMED and without else each for each in names
+    ]
+    axes.set(xticks=places, xticklabels=called, xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
     axes.tick_params(axis="x", labelsize=8)

@@ -110,6 +110,13 @@ def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_poin
     assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
 
 
+def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_them() -> None:
+    _, axes = plt.subplots()
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
+    panels.held_out(axes, held, 0.02, "mm", "mm", without="creep + wear")
+    assert axes.get_xticklabels()[2].get_text() == "as named without them:\ncreep + wear"
+
+
 def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:
     figure, content = drawn
     evidence = content["evidence"]

@@ -6,8 +6,10 @@ from pathlib import Path
 import pytest
 from made_content import SYSTEMS, confident, content, page, spoken, told, weighed
 
+from pipeline.diagnosis import figures
 from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.sections import WIDE, wrapped
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 
 STEPS = "What to do, in this order"
 NEAR = {"radius_mm": 0.4}
@@ -332,9 +334,19 @@ def test_an_effect_larger_than_what_is_missing_says_where_the_rest_is():
 def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_is_what_fails():
     bad = {**ALONE, "fit__heldout__explained_mm": 4.3}
     same = page(content(**bad, evidence__chosen_without_them=["creep", "friction_hysteresis"]))
-    assert "makes the calibrated simulator worse" in same and "the same procedure chose" not in same
-    other = " ".join(page(content(**bad, evidence__chosen_without_them=["slack"])).split())
-    assert "Without those strokes the same procedure chose slack, and that is what errs there." in other
+    assert "the explanation makes the calibrated simulator worse" in same and "the same procedure" not in same
+    made = content(**bad, evidence__chosen_without_them=["slack"])
+    other = " ".join(page(made).split())
+    instead = "On the unseen strokes slack, which the same procedure named without them, makes the calibrated simulator"
+    assert f"{instead} worse: adopt nothing. So the recording is too short to choose" in other
+    assert "1. Adopt nothing: on the unseen strokes slack, which the same procedure named" in other
+    assert "the explanation makes" not in other and "explanation improves" not in other
+    everywhere = [details(made), figures.warning(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"]))]
+    assert all("slack, which" in each and "the explanation makes" not in each for each in everywhere)
+    made["evidence"]["chosen_without_them"] = []
+    made["fit"]["heldout"]["explained_mm"] = made["fit"]["heldout"]["calibrated_mm"]
+    none = "On the unseen strokes nothing was tried, for without them the same procedure named no effect. So the"
+    assert none in " ".join(page(made).split())
 
 
 def test_after_adopting_what_tied_is_decided_after_measuring_again():

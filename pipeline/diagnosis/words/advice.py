@@ -12,7 +12,7 @@ MAY = "You may adopt"
 
 def worse(content: Verdict) -> str:
     """The advice where what is named makes the simulator worse on strokes that no fit has seen."""
-    return f"Adopt nothing: on the {holdout.strokes(content)} the explanation makes the simulator worse."
+    return f"Adopt nothing: on the {holdout.strokes(content)} {in_vain.tried(content)} makes the simulator worse."
 
 
 def against(content: Verdict, words: Vocabulary) -> str:

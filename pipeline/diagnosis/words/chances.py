@@ -1,5 +1,6 @@
 """How probable each explanation is, on the page: the kept ones, the next best, the others, and none of the library."""
 
+from ..bounds import of_later_run
 from ..content import Verdict
 from . import left_out, probability, rivals, to_measure, tolerances
 from .dimensions import name_of
@@ -47,7 +48,8 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
 
 def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
-    moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > 1.0}
+    sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
+    moved = {name: sigma for name, sigma in sigmas.items() if sigma > 1.0 and not of_later_run(name)}
     known = {name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
     again = to_measure.to_measure(content)  # the table of step 1 has the tolerances of these
     more = {name: tolerance for name, tolerance in known.items() if tolerance and name not in again}

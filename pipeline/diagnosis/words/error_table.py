@@ -3,6 +3,7 @@
 import math
 
 from ...ground.command import program_name
+from ..bounds import of_later_run
 from ..content import Verdict
 from . import holdout, rivals, unseen
 from .dimensions import far_moved, from_to, name_of
@@ -83,7 +84,7 @@ def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:
     measured = {
         name: abs(sigma)
         for name, sigma in content["evidence"]["moved_sigma"].items()
-        if name in content["parameters"] and not name.startswith("stiffness")
+        if name in content["parameters"] and not name.startswith("stiffness") and not of_later_run(name)
     }
     if nominal is None or calibrated is None or not measured or nominal < HALVED * calibrated or far_moved(content):
         return []

@@ -8,6 +8,9 @@ from .level import NO_BETTER
 from .unseen import WORSE, errors
 from .vocabulary import Vocabulary
 
+NONE = "no effect"
+SMALL = ", and is too small to show there"
+
 
 def harmful(content: Verdict, words: Vocabulary) -> bool:
     """Whether what is named makes the simulator worse on strokes that no fit has seen."""
@@ -32,9 +35,12 @@ def said(content: Verdict, words: Vocabulary) -> str:
     """
     if not improves_nothing(content, words):
         return ""
+    if other_name(content) == NONE:
+        return (
+            f"on the {holdout.strokes(content)} nothing was tried, for without them the same procedure named no effect"
+        )
     does = "makes the simulator worse" if harmful(content, words) else "improves nothing"
-    small = ", and is too small to show there" if too_small(content, words) else ""
-    return f"on the {holdout.strokes(content)} the explanation {does}{small}"
+    return f"on the {holdout.strokes(content)} {tried(content)} {does}{too_small(content, words) * SMALL}"
 
 
 def doubt(content: Verdict, words: Vocabulary) -> str:
@@ -52,13 +58,22 @@ def too_small(content: Verdict, words: Vocabulary) -> bool:
     return least > NO_BETTER * calibrated
 
 
-def other_choice(content: Verdict) -> list[str]:
-    """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
+def other_name(content: Verdict) -> str:
+    """What the procedure named without the last strokes, if that is not what it names with them; else nothing."""
     chosen = content["evidence"].get("chosen_without_them")
     if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
+        return ""
+    return " + ".join(sorted(set(chosen))) or NONE
+
+
+def tried(content: Verdict) -> str:
+    """What was tried on the strokes that no fit has seen: the explanation, or what was named without them."""
+    other = other_name(content)
+    return f"{other}, which the same procedure named without them," if other else "the explanation"
+
+
+def other_choice(content: Verdict) -> list[str]:
+    """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
+    if not other_name(content):
         return []
-    name = " + ".join(chosen) or "no effect"
-    return [
-        f"Without those strokes the same procedure chose {name}, and that is what errs there. So the recording is too "
-        "short to choose, and what is named above has not been tried on strokes that it has not seen."
-    ]
+    return ["So the recording is too short to choose, and what is named here has been tried on no stroke unseen by it."]

@@ -22,13 +22,15 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
     if in_vain.harmful(content, words):
-        sentences.append(f"On the {strokes} the explanation makes the calibrated simulator worse: do not adopt it.")
+        end = "adopt nothing" if in_vain.other_name(content) else "do not adopt it"
+        sentences.append(f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}.")
         sentences += in_vain.other_choice(content)
     elif in_vain.improves_nothing(content, words):
         means = (
             "so they say nothing of it" if in_vain.too_small(content, words) else "it may be no more than a good fit"
         )
-        sentences.append(f"O{in_vain.said(content, words)[1:]}: {means}.")
+        other = in_vain.other_choice(content)
+        sentences += [f"O{in_vain.said(content, words)[1:]}{'' if other else f': {means}'}.", *other]
     if unseen.partly(content, words) and content["verdict"] != "unknown":
         lies = level.place_of_missing(content, words)
         sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
