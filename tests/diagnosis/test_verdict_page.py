@@ -854,3 +854,29 @@ def test_standard_deviations_of_a_proposed_run_say_what_they_count_and_that_name
     assert "standard deviations" in text
     assert "say how far apart the two predictions of the run are, in the noise of the recording. Names are" in text
     assert "right less often than they suggest: of 22 ties in tests 12 were settled rightly." in text
+
+
+def test_the_details_ask_for_the_run_that_the_first_step_asks_for():
+    bad = {**ALONE, "fit__heldout__explained_mm": 4.3}
+    for made in (content(**bad), {**at_limit(), "fit": content(**bad)["fit"]}):
+        again = "Record the rig once more, with more strokes, and diagnose both runs together."
+        assert again in steps(made) and again in details(made) and "None is needed" not in details(made)
+    vain = {**ALONE, "fit__heldout__explained_mm": 0.80, "fit__heldout__nominal_mm": 0.9}
+    made = confident(0.93, 0.96, **vain, evidence__moved_sigma=NEAR)
+    assert "Make sure of the name before you adopt or report it" in steps(made)
+    assert "make sure of the name before you adopt or report it: by the run that" in details(made)
+    assert "None is needed" not in details(made)
+
+
+def test_what_is_to_be_measured_again_below_stands_below():
+    bad = {"fit__heldout__explained_mm": 4.3}
+    for changes in ({}, ALONE, bad, {**ALONE, **bad}, {"verdict": "unknown", "mechanisms": [], "alternatives": []}):
+        text = " ".join(page(content(**changes)).split())
+        assert "measured again (below)" in text and "Measure again what calibration moved far" in text
+    alone = content(**NOTHING, mismatch=None)
+    left = copy.deepcopy(alone)
+    left["fit"]["heldout"] |= {"calibrated_mm": 0.81, "explained_mm": 0.81}
+    for made, below in ((alone, True), (left, False)):
+        text = " ".join(page(made).split())
+        assert ("measured again (below)" in text) == below == ("measure to" in text), text
+        assert "measured again, this verdict is provisional" in text or below

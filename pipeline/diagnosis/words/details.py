@@ -38,9 +38,10 @@ from . import (
     worth,
 )
 from .dimensions import corrected, each_moved, far_moved, remeasured, suspicious
-from .headline import headline, moved_in_vain, no_run
+from .headline import headline, moved_in_vain
 from .places import EVERYWHERE, place
 from .quantity import duration, size, times
+from .run_asked import no_run
 from .sections import text
 from .spoken import whole
 from .vocabulary import Vocabulary
@@ -152,9 +153,7 @@ def tied(content: Verdict, words: Vocabulary) -> list[str]:
     """What ties, with what all share first."""
     if not content["alternatives"]:
         return []
-    return [
-        rivals.shared(content), *rivals.ties(content, words), *probability.rule(content),
-    ]  # fmt: skip
+    return [rivals.shared(content), *rivals.ties(content, words), *probability.rule(content)]
 
 
 def weighed(content: Verdict, words: Vocabulary) -> list[str]:

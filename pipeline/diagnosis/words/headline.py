@@ -1,4 +1,4 @@
-"""The verdict in one line, and why no run is proposed: neither says more than what is left allows."""
+"""The verdict in one line: it says no more than what is left allows."""
 
 from ..bounds import at_bound
 from ..content import Verdict
@@ -31,23 +31,6 @@ FAR = ", some by three times their tolerance: measure them again before you trus
 PARTLY = "physics is missing, and named in part{sure}."
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
-NONE_NEEDED = {
-    "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
-    "would show more.",
-    "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
-    "explained": "None is needed: no other explanation of the library is as likely. What makes sure of a name stands "
-    "in verdict.txt, under What to do.",
-}
-PROVISIONAL = (
-    "None is needed before dimensions are measured again: no other explanation of the library is as likely, but names "
-    "are provisional while a dimension stands at its limit. verdict.txt says under What to do what comes first, and "
-    "what then makes sure of a name."
-)
-NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
-NONE_PROPOSED = (
-    "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
-    "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
-)
 
 
 def headline(content: Verdict, words: Vocabulary) -> str:
@@ -154,17 +137,3 @@ def moved_in_vain(content: Verdict, words: Vocabulary) -> bool:
     """Whether the simulation is hardly nearer to the recording with its dimensions moved than without."""
     before, after = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
     return before is not None and after is not None and bool(before <= LITTLE * after)
-
-
-def no_run(content: Verdict, words: Vocabulary) -> list[str]:
-    """Why no run is proposed."""
-    verdict = content["verdict"]
-    if verdict in UNNAMED and unseen.left_over(content, words):
-        return [NONE_PROPOSED]
-    if verdict in UNNAMED and holdout.included(content):
-        return [NONE_WITH_ADOPTED]
-    if verdict == "parameters" and moved_in_vain(content, words):
-        verdict = "consistent"
-    if verdict == "explained" and at_bound(content["evidence"]["moved_sigma"]):
-        return [PROVISIONAL]
-    return [NONE_NEEDED[verdict]] if verdict in NONE_NEEDED else []

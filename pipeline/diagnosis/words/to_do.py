@@ -11,6 +11,7 @@ from .dimensions import far_moved, name_of
 from .headline import moved_in_vain
 from .make_sure import DETAILS, RUN
 from .quantity import listing
+from .run_asked import MORE_STROKES
 from .vocabulary import Vocabulary
 
 HEADING = "What to do, in this order"
@@ -36,7 +37,8 @@ def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path |
     """The steps where something is named."""
     if in_vain.harmful(content, words):
         return [
-            [f"{advice.worse(content)} Record the rig once more, with more strokes, and diagnose both runs together."],
+            [f"{advice.worse(content)} {MORE_STROKES}"],
+            *_measure(content, words, brief, "leave it, and take this verdict as provisional"),
             *to_decide.step(content, words, brief.run),
             *_report(content, words, brief),
         ]
@@ -49,6 +51,17 @@ def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path |
         *to_use.adopt(content, words, folders, out, brief.use),
         *_report(content, words, brief),
     ]
+
+
+def asks_to_measure(content: Verdict, words: Vocabulary) -> bool:
+    """Whether one of the steps is to measure dimensions again."""
+    if not far_moved(content):
+        return False
+    if content["verdict"] in (*NAMED, "unknown") or any(adoption["tied"] for adoption in content.get("adopted", [])):
+        return True
+    moved_for_nothing = content["verdict"] == "parameters" and moved_in_vain(content, words)
+    adopted = bool(holdout.included(content))
+    return not unseen.left_over(content, words) and (adopted or not moved_for_nothing)
 
 
 def _measure(content: Verdict, words: Vocabulary, brief: Brief, then: str = "go on with step 2") -> list[list[str]]:
@@ -96,7 +109,7 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], brief: Br
         return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]
     if holdout.included(content) and far_moved(content):
         return _anew(content, words, folders, brief)
-    if far_moved(content) and not (content["verdict"] == "parameters" and moved_in_vain(content, words)):
+    if asks_to_measure(content, words):
         names = listing([f"the {name_of(name)}" for name in far_moved(content)])
         return [
             [
