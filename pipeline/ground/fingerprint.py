@@ -15,6 +15,7 @@ HOUSE = (
 NAME = "pipeline"
 
 
+@cache
 def _file(module: str) -> Path | None:
     """Source file of a module of ours, or None for anything else."""
     first, *rest = module.split(".")

@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import once
 import pytest
 import yaml
 
@@ -59,13 +60,22 @@ def bare_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     return copy_project(tmp_path_factory.mktemp("bare"))
 
 
-@pytest.fixture(scope="session")
-def finished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, str]:
-    """A project whose main job has run, and what it printed. Tests leave it finished."""
-    project = copy_project(tmp_path_factory.mktemp("finished"))
+def main_job_of(project: Project) -> tuple[Path, str]:
+    """Run the main job of a project; its folder, and what it printed."""
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr
-    return project, done.stdout
+    return project.folder, done.stdout
+
+
+@pytest.fixture(scope="session")
+def finished(tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, str]:
+    """A project whose main job has run, and what it printed: one for all processes. Tests leave it finished."""
+
+    def make() -> tuple[Path, str]:
+        return main_job_of(copy_project(tmp_path_factory.mktemp("finished")))
+
+    folder, printed = once.made_once(once.place(tmp_path_factory), "finished", make)
+    return Project(folder), printed
 
 
 def fewer_models(project: Project) -> None:
@@ -81,12 +91,14 @@ def fewer_models(project: Project) -> None:
 
 @pytest.fixture(scope="session")
 def few_finished(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """A project of two models whose main job has run. Tests leave it finished."""
-    project = copy_project(tmp_path_factory.mktemp("few"))
-    fewer_models(project)
-    done = project.snakemake()
-    assert done.returncode == 0, done.stdout + done.stderr
-    return project
+    """A project of two models whose main job has run: one for all processes. Tests leave it finished."""
+
+    def make() -> tuple[Path, str]:
+        project = copy_project(tmp_path_factory.mktemp("few"))
+        fewer_models(project)
+        return main_job_of(project)
+
+    return Project(once.made_once(once.place(tmp_path_factory), "few", make)[0])
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ import shutil
 
 import pytest
 import yaml
+from added_runs import add_run
 from made_recording import recording
-from test_workflow import add_run
 
 GOOD = "run: {}\nstring: {{material: nylon, radius_mm: {}, length_mm: 400, stiffness_n_per_mm: 15}}\n"
 RIG = "rig: {torsion_zone_mm: 150, separator_mm: 8}\n"
