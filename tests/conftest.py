@@ -22,8 +22,8 @@ settings.load_profile("the same")
 # Folders whose files take longest, dearest first: begun first, none of them leaves a worker without work at the end.
 # The first line is of those that take minutes; of most of them all tests are long.
 FIRST = (
-    *("cluster", "workflow", "real", "package", "rigs"),
-    *("settle", "diagnosis", "env", "proof", "models", "export", "pages", "faults", "watch", "capture", "rig"),
+    *("cluster", "workflow", "real", "package", "rigs", "run", "settle", "proof"),
+    *("diagnosis", "env", "house", "models", "notebook", "export", "pages", "faults", "watch", "capture", "rig"),
 )
 
 

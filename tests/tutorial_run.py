@@ -6,7 +6,6 @@ from pathlib import Path
 import nbformat
 
 TUTORIAL = Path(__file__).parents[1] / "docs" / "tutorial" / "tutorial.ipynb"
-IN_A_CHECKOUT = "import sys, pipeline; sys.modules['twistbench'] = pipeline\n"
 WITHOUT_A_SCREEN = "import matplotlib; matplotlib.use('Agg')\n"
 SAME = ("explained", "sure by", "strokes", "looks like", "diagnosis.json")  # lines with these words say no rounding
 
@@ -21,9 +20,9 @@ def said_by(cell) -> str:
     return "".join(one.get("text", "") or one.get("data", {}).get("text/plain", "") for one in cell.outputs)
 
 
-def as_program(cells, first: str = "") -> str:
+def as_program(cells) -> str:
     """The cells as one program that shows the last expression of each, as a notebook does."""
-    lines = [first + WITHOUT_A_SCREEN]
+    lines = [WITHOUT_A_SCREEN]
     for number, cell in enumerate(cells):
         tree = ast.parse(cell.source)
         if isinstance(tree.body[-1], ast.Expr) and "show()" not in ast.unparse(tree.body[-1]):

@@ -16,14 +16,19 @@ NAME = "pipeline"
 
 
 @cache
-def _file(module: str) -> Path | None:
-    """Source file of a module of ours, or None for anything else."""
+def _file_in(house: Path, module: str) -> Path | None:
+    """Source file of a module of a package, or None for anything else; fingerprints look for the same ones."""
     first, *rest = module.split(".")
     if first != NAME:
         return None
-    base = HOUSE.joinpath(*rest)
+    base = house.joinpath(*rest)
     candidates = (base.with_suffix(".py"), base / "__init__.py")
     return next((path for path in candidates if path.is_file()), None)
+
+
+def _file(module: str) -> Path | None:
+    """Source file of a module of ours, or None for anything else."""
+    return _file_in(HOUSE, module)
 
 
 def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:

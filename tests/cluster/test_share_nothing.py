@@ -32,8 +32,8 @@ def beyond(names, allowed):
 
 
 def is_cache(name):
-    """Whether a file is what numba compiled of the code for this processor: any job may write it, and none needs it."""
-    return name.startswith("pipeline/") and name.endswith((".nbc", ".nbi"))
+    """Whether a file is what Python or numba compiled of the code: any job may write it, and none needs it."""
+    return name.startswith("pipeline/") and "/__pycache__/" in name
 
 
 def test_a_job_opens_what_its_rule_declares_and_no_more(local):
