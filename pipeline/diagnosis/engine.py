@@ -24,6 +24,7 @@ from .outcome import Study, bare, decide, rms
 from .problem import Problem, State, placed
 from .recorded_run import RecordedRun
 from .search import Search
+from .tempered import tempered
 from .working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
@@ -162,6 +163,11 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
 
 
 def polished(studied: Study, fine: Problem) -> Study:
+    """The study with its simulator refitted to what `to_polish` gives, and trusted as far as it may be."""
+    return tempered(_refitted(studied, fine), fine)
+
+
+def _refitted(studied: Study, fine: Problem) -> Study:
     """The study with its explanation refitted to what `to_polish` gives: averaging flattens ripples."""
     acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
     if not acts or len(fine.record) == len(studied.problem.record):

@@ -85,6 +85,15 @@ class Intervals:
     half_widths: dict[tuple[str, int, str], float]
     covariance: Array  # (numbers, numbers)
 
+    def at_least(self, spreads: dict[str, float]) -> "Intervals":
+        """The same, the parameters' no narrower than these standard deviations of theirs make them, by name."""
+        wide = {
+            name: Interval(known.value, min(known.low, known.value - reach), max(known.high, known.value + reach))
+            for name, known in self.parameters.items()
+            for reach in [Z90 * spreads.get(name, 0.0)]
+        }
+        return replace(self, parameters=wide)
+
 
 def intervals(problem: Problem, state: State, noise: Noise) -> Intervals:
     """Intervals of everything that a state holds.

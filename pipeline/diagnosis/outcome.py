@@ -1,6 +1,6 @@
 """What a study found, and the verdict on it."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -39,6 +39,7 @@ class Study:
     random: dict[str, Nonlinear]  # what was seen of mechanisms whose every move is chance
     random_rms: float
     judged: Judged  # how likely each explanation is
+    spreads: dict[str, float] = field(default_factory=dict)  # least sigma of dimensions, where not all left is noise
 
     @property
     def best_ids(self) -> tuple[str, ...]:

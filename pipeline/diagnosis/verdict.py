@@ -123,7 +123,7 @@ def diagnosis(
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = study.problem
     unit = problem.system.channel.rpartition("_")[2]
-    known = intervals(problem, study.state, study.noise)
+    known = intervals(problem, study.state, study.noise).at_least(study.spreads)
     named = study.verdict in ("explained", "ambiguous")
     mismatch: dict[str, Any] | None = None
     pattern: dict[str, Any] | None = None

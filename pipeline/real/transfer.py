@@ -1,8 +1,6 @@
 """What was learnt on recordings, asked about others of the same thing: the diagnosis and the black boxes."""
 
 import argparse
-from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 from typing import TypedDict
 
@@ -10,17 +8,14 @@ import numpy as np
 import pandas as pd
 
 from ..diagnosis.content import Simulated
-from ..diagnosis.own_rate import at_own_rate
-from ..diagnosis.problem import Problem
-from ..diagnosis.recorded_run import RecordedRun
-from ..diagnosis.simulation import read_diagnosis, state_of, tare
+from ..diagnosis.simulation import read_diagnosis, tare
 from ..diagnosis.written import JSON
 from ..ground.errors import BadInput, program
 from ..ground.files import whole
-from ..run.description import Run
 from ..string.from_raw import read
 from ..string.history import Recorded
 from ..string.jumps_beside import Beside
+from .about import About
 from .black_box import Asked, Learnt, learn
 from .black_boxes import looks
 from .bring import usable
@@ -42,36 +37,6 @@ def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tup
     return float(np.sqrt(np.mean(np.square(first)))), float(
         np.std(left) if tared else np.sqrt(np.mean(np.square(left)))
     )
-
-
-@dataclass(frozen=True, eq=False)
-class About:
-    """A recording that others are asked about and learn from: read and cut once, and one problem for all diagnoses."""
-
-    recorded: Recorded
-
-    @property
-    def run(self) -> Run:
-        """What its run.yaml says."""
-        return self.recorded.run
-
-    @property
-    def samples(self) -> pd.DataFrame:
-        """Its samples, one row each."""
-        return self.recorded.table
-
-    @cached_property
-    def problem(self) -> Problem:
-        """The simulator's problem at the recording's own rate."""
-        return at_own_rate([RecordedRun(self.run, self.samples, self.recorded.strokes, self.recorded.folder)])
-
-    def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
-        """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.
-
-        Each of shape (samples,), in the reading's unit and s.
-        """
-        state = state_of(content, self.problem, path, self.run.run)
-        return self.problem.simulate(state), self.problem.measured, self.problem.record.time_s
 
 
 class Source:

@@ -4,12 +4,16 @@ import json
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import programs
 import pytest
 
+from pipeline.diagnosis.simulation import read_diagnosis
+from pipeline.real.about import About
 from pipeline.rig.others import cable_drive
 from pipeline.rig.others.made import write_run
+from pipeline.string.from_raw import read
 
 TURNS = 0.1  # by which the motor counts from elsewhere, two tolerances
 
@@ -48,6 +52,24 @@ def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tm
     home = float(said.partition("first stroke of the recording, is ")[2].partition(" turns")[0])
     assert home == pytest.approx(before - TURNS, abs=0.02)
     assert f"where the diagnosis has {before:.3g}" in said and "as far as its tolerance" not in said
+
+
+def test_what_was_learnt_elsewhere_is_homed_before_it_is_judged_and_so_is_the_nominal_simulator(runs, tmp_path):
+    first, later, diagnosis = runs
+
+    def missed(folder, content):
+        predicted, measured, _ = About(read(folder)).simulated(content, diagnosis)
+        return float(np.std(measured - predicted))
+
+    content = read_diagnosis(diagnosis)
+    best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
+    assert missed(later, content) < 1.1 * best
+    bare = {"parameters": {}, "simulation": []}
+    shutil.copytree(later, tmp_path / "named")
+    described = (later / "run.yaml").read_text().replace("later", "named")
+    (tmp_path / "named" / "run.yaml").write_text(described.replace("string:", "string:\n  id: s-1", 1))
+    assert missed(tmp_path / "named", content) > 1.4 * best, "a string that is named keeps its zero"
+    assert missed(later, bare) < 0.98 * missed(tmp_path / "named", bare)
 
 
 def test_it_reads_no_more_of_the_recording_than_the_first_stroke(runs, tmp_path):

@@ -12,6 +12,7 @@ from pipeline.diagnosis.engine import make_problem
 from pipeline.diagnosis.recorded_run import RecordedRun
 from pipeline.ground.files import write_text
 from pipeline.real import transfer
+from pipeline.real.about import About
 from pipeline.real.black_box import Asked, first_held_out, held_out
 from pipeline.real.black_boxes import looks
 from pipeline.real.features import averaged, features, low_pass, memory, span_of
@@ -96,7 +97,7 @@ def test_the_reading_is_compared_at_the_rate_at_which_the_diagnosis_works(jaw):
 @pytest.mark.long
 def test_what_was_learnt_on_one_recording_predicts_another_but_for_its_zero(jaw, tmp_path):
     folders = [jaw("a-01", seed=1), jaw("a-02", seed=2, amplitude_deg=50.0, constant_deg=20.0)]
-    runs = {folder.name: transfer.About(read(folder)) for folder in folders}
+    runs = {folder.name: About(read(folder)) for folder in folders}
     diagnoses = {name: tmp_path / name / "diagnosis.json" for name in runs}
     diagnoses["a-01"].parent.mkdir()
     content = {"parameters": {"gear_ratio": {"value": 0.9}}, "simulation": []}
@@ -115,7 +116,7 @@ def test_what_was_learnt_on_one_recording_predicts_another_but_for_its_zero(jaw,
 def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path, monkeypatch):
     shown = {"a-01": (60.0, 70.0), "a-02": (50.0, 20.0), "a-03": (40.0, -30.0)}
     folders = {name: jaw(name, amplitude_deg=top, constant_deg=zero) for name, (top, zero) in shown.items()}
-    runs = {name: transfer.About(read(folder)) for name, folder in folders.items()}
+    runs = {name: About(read(folder)) for name, folder in folders.items()}
     asked = []
 
     def ask(others, out, reader, beside):

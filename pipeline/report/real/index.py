@@ -21,7 +21,8 @@ BLOCKS = (("", list(TITLES)), (ELSEWHERE, CARRIED), (OTHERS, CARRIED))
 INTRODUCTION = """\
 <p>Each recording was imported as it was published and diagnosed from its base model alone. Errors are rms. The first
 block: the last 30 % of a recording's strokes, after learning from the strokes before. The second: the whole of a
-recording after learning from another one of the same thing, zero set on the first second, median over the others.
+recording after learning from another one of the same thing, zero set on the first second, median over the others;
+a motor that may count its turns from elsewhere is homed on the first stroke, for the nominal simulator too.
 The third: the same after learning from all others of that thing together.
 The black boxes (boosted trees, a Gaussian process on 1,000 points, a neural network of 2 × 64, median of three
 seeds) get motion, its rate and acceleration, which way the motion came, delayed motion and load, and correct a straight

@@ -119,7 +119,7 @@ def answers(rig: Rig, results: list[Result]) -> str:
 
 
 def transferred(carried: pd.DataFrame, unit: str) -> str:
-    """Errors on a recording after learning from others, zero set on the first second."""
+    """Errors on a recording after learning from others, zero set on the first second, motors homed."""
     if carried.empty:
         return "<p>There is one recording of each thing: nothing to carry over.</p>"
     rows, best = [], []
@@ -130,7 +130,7 @@ def transferred(carried: pd.DataFrame, unit: str) -> str:
             rows.append([html.escape(str(group)), source, count, *sizes(middle["rms"].to_dict(), CARRIED)])
             best.append([html.escape(str(group)), source, count, *sizes(middle["centred_rms"].to_dict(), CARRIED)])
     head = ["Group", "Learnt from", "Cases", *(TITLES[name] for name in CARRIED)]
-    text = f"<p>Median rms error ({html.escape(unit)}), zero set on the first second:</p>{table(head, rows, texts=2)}"
+    text = f"<p>Median rms error ({html.escape(unit)}), zero set on the first second, simulators homed:</p>{table(head, rows, texts=2)}"
     return text + f"<p>The same with the best zero:</p>{table(head, best, texts=2)}"
 
 

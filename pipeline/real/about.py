@@ -1,0 +1,57 @@
+"""A recording of a real rig that others are asked about and learn from, as a simulator's problem."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import pandas as pd
+
+from ..diagnosis.content import Simulated
+from ..diagnosis.home import homed
+from ..diagnosis.own_rate import at_own_rate
+from ..diagnosis.problem import Problem
+from ..diagnosis.recorded_run import RecordedRun
+from ..diagnosis.simulation import state_of
+from ..ground.kinematics import Array
+from ..run.description import Run
+from ..string.history import Recorded
+
+
+@dataclass(frozen=True, eq=False)
+class About:
+    """A recording that others are asked about and learn from: read and cut once, and one problem for all diagnoses."""
+
+    recorded: Recorded
+
+    @property
+    def run(self) -> Run:
+        """What its run.yaml says."""
+        return self.recorded.run
+
+    @property
+    def samples(self) -> pd.DataFrame:
+        """Its samples, one row each."""
+        return self.recorded.table
+
+    @cached_property
+    def problem(self) -> Problem:
+        """The simulator's problem at the recording's own rate."""
+        return at_own_rate([RecordedRun(self.run, self.samples, self.recorded.strokes, self.recorded.folder)])
+
+    @property
+    def homes(self) -> bool:
+        """Whether its motor may count its turns from elsewhere: one that shifts the motion, of a string without id."""
+        named = self.run.string is not None and self.run.string.id is not None
+        return self.run.system.homed is not None and not named
+
+    def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
+        """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.
+
+        The motor is homed on the first stroke where it may count its turns from elsewhere.
+
+        Each of shape (samples,), in the reading's unit and s.
+        """
+        if self.homes:
+            content, _ = homed(self.problem, content, path, self.run.run)
+        state = state_of(content, self.problem, path, self.run.run)
+        return self.problem.simulate(state), self.problem.measured, self.problem.record.time_s
