@@ -130,7 +130,8 @@ def transferred(carried: pd.DataFrame, unit: str) -> str:
             rows.append([html.escape(str(group)), source, count, *sizes(middle["rms"].to_dict(), CARRIED)])
             best.append([html.escape(str(group)), source, count, *sizes(middle["centred_rms"].to_dict(), CARRIED)])
     head = ["Group", "Learnt from", "Cases", *(TITLES[name] for name in CARRIED)]
-    text = f"<p>Median rms error ({html.escape(unit)}), zero set on the first second, simulators homed:</p>{table(head, rows, texts=2)}"
+    zeros = "zero set on the first second, simulators homed"
+    text = f"<p>Median rms error ({html.escape(unit)}), {zeros}:</p>{table(head, rows, texts=2)}"
     return text + f"<p>The same with the best zero:</p>{table(head, best, texts=2)}"
 
 
