@@ -6,10 +6,11 @@ import matplotlib.pyplot as plt
 import pandas as pd
 from matplotlib.figure import Figure
 
+from . import paper
 from .clipped import clipped
 from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, name, wrapped
 from .stroke_conditions import labels
-from .strokes_there import drawn
+from .strokes_there import drawn, in_figure
 from .winding import SHOWN, strokes_of, winding
 
 STROKES = (1, 3, 5, 7)
@@ -21,7 +22,8 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     `points` holds every moving point of the material with the traditional model's `forward_mm` and `inverse_turns`.
     """
     figure, ((forward, forward_error), (inverse, inverse_error)) = plt.subplots(2, 2, figsize=(8.0, 6.5))
-    shown = drawn(strokes_of(points), STROKES)
+    recorded = strokes_of(points)
+    shown = drawn(recorded, STROKES)
     named = labels(points, shown)
     strokes = {stroke: winding(points, stroke) for stroke in shown}
     for colour, (stroke, stroke_points) in zip(COLOURS, strokes.items(), strict=False):
@@ -44,8 +46,7 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     name(forward_error, "(b) forward error of the traditional model", TURNS, "model − measured (mm)")
     name(inverse, "(c) inverse kinematics", MILLIMETRES, TURNS)
     name(inverse_error, "(d) inverse error of the traditional model", MILLIMETRES, "model − measured (turns)")
-    figure.supxlabel(
-        wrapped(figure, clipped(strokes.values(), "(c), (d)")), fontsize=READING_SIZE, multialignment="left"
-    )
+    reading = wrapped(figure, in_figure(recorded, shown, paper.STROKES), clipped(strokes.values(), "(c), (d)"))
+    figure.supxlabel(reading, fontsize=READING_SIZE, multialignment="left")
     figure.suptitle(f"{material}: winding, every recorded sample{'' if shown else ' (no winding was recorded)'}")
     return figure

@@ -16,7 +16,7 @@ from . import paper
 from .clipped import clipped
 from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
 from .stroke_conditions import labels
-from .strokes_there import drawn
+from .strokes_there import drawn, in_figure
 from .winding import strokes_of, winding
 
 Ends = tuple[float, float]
@@ -25,6 +25,7 @@ TRADITIONAL: dict[str, Any] = {"color": "#0072b2", "ls": "--", "lw": 1.2}
 LEARNED: tuple[dict[str, Any], ...] = (
     {"color": "#d55e00", "ls": "", "marker": ".", "ms": 4.0, "mew": 0, "zorder": 3},
     {"color": "#00684c", "ls": "", "marker": "x", "ms": 3.0, "mew": 0.7},
+    {"color": "#8a3f78", "ls": "", "marker": "+", "ms": 3.5, "mew": 0.7},
 )
 BAR: dict[str, Any] = {"ls": "-", "lw": 2.2, "marker": "", "solid_capstyle": "butt"}
 FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an axis may begin within its decade
@@ -35,6 +36,7 @@ BEST = (
     "{} is drawn because it has the least forward error on this material's held-out points, of all models beside the "
     "INN and the traditional one; for another material it may be another."
 )
+TAKEN = "{} is drawn because it is the model to take where nobody says which."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 
@@ -140,14 +142,17 @@ def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, rea
     )
 
 
-def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str, best: str = "") -> Figure:
+def figure_5(
+    recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str, best: str = "", taken: str = ""
+) -> Figure:
     """Curves of the models with an error row beneath, forward above and inverse below, a column for each stroke.
 
     `recorded` holds every moving point with the traditional model's `forward_mm` and `inverse_turns`; `learned` maps
     titles, the INN's first, to held-out points with what that model predicts. `best` is the title of the model that
-    is shown for its least error.
+    is shown for its least error, `taken` of the one that is shown as the model to take.
     """
-    strokes = drawn(strokes_of(recorded), paper.STROKES)
+    every = strokes_of(recorded)
+    strokes = drawn(every, paper.STROKES)
     named = labels(recorded, strokes)
     columns = max(len(strokes), 1)
     figure, grid = plt.subplots(
@@ -179,8 +184,9 @@ def figure_5(recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material:
             name(below, f"error of ({letter}) along the stroke", label[1], "")
         _footed(list(grid[2 * row + 1]), unit)
     if strokes:
-        chosen = BEST.format(best) if best else ""
-        reading = wrapped(figure, BARS if shown else "", chosen, clipped(windings_measured, "Inverse"))
+        why = [BEST.format(best) if best else "", TAKEN.format(taken) if taken else ""]
+        which = in_figure(every, strokes, paper.STROKES)
+        reading = wrapped(figure, which, BARS if shown else "", *why, clipped(windings_measured, "Inverse"))
         _legend(figure, {title: styles[title] for title in shown}, columns, reading)
     figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")
     return figure

@@ -13,6 +13,7 @@ from .figure_4 import figure_4
 from .figure_5 import figure_5
 from .marks import add_mark, mark_from
 from .titles import titles_of
+from .usual_model import chosen_of
 from .winding import with_median, with_nominal
 
 INN, TRADITIONAL = "inn", "traditional"
@@ -46,13 +47,20 @@ def main() -> None:
     by_model: dict[str, list[Path]] = {}
     for path in arguments.predictions:
         by_model.setdefault(path.parent.name, []).append(path)
-    best = best_other(metrics, titles)
-    shown = [model for model in (INN, best) if model is not None and model in by_model]
+    best, taken = best_other(metrics, titles), chosen_of(model for model in by_model if model not in (INN, TRADITIONAL))
+    wanted = dict.fromkeys((INN, best, taken))
+    shown = [model for model in wanted if model and model in by_model]
     learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown}
     with plt.rc_context(STYLE):
         save(figure_4(recorded, material), arguments.out_dir / "figure_4", mark)
         save(
-            figure_5(recorded, learned, material, titles[best] if best in shown else ""),
+            figure_5(
+                recorded,
+                learned,
+                material,
+                titles[best] if best in shown else "",
+                titles[taken] if taken in shown and taken != best else "",
+            ),
             arguments.out_dir / "figure_5",
             mark,
         )

@@ -62,3 +62,17 @@ def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> st
     reason = "the paper's rows" if set(tabled_strokes) <= set(wanted) else "spread over them, as none of the paper's is"
     whole = f"{len(strokes)} strokes, {ranges(strokes)}"
     return f"{SHOWN} {named} of the {whole}: {reason}. All strokes are rows of {rows_of(material)}, column stroke."
+
+
+def in_figure(strokes: Sequence[int], shown: Sequence[int], wanted: Sequence[int]) -> str:
+    """A sentence on which strokes a figure shows, and which of the `wanted` the tables do; empty of no stroke."""
+    if not shown:
+        return ""
+    of_all = ", all that there are" if len(shown) == len(strokes) else f" of {ranges(strokes)}"
+    rows = tabled(strokes, wanted)
+    beside = "as in the tables" if list(shown) == rows else f"the tables show {_numbers(rows)}"
+    return f"Strokes shown: {_numbers(shown)}{of_all}; {beside}."
+
+
+def _numbers(strokes: Sequence[int]) -> str:
+    return f"n={', '.join(map(str, strokes))}"

@@ -1,4 +1,5 @@
 import re
+import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from matplotlib.lines import Line2D
 
 from pipeline.ground import schemas
+from pipeline.report import figures
 from pipeline.report.drawing import STYLE, save
 from pipeline.report.figure_4 import figure_4
 from pipeline.report.figure_5 import as_bars, by_range, figure_5, foot_of
@@ -161,7 +163,48 @@ def test_the_spike_of_the_inverse_error_is_explained_where_it_is(dataset):
             and text in told
             and re.search(r"at every x < 0, and errs there by up to [\d.]+ turns\.$", told)
         )
-    assert figure_4(above, "m").get_supxlabel() == figure_5(above, {}, "m").legends[0].get_title().get_text() == ""
+    for told in (figure_4(above, "m").get_supxlabel(), figure_5(above, {}, "m").legends[0].get_title().get_text()):
+        assert "x < 0" not in told and told.startswith("Strokes shown: ")
+
+
+def test_a_figure_says_which_strokes_it_shows_and_which_the_tables_do(dataset):
+    """Figures 4, 5 and the tables show different strokes, and none said so."""
+    nine, few = with_nominal(dataset), with_nominal(dataset[dataset["stroke"] <= 4])
+    said = [
+        (figure_4(nine, "m").get_supxlabel(), "n=1, 3, 5, 7 of 1 to 9; the tables show n=1, 5, 9."),
+        (figure_5(nine, {}, "m").legends[0].get_title().get_text(), "n=1, 5, 9 of 1 to 9; as in the tables."),
+        (figure_4(few, "m").get_supxlabel(), "n=1, 2, 3, 4, all that there are; the tables show n=1."),
+        (figure_5(few, {}, "m").legends[0].get_title().get_text(), "n=1, 3, 4 of 1 to 4; the tables show n=1."),
+    ]
+    for words, strokes in said:
+        assert f"Strokes shown: {strokes}" in " ".join(words.split()), words
+
+
+def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_path, monkeypatch):
+    """Of a quick run the diagnosed simulator was drawn, and the spline, which is advised, was in no figure."""
+    metrics = made_metrics()
+    metrics.loc[metrics["model"] == "mlp", "value"] /= 100.0
+    schemas.write(metrics, schemas.METRICS, tmp_path / "metrics.parquet")
+    drawn = []
+    monkeypatch.setattr(figures, "figure_5", lambda *words: drawn.append(words) or figure_5(*words))
+    predictions = [str(path) for path in sorted(material.glob("*/within-*.predictions.parquet"))]
+    words = ["figures", str(material / "dataset.parquet"), str(tmp_path / "metrics.parquet"), "--predictions"]
+    words += [*predictions, "--titles", *(f"{model}={title}" for model, title in TITLES.items())]
+    monkeypatch.setattr(sys, "argv", [*words, "--out-dir", str(tmp_path)])
+    with pytest.raises(SystemExit) as end:
+        figures.main()
+    assert end.value.code == 0 and list(drawn[0][1]) == ["INN model", "MLP model", "Spline model"]
+    monkeypatch.undo()
+    five = figure_5(*drawn[0])
+    words = " ".join(five.legends[0].get_title().get_text().split())
+    assert "MLP model is drawn because it has the least forward error" in words
+    assert "Spline model is drawn because it is the model to take" in words
+    assert "Spline model, held-out points" in [line.get_label() for line in five.axes[0].get_lines()]
+    with plt.rc_context(STYLE):
+        five = figure_5(*drawn[0])
+        five.canvas.draw()
+        shown = five.legends[0].get_window_extent()
+    assert shown.x0 >= 0 and shown.y1 < min(axes.get_tightbbox().y0 for axes in five.axes)
 
 
 def test_an_error_is_a_root_mean_square_along_the_stroke_and_breaks_where_nothing_was_held_out():
