@@ -32,9 +32,9 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--format", required=True, choices=("c", "onnx"))
     parser.add_argument(
         "--out",
-        type=Path,
-        help="the header's file, or the folder of header or graphs; default: reports/<material>/<model>, "
-        "or, of a model that lies elsewhere, its own folder",
+        metavar="PATH",
+        help="the header's file, which has a suffix such as .h, or the folder of header or graphs, which may be new; "
+        "default: reports/<material>/<model>, or, of a model that lies elsewhere, its own folder",
     )
     parser.add_argument(
         "--name",
@@ -69,6 +69,12 @@ def writable(file: Path) -> Iterator[None]:
         raise BadInput(file, "model", problem, "train it again; should that not help, report it") from error
 
 
+def _names_a_folder(out: str) -> bool:
+    """Whether a path is a folder, or, where nothing is there, reads like one: it ends in a slash or has no suffix."""
+    path = Path(out)
+    return path.is_dir() or out.endswith(("/", os.sep)) or (bool(out) and not path.suffix and not path.exists())
+
+
 def _header_to_write(out: Path, reads: list[Path]) -> None:
     """Raise BadInput where no header can be written, or where it would replace a file of another kind."""
     file_to_write(out, reads=reads)
@@ -93,12 +99,14 @@ def main() -> None:
         raise BadInput(
             "--name", f"{options.name[:40]}…", f"has {len(options.name)} characters", f"use at most {LONGEST}"
         )
+    is_folder = options.out is None or _names_a_folder(options.out)
+    options.out = usual_folder(options.file) if options.out is None else Path(options.out)
     if options.format == "c":
-        if options.out is None or options.out.is_dir():
-            options.out = (options.out or usual_folder(options.file)) / f"{options.name}.h"
+        if is_folder:
+            options.out = folder_to_write(options.out) / f"{options.name}.h"
         _header_to_write(options.out, [options.file, *([options.dataset] if options.dataset else [])])
     else:
-        options.out = folder_to_write(options.out or usual_folder(options.file))
+        options.out = folder_to_write(options.out)
     source = opened(options.file, options.model, Beside(options.dataset, options.split, options.string))
     if options.format == "c":
         out = options.out
@@ -106,8 +114,7 @@ def main() -> None:
             text = header(source, options.name)
         write_text(out, text)
         print(f"{out}: {out.stat().st_size} bytes of text. {facts(source)['fit']}")
-        if source.trained:
-            print(source.trained)
+        print("\n".join(filter(None, (source.errors, source.trained))))
         print(f"All of its names begin with {options.name}_; of two exports in one C program give one another --name.")
         print(_in_python(options.file))
         return
@@ -121,8 +128,7 @@ def main() -> None:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")
     print(facts(source)["fit"])
-    if source.trained:
-        print(source.trained)
+    print("\n".join(filter(None, (source.errors, source.trained))))
     print(_in_python(options.file))
 
 

@@ -113,6 +113,7 @@ def _comment(source: Source, made: Body) -> str:
         "",
         *_wrapped(known.get("trained", "")),
         *_wrapped(known["strokes"].replace("Beyond,", "Beyond, to TSA_STROKE_MAX,")),
+        *_wrapped(known.get("errors", "")),
         *_wrapped(f"Zero: {known['zero']}"),
         *_wrapped(f"Fit: {known['fit']}"),
         *_wrapped(f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}."),

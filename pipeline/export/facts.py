@@ -19,16 +19,16 @@ from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
 SAME = (
-    "A small configuration such as config/ci.yaml changes no setting of this model: from the same recordings it makes "
-    "the same file. Its tables are marked as no results for their other models and fewer seeds."
+    "Whichever configuration makes it, the same recordings give the same file: where tables of a small one, such as "
+    "config/ci.yaml, are marked as no results, that is for other models and for fewer seeds."
 )
 MOST_STRINGS = 3  # whose zero is named
 
 
 def facts(source: Source) -> dict[str, str]:
-    """Sentences by what they are of: `zero`, `strokes`, `fit`; where there is such `trained`, `recorded`, `unread`."""
+    """Sentences by what they are of: `zero`, `strokes`, `fit`; if any `errors`, `trained`, `recorded`, `unread`."""
     known = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
-    more = {"trained": source.trained, "recorded": recorded(source), "unread": unread(source)}
+    more = {"errors": source.errors, "trained": source.trained, "recorded": recorded(source), "unread": unread(source)}
     return known | {name: text for name, text in more.items() if text}
 
 
@@ -85,12 +85,12 @@ def fit(name: str, model: Any) -> str:
     """Whether a fitted model's own settings are the usual ones, and where they are not, whether it is a small fit."""
     settings = settings_of(name)
     if settings is None:
-        return f"This model has no settings, so it is no small fit. {SAME}"
+        return f"This model has no settings. {SAME}"
     mine, usual = values(model.settings), values(settings())
     apart = [setting for setting in usual if mine[setting] != usual[setting]]
     words = ", ".join(f"{setting} {mine[setting]} instead of {usual[setting]}" for setting in apart)
     if not apart:
-        return f"Made with the usual settings of this model, so it is no small fit. {SAME}"
+        return f"Made with the usual settings of this model. {SAME}"
     small = any(setting in AMOUNTS and _less(mine[setting], usual[setting]) for setting in apart)
     return f"{'Small fit, not a result' if small else 'Settings of your own'}: {words}."
 

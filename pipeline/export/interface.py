@@ -21,7 +21,8 @@ class Source:
     As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
     recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
     errors are measured. `pairs` are the twists that were recorded around each condition, and `trained` says which
-    recordings these are. Of what is in `deaf` no answer depends.
+    recordings these are; `errors` what the model errs on points that it has not seen. Of what is in `deaf` no answer
+    depends.
     """
 
     name: str
@@ -34,6 +35,7 @@ class Source:
     deaf: tuple[str, ...] = ()
     pairs: tuple[Paired, ...] | None = None
     trained: str = ""
+    errors: str = ""
 
 
 class Exporter(Protocol):

@@ -17,6 +17,7 @@ from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import in_words
 from ..stages.train import SPLITS, divided
 from .facts import zeroed_runs
+from .held_out import errors_of
 from .inputs import Inputs
 from .interface import Source, exporter, names
 from .recorded import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
@@ -83,7 +84,20 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
     last, foreseen = inputs.last_stroke, strokes_foreseen(dataset)
     points, trained = twists_recorded(dataset, last), trained_on(dataset, last)
     values, pairs = values_recorded(points), pairs_recorded(points)
-    return Source(name, model, inputs, zero_mm, zeroed_runs(dataset), values, foreseen, pairs=pairs, trained=trained)
+    string = beside.string if about(name).each_string_apart else None
+    errors = errors_of(file, name, model, dataset, string)
+    return Source(
+        name,
+        model,
+        inputs,
+        zero_mm,
+        zeroed_runs(dataset),
+        values,
+        foreseen,
+        pairs=pairs,
+        trained=trained,
+        errors=errors,
+    )
 
 
 def _try(source: Source) -> None:

@@ -248,7 +248,8 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     said = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
     small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
     assert small in said["cinn"] and small in done["cinn"].stdout
-    assert "no small fit. A small configuration such as config/ci.yaml changes no setting" in said["spline"]
+    assert "Fit: Made with the usual settings of this model. Whichever configuration makes it" in said["spline"]
+    assert "no small fit" not in said["spline"], "beside tables that are marked as small fits it read as its opposite"
     zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
     for text in said.values():
         assert f"{zero_mm:.3f} mm at 0 turns" in text and "of string made-01 in run " in text and "tare: run" in text
@@ -263,6 +264,51 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
             and f"{zero_mm:.3f} mm" in held["zero"]
             and "further than 2 strokes" in held["strokes"]
         )
+
+
+def test_header_and_graphs_say_what_the_model_errs_on_what_it_has_not_seen(tmp_path: Path) -> None:
+    """The header had no number for its error."""
+    file = saved("spline", "one", tmp_path)
+    points = pd.read_parquet(tmp_path / "dataset.parquet")
+    assert export(file, "--format", "c").returncode == 0
+    alone = said_of((file.parent / "tsa.h").read_text())
+    test = points[points["within"] == "test"]
+    model = make_model("spline")
+    model.load(file)
+    rms_mm = np.sqrt(np.mean((model.forward(test) - test["displacement_mm"]) ** 2))
+    rms_turns = np.sqrt(np.mean((model.inverse(test) - test["motor_turns"]) ** 2))
+    own = rf"Errors on blocks inside strokes that the fit left out \(strokes 1 to 6\): forward {rms_mm:.2g} mm rms, "
+    own += rf"at most [\d.]+ mm; inverse {rms_turns:.2g} turns rms, at most [\d.]+ turns\."
+    assert re.search(own, alone) and "whole last strokes" not in alone, alone
+    points.loc[points["stroke"] > 4, "later"] = "test"
+    schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
+    later = make_model("spline")
+    later.fit(points[points["later"] == "train"], 0)
+    later.save(file.with_name("later-0.model"))
+    done = export(file, "--format", "c")
+    both = said_of((file.parent / "tsa.h").read_text())
+    test = points[points["later"] == "test"]
+    rms_mm = np.sqrt(np.mean((later.forward(test) - test["displacement_mm"]) ** 2))
+    ahead = "Errors on whole last strokes that the fit left out (strokes 5 to 6), by a fit of this model without them: "
+    assert f"{ahead}forward {rms_mm:.2g} mm rms, at most" in both and re.search(own, both) and ahead in done.stdout
+    assert export(file, "--format", "onnx", "--out", tmp_path).returncode == 0
+    held = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
+    assert held["errors"] in both
+    (tmp_path / "dataset.parquet").unlink()
+    assert export(file, "--format", "c").returncode == 0
+    assert "was not measured: no dataset with points that the fit left out" in said_of(
+        (file.parent / "tsa.h").read_text()
+    )
+
+
+@pytest.mark.parametrize(
+    ("out", "made"), [("new/", "new/tsa.h"), ("new", "new/tsa.h"), ("v1.2/", "v1.2/tsa.h"), ("new/a.h", "new/a.h")]
+)
+def test_a_folder_that_is_not_there_yet_is_made(folder: Path, tmp_path: Path, out: str, made: str) -> None:
+    """A header named like the folder was written in its place."""
+    done = export(folder / "spline" / "within-0.model", "--format", "c", "--out", f"{tmp_path}/{out}")
+    assert done.returncode == 0 and f"{tmp_path / made}: " in done.stdout, done.stderr
+    assert (tmp_path / made).is_file()
 
 
 def test_the_settings_that_no_mark_is_put_on_are_those_of_the_default_configuration() -> None:

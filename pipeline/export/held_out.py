@@ -1,0 +1,70 @@
+"""How a model errs on points that no fit has seen, in a sentence: those of its own split, and whole later strokes.
+
+The fit of the split `later` beside the model answers for strokes ahead: the same model, fitted without the last ones.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from ..models.interface import Model, make_model
+from ..models.parts.foreseen import MAPS
+
+MOST_POINTS = 5000  # evenly thinned; more tell no more
+LEFT_OUT = {
+    "within": "blocks inside strokes that the fit left out",
+    "later": "whole last strokes that the fit left out",
+}
+UNKNOWN = (
+    "How large the errors are was not measured: no dataset with points that the fit left out lies beside the model."
+)
+
+
+def errors_of(file: Path, name: str, model: Model, dataset: Path, string: str | None) -> str:
+    """What a model of a file errs on the held-out points of its dataset, and its like on later strokes.
+
+    `string` is the one that alone is asked, None where all are. Raises nothing for what is not there: that is said.
+    """
+    split, _, seed = file.stem.partition("-")
+    sentences = []
+    for of in dict.fromkeys((split, "later")):
+        points = _held_out(dataset, of, string)
+        try:
+            like = model if of == split else make_model(name)
+            if of != split:
+                like.load(file.with_name(f"{of}-{seed}.model"))
+            if len(points):
+                sentences.append(_sentence(like, points, of, split))
+        except Exception:  # whatever a file beside it that is no such model makes its loaders stumble over
+            continue
+    return " ".join(sentences) or UNKNOWN
+
+
+def _sentence(model: Model, points: pd.DataFrame, of: str, own: str) -> str:
+    """The errors of both maps on held-out points, with unit."""
+    parts = []
+    for wanted, map_ in MAPS.items():
+        error = np.asarray(getattr(model, map_)(points.assign(**{wanted: np.nan})), float) - points[wanted].to_numpy()
+        if not np.isfinite(error).all():
+            raise ValueError("an answer is not a number")
+        unit = "mm" if wanted == "displacement_mm" else "turns"
+        parts.append(f"{map_} {np.sqrt(np.mean(error**2)):.2g} {unit} rms, at most {np.abs(error).max():.2g} {unit}")
+    first, last = (int(end) for end in (points["stroke"].min(), points["stroke"].max()))
+    strokes = f"stroke {first}" if first == last else f"strokes {first} to {last}"
+    fitted = "" if of == own else ", by a fit of this model without them"
+    return f"Errors on {LEFT_OUT[of]} ({strokes}){fitted}: {'; '.join(parts)}."
+
+
+def _held_out(dataset: Path, split: str, string: str | None) -> pd.DataFrame:
+    """The points of a dataset that a split holds out; an empty table where there is no such dataset."""
+    if split not in LEFT_OUT:
+        return pd.DataFrame()
+    try:
+        points = pq.read_table(dataset, filters=[(split, "==", "test")]).to_pandas()
+    except (OSError, pa.ArrowException, KeyError, ValueError):
+        return pd.DataFrame()
+    points = points if string is None else points[points["string"].astype(str) == string]
+    return points.iloc[:: -(-len(points) // MOST_POINTS) or 1].reset_index(drop=True)
