@@ -138,7 +138,7 @@ def import_folder(folder: Path, mapping: Path, name: str, out: Path, pattern: st
     return 2 if refused else 0
 
 
-def guess(file: Path, actuator: str, out: Path | None) -> None:
+def guess(file: Path, actuator: str | None, out: Path | None) -> None:
     """Print a mapping drafted for a file, or write it to `out`, and show the file's first rows as it reads them."""
     text, preview = draft(file, actuator)
     print(preview, file=sys.stderr)
@@ -166,7 +166,7 @@ def main() -> int:
     parser.add_argument(OPTION, metavar="PATTERN", help=which)
     parser.add_argument("--guess", action="store_true", help="draft a mapping for the file, and show its first rows")
     kinds = ", ".join(systems())
-    parser.add_argument("--actuator", default="separator", help=f"with --guess, the kind of rig: {kinds}")
+    parser.add_argument("--actuator", help=f"with --guess, the kind of rig: {kinds}; default: separator, to be checked")
     parser.add_argument(
         "--out",
         type=Path,

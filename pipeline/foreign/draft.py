@@ -19,28 +19,36 @@ from ..systems import System, systems
 from .layout_guess import guess_layout
 from .roles import Role, find_roles, numbers
 
+USUAL = "separator"  # the kind of rig where nobody tells it
 SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
 UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, cm or m"}
 UNITS |= {"s": "s, ms or us", "m": "m, cm or mm", "n": "N, kgf or g", "nm": "Nm or Nmm", "c": "degC or K"}
+NO_LOAD = (
+    "the load in N that hung all the time, 0 for none; if a column has it, name it under channels and take this out"
+)
 
 
 def _filled(key: str, what: str, indent: int = 2) -> str:
     return f"{' ' * indent}{key}:  # fill in: {what}"
 
 
-def _rig(system: System) -> list[str]:
-    """The sections that no file tells: the string and the rig's dimensions."""
+def _actuator(name: str, is_told: bool) -> str:
+    """The kind of rig: no file tells it, so it is a guess where no person does."""
+    check = "  # check: a guess, as no file tells it; of two strings without a separator it is twisted_pair"
+    return f"actuator: {name}{'' if is_told else check}"
+
+
+def _rig(system: System, has_load: bool) -> list[str]:
+    """The sections that no file tells: the string, the rig's dimensions, and a string's load where no column is one."""
     lines = []
     if system.needs_string:
         keys = ("material", "radius_mm", "length_mm")
         meanings = {key: String.model_fields[key].description or key for key in keys}
         lines += ["string:", *(_filled(key, what) for key, what in meanings.items())]
-    if system.rig:
-        lines += [
-            "rig:",
-            *(_filled(key, f"{key.rpartition('_')[0].replace('_', ' ')}, {what}") for key, what in system.rig.items()),
-        ]
-    return lines
+    rig = [_filled(key, f"{key.rpartition('_')[0].replace('_', ' ')}, {what}") for key, what in system.rig.items()]
+    if system.load == "load_n" and not has_load:
+        rig.append(_filled("load_n", NO_LOAD))
+    return [*lines, "rig:", *rig] if rig else lines
 
 
 def _layout(layout: TextFile) -> list[str]:
@@ -91,9 +99,9 @@ def _preview(path: Path, kind: str, roles: dict[str, Role], columns: dict[str | 
     return "\n".join([*lines, *(["not read:"] if free else []), *free[:SHOWN_COLUMNS], *more])
 
 
-def draft(path: Path, actuator: str) -> tuple[str, str]:
+def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     """Text of a mapping for a file, and a preview of its first rows; raises BadInput for a file that is not read."""
-    known = systems()
+    known, actuator = systems(), told_actuator or USUAL
     if actuator not in known:
         raise BadInput("--actuator", "actuator", f"{actuator!r} is not known", f"use one of {', '.join(known)}")
     system, guessed = known[actuator], guess_layout(path)
@@ -109,9 +117,8 @@ def draft(path: Path, actuator: str) -> tuple[str, str]:
     wanted = [channel for channel in system.columns if channel in roles or channel in system.columns[:3]]
     lines = [f"# A mapping for {key_name(path.name)} and files like it, drafted from {kind}."]
     lines += ["# Fill in what is empty, check what is a guess, then import it through this mapping."]
-    lines += [f"actuator: {actuator}", *_rig(system), *_layout(guessed.layout), "channels:"]
+    lines += [_actuator(actuator, told_actuator is not None), *_rig(system, "load_n" in roles)]
+    lines += [*_layout(guessed.layout), "channels:"]
     for channel in wanted:
         lines += _channel(channel, roles.get(channel), free)
-    if system.load and system.load not in roles and system.load == "load_n":
-        lines += ["  # no load was found: name its column as load_n, or give rig.load_n where it is constant"]
     return "\n".join(lines) + "\n", _preview(path, kind, roles, columns)

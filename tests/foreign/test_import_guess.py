@@ -17,6 +17,7 @@ from pipeline.run.samples import read_samples
 ROOT = Path(__file__).parents[2]
 GOOD = recording()
 SIZES = {"material": "nylon", "radius_mm": 0.4, "length_mm": 400, "torsion_zone_mm": 150, "separator_mm": 8}
+SIZES |= {"load_n": 20}
 
 
 def program(*words, cwd):
@@ -228,3 +229,22 @@ def test_every_field_that_a_person_left_empty_is_named_at_once(tmp_path):
     (tmp_path / "map.yaml").write_text(re.sub(r"^( *material):  # fill in.*$", r"\1: nylon", text, flags=re.M))
     left = program("log.csv", "--map", "map.yaml", "--run", "a-1", cwd=tmp_path).stderr
     assert "string.material" not in left and ", ".join(fields[1:]) in left
+
+
+def test_a_guessed_actuator_is_marked_and_a_load_of_nobody_is_to_be_filled_in(tmp_path):
+    """The actuator stood as if a file told it, and a load that was not found was 0 N without a mark."""
+    PLAIN.to_csv(tmp_path / "log.csv", index=False)
+    FORCED.to_csv(tmp_path / "forced.csv", index=False)
+    alone = program("log.csv", "--guess", cwd=tmp_path).stdout
+    assert re.search(r"^actuator: separator  # check: a guess, .* it is twisted_pair$", alone, re.M)
+    assert re.search(r"^  load_n:  # fill in: the load in N .*, 0 for none; if a column has it, name it", alone, re.M)
+    pair = program("log.csv", "--guess", "--actuator", "twisted_pair", "--out", "map.yaml", cwd=tmp_path)
+    text = (tmp_path / "map.yaml").read_text()
+    assert pair.returncode == 0 and "\nactuator: twisted_pair\n" in text
+    assert re.search(r"^rig:\n  load_n:  # fill in: ", text, re.M) and "torsion_zone" not in text
+    (tmp_path / "map.yaml").write_text(filled(text))
+    done = program("log.csv", "--map", "map.yaml", "--run", "a-1", cwd=tmp_path)
+    assert done.returncode == 0 and "taken as 0 N" not in done.stdout, done.stderr
+    assert "load_n:  # fill in" not in program("forced.csv", "--guess", cwd=tmp_path).stdout, "a column has it"
+    drive = program("log.csv", "--guess", "--actuator", "cable_drive", cwd=tmp_path).stdout
+    assert "load_n" not in drive and "# check: a guess, as no" not in drive
