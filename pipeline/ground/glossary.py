@@ -29,7 +29,7 @@ TERMS: dict[str, dict[str, str]] = {
         "within strokes": "blocks inside every stroke are held out, one in four.",
         "later strokes": "the last quarter of the strokes is held out, whole.",
         "floor": "what the best smooth curve through the held-out answers themselves still misses; noise, mostly.",
-        "times the floor": "a model's error over the floor for what it knows; knowing no more, none gets far below 1.",
+        "× floor": "a model's error divided by the floor for what it knows; knowing no more, none gets far below 1.",
         "knows the direction": "the model is told whether the string is being wound or unwound.",
         "seed": "one training; several show how much of an error is chance.",
     },

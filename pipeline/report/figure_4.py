@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from . import paper
 from .clipped import clipped
 from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .strings_together import together
 from .stroke_conditions import labels
 from .strokes_there import drawn, in_figure
 from .winding import SHOWN, strokes_of, winding
@@ -46,7 +47,12 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     name(forward_error, "(b) forward error of the traditional model", TURNS, "model − measured (mm)")
     name(inverse, "(c) inverse kinematics", MILLIMETRES, TURNS)
     name(inverse_error, "(d) inverse error of the traditional model", MILLIMETRES, "model − measured (turns)")
-    reading = wrapped(figure, in_figure(recorded, shown, paper.STROKES), clipped(strokes.values(), "(c), (d)"))
+    reading = wrapped(
+        figure,
+        in_figure(recorded, shown, paper.STROKES),
+        together(points, shown),
+        clipped(strokes.values(), "(c), (d)"),
+    )
     figure.supxlabel(reading, fontsize=READING_SIZE, multialignment="left")
     figure.suptitle(f"{material}: winding, every recorded sample{'' if shown else ' (no winding was recorded)'}")
     return figure

@@ -15,6 +15,7 @@ from ..ground.kinematics import Array
 from . import paper
 from .clipped import clipped
 from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .strings_together import together
 from .stroke_conditions import labels
 from .strokes_there import drawn, in_figure
 from .winding import strokes_of, winding
@@ -186,7 +187,14 @@ def figure_5(
     if strokes:
         why = [BEST.format(best) if best else "", TAKEN.format(taken) if taken else ""]
         which = in_figure(every, strokes, paper.STROKES)
-        reading = wrapped(figure, which, BARS if shown else "", *why, clipped(windings_measured, "Inverse"))
+        reading = wrapped(
+            figure,
+            which,
+            together(recorded, strokes),
+            BARS if shown else "",
+            *why,
+            clipped(windings_measured, "Inverse"),
+        )
         _legend(figure, {title: styles[title] for title in shown}, columns, reading)
     figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")
     return figure

@@ -6,6 +6,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from . import paper
+from .strings_together import TOGETHER
 from .stroke_conditions import OTHERWISE
 from .strokes_there import NOT_SHOWN, SHOWN
 from .table_forms import OF_WHAT, from_markdown
@@ -39,7 +40,7 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
         for suffix in ("csv", "tex", "md")
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
-    below = " ".join(line for line in notes if line.startswith((OF_WHAT, SHOWN, OTHERWISE, NOT_SHOWN)))
+    below = " ".join(line for line in notes if line.startswith((OF_WHAT, SHOWN, TOGETHER, OTHERWISE, NOT_SHOWN)))
     files_line = Markup('\n<p class="soft">{} The same as {}.</p>').format(below, files)
     return table(head, rows, words, (0, 1)) + files_line
 

@@ -16,6 +16,7 @@ from .least import sentences
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .sidecar import Column, describe
+from .strings_together import together
 from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
 from .titles import titles_of
 from .usual_model import USUAL, to_take, weighed
@@ -37,12 +38,13 @@ the lowest and the highest in brackets where they differ. `within` holds out blo
 `later` the last quarter of the strokes, whole. Angle bands are quarters of the material's twist range. **Bold**: the
 least of a column.
 
-The floors are no models. An oracle that sees the held-out answers draws the best smooth curve through each stroke, one
-for each direction of motion (floor with direction) or one for both (floor without): what it leaves is noise, and
-without the direction also the loop between winding and unwinding. `× floor` holds a model against the floor that its
-inputs entitle it to. The floors bound the RMSE, no other metric, of models that know the twist (or contraction), the
-string, the stroke and perhaps the direction. A model that knows more, the load or the past, may get below; so may one
-that leans towards winding or unwinding below the floor without direction, in that column, at the cost of the other.
+The floors are no models. An oracle that sees the held-out answers draws the best smooth curve through each stroke,
+one for each direction of motion (floor with direction) or one for both (floor without): what it leaves is noise, and
+without the direction also the loop between winding and unwinding. `× floor` is a model's error divided by the floor
+that its inputs entitle it to. The floors bound the RMSE, no other metric, of models that know the twist (or
+contraction), the string, the stroke and perhaps the direction. A model that knows more, the load or the past, may get
+below; so may one that leans towards winding or unwinding below the floor without direction, in that column, at the
+cost of the other.
 """
 
 
@@ -123,7 +125,9 @@ def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = N
     """Text of models.md of one material, from the table of `numbers`; the points say in what its strokes differ."""
     text = [f"# {plain(material)}: every model beside the floor of the data", "", *on_model_to_take(table_of), NOTES]
     differ, apart = otherwise(dataset), later_apart(dataset)
-    text += [differ, ""] if differ else []
+    heads = table_of["column"].astype(str)
+    mixed = together(dataset, sorted({int(head[2:]) for head in heads if head.startswith("n=")}))
+    text += [row for words in (mixed, differ) if words for row in (words, "")]
     for split, name in SPLITS.items():
         for way in paper.MAPS.values():
             chosen = table_of[(table_of["split"] == split) & (table_of["map"] == way)]

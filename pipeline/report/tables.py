@@ -17,6 +17,7 @@ from .made_by import MadeBy, sentence, warning
 from .marks import add_mark, mark_from
 from .plain_markdown import note, plain
 from .sidecar import Column, describe
+from .strings_together import together
 from .stroke_conditions import add_dataset, dataset_from, otherwise
 from .strokes_there import missing_of, rows_of, shown_of, tabled, there_of
 from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
@@ -99,7 +100,8 @@ def write(
     printed = rows(metrics, number, titles, tabled(strokes, paper.STROKES))
     what = of_what(metrics, number, titles, [] if dataset is None else sorted(dataset["run"].unique()))
     apart = otherwise(dataset, tabled(strokes, paper.STROKES))
-    strokes_told = shown_of(strokes, paper.STROKES, material), apart, missing_of(strokes, paper.STROKES)
+    mixed = together(dataset, tabled(strokes, paper.STROKES))
+    strokes_told = shown_of(strokes, paper.STROKES, material), mixed, apart, missing_of(strokes, paper.STROKES)
     which = [words for words in strokes_told if words]
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
     notes = (plain(what), *which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))

@@ -12,6 +12,7 @@ import pytest
 from in_a_browser import clicked, needs_browser
 
 from pipeline.ground import schemas
+from pipeline.ground.glossary import MEANING
 from pipeline.report.drawing import STYLE
 from pipeline.report.fitted import lines_at_end, lines_on_files
 from pipeline.report.leak import GROUPS, figure_leak, floor
@@ -54,6 +55,14 @@ def test_columns_are_all_strokes_phases_and_bands_in_order():
     assert list(columns(made_metrics())) == heads
     later = made_metrics().replace({"stroke": {"1": "8"}})
     assert list(columns(later))[1:3] == ["n=8", "n=9"]
+
+
+def test_the_page_says_what_times_a_floor_is_and_where_strings_are_together():
+    points = pd.DataFrame({"string": ["a", "b", "a"], "stroke": [1, 1, 9], "load_n": 20.0, "motor_turns": 9.0})
+    text = page(numbers(made_metrics(), TITLES, ["mlp"]), "made", points.assign(later=""))
+    assert "`× floor` is a model's error divided by the floor" in " ".join(text.split())
+    assert "Strings together: n=1 holds that stroke of 2 strings, n=9 of 1 (a, b), as every string" in text
+    assert MEANING["× floor"].startswith("a model's error divided by the floor")
 
 
 def test_the_page_begins_with_the_model_to_take_and_who_errs_less():

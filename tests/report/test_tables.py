@@ -230,6 +230,14 @@ def test_every_form_says_of_a_shown_stroke_that_it_was_recorded_otherwise(tmp_pa
     assert "other conditions" not in (tmp_path / "table_1.md").read_text()
 
 
+def test_every_form_says_of_which_rows_strings_are_together(tmp_path):
+    points = pd.concat([made_points(["m-01"] * 5), made_points(["m-02"]).assign(string="t")], ignore_index=True)
+    write(made_metrics(), 1, TITLES, SMALL, tmp_path, dataset=points)
+    words = "Strings together: n=1 holds that stroke of 2 strings, n=5 of 1 (s, t), as every string counts its own."
+    markdown, latex = ((tmp_path / f"table_1.{suffix}").read_text() for suffix in ("md", "tex"))
+    assert words in markdown and words in latex and words in html_table(tmp_path, 1, "")
+
+
 def test_every_form_says_what_its_numbers_are_of(tmp_path):
     metrics = made_metrics()
     metrics = metrics[(metrics["model"] == "inn") | (metrics["seed"] == 0)]
