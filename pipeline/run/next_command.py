@@ -8,8 +8,13 @@ from ..ground.command import INSTALLED, command
 from .folder import read_run
 
 MAIN = "snakemake --cores 2"
-QUICK = f"{MAIN} --configfile pipeline/config/ci.yaml -- "
 PAGES = "{table_1.csv,models.html,figure_5.png}"  # of a material: its tables, its page of models, its figures
+
+
+def quick(material: str) -> str:
+    """A line with the command that makes a material's reports in minutes, as the README has it."""
+    command_line = f"{MAIN} --configfile pipeline/config/ci.yaml -- reports/{material}/{PAGES}"
+    return f"  quick, small fits that are no results: {command_line}"
 
 
 def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> list[str]:
@@ -24,8 +29,8 @@ def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> list
         diagnose = f"{diagnose} --out reports/mine"
     if not INSTALLED and folder.parent.resolve() == Path("raw").resolve():
         string = read_run(folder).string
-        quick = [f"  quick, small fits that are no results: {QUICK}reports/{string.material}/{PAGES}"] if string else []
-        reports = [f"make its reports: {MAIN}", *quick, f"  or ask only what the simulator leaves out: {diagnose}"]
+        small = [quick(string.material)] if string else []
+        reports = [f"make its reports: {MAIN}", *small, f"  or ask only what the simulator leaves out: {diagnose}"]
     else:
         reports = [f"diagnose it{'' if INSTALLED else ', as snakemake reads raw/ alone'}: {diagnose}"]
     if recorded:

@@ -15,7 +15,7 @@ from made_recording import recording
 
 from pipeline.ground.text_file import TextFile
 from pipeline.run.description import Channel, Run, String
-from pipeline.run.next_command import QUICK
+from pipeline.run.next_command import quick
 from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
@@ -51,7 +51,7 @@ def test_the_pages_example_is_imported_and_says_what_comes_next(tmp_path):
     done = program(command, tmp_path)
     diagnose = "python -m pipeline.diagnose raw/nylon-20261121-01 --out reports/mine"
     alone = f"  or ask only what the simulator leaves out: {diagnose}"
-    assert done.stdout.splitlines()[-3:] == [f"Next: make its reports: {following}", QUICK, alone]
+    assert done.stdout.splitlines()[-3:] == [f"Next: make its reports: {following}", quick("nylon"), alone]
     folder = tmp_path / "raw" / "nylon-20261121-01"
     _, samples = read_samples(folder)
     for name in ("time_s", "motor_turns", "displacement_mm"):
