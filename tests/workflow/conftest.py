@@ -31,10 +31,14 @@ class Project:
         """How many jobs of each rule a dry run would start."""
         done = self.snakemake("--dry-run", *words)
         assert done.returncode == 0, done.stdout + done.stderr
-        text = done.stdout + done.stderr
-        if "Nothing to be done" in text:
+        return self.rules_of(done.stdout + done.stderr)
+
+    @staticmethod
+    def rules_of(said: str) -> dict[str, int]:
+        """How many jobs of each rule a main job planned, by the table that it printed before it began."""
+        if "Nothing to be done" in said:
             return {}
-        table = text.split("job ", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
+        table = said.split("\njob ", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
         counts = {line.split()[0]: int(line.split()[1]) for line in table if len(line.split()) == 2}
         return {name: count for name, count in counts.items() if name not in ("total", "all", "tables")}
 
@@ -90,13 +94,14 @@ def fewer_models(project: Project) -> None:
 
 
 @pytest.fixture(scope="session")
-def few_finished(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """A project of two models whose main job has run: one for all processes. Tests leave it finished."""
+def few_finished(finished: tuple[Project, str], tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """The finished project with two models, whose fits are there: one for all processes. Tests leave it finished."""
 
     def make() -> tuple[Path, str]:
-        project = copy_project(tmp_path_factory.mktemp("few"))
-        fewer_models(project)
-        return main_job_of(project)
+        folder = tmp_path_factory.mktemp("few") / "project"
+        shutil.copytree(finished[0].folder, folder, symlinks=True)
+        fewer_models(Project(folder))
+        return main_job_of(Project(folder))
 
     return Project(once.made_once(once.place(tmp_path_factory), "few", make)[0])
 

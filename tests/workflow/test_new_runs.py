@@ -14,9 +14,9 @@ def test_a_new_material_runs_its_own_jobs_only_and_raw_is_never_touched(few):
     project = few
     add_run(project, "nylon-01", "nylon")
     before = digest(project.folder / "raw")
-    assert project.rules_to_run() == {"train": 4, **OF_A_MATERIAL}
     done = project.snakemake()
     assert done.returncode == 0, done.stdout + done.stderr
+    assert project.rules_of(done.stderr) == {"train": 4, **OF_A_MATERIAL}
     assert digest(project.folder / "raw") == before
     assert "== nylon" in done.stdout and "n=1" in project.read("reports/nylon/table_1.md")
     materials = {line.split(",")[0] for line in project.read("reports/metrics.csv").splitlines()[1:]}
