@@ -49,9 +49,14 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
     assert formula == f"    Its formula: {mechanisms()['jam'].equation}"
 
 
+def candidates(mechanism, problem) -> list[dict[str, float]]:
+    """What a mechanism tries on a string, and on a drive that twists nothing."""
+    return [*mechanism.candidates(problem.drivers), *mechanism.candidates(replace(problem.drivers, levered=False))]
+
+
 def test_every_number_in_a_formula_has_its_meaning(problem) -> None:
     words = Vocabulary.of(problem.system)
-    keys = {key for one in mechanisms().values() for shape in one.candidates(problem.drivers) for key in shape}
+    keys = {key for one in mechanisms().values() for shape in candidates(one, problem) for key in shape}
     for key in keys | {key for one in mechanisms().values() for key in one.units}:
         assert CHOSEN not in shape_number(key, key, words) and "{" not in shape_number(key, key, words), key
     assert CHOSEN in shape_number("of_your_own", "of_your_own", words)
@@ -75,7 +80,7 @@ def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -
 @pytest.mark.parametrize("id_", [id_ for id_, one in mechanisms().items() if one.names])
 def test_every_word_that_is_explained_stands_in_a_name_of_its_mechanism(problem, id_: str) -> None:
     one, drivers = mechanisms()[id_], problem.drivers
-    options = [nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}) for nonlinear in one.candidates(drivers)]
+    options = [nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}) for nonlinear in candidates(one, problem)]
     named = [f"_{term.name}_" for nonlinear in options for term in one.terms(drivers, nonlinear)]
     for word in one.names:
         there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))

@@ -14,7 +14,10 @@ ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive'
 WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
 SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
 SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
-TOTALS = {"mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n", "slack_mm": "half_loop_slack_mm"}
+TOTALS = {
+    "mm": "half_loop_mm", "load_mm_per_10_n": "half_loop_mm_per_10_n", "slack_mm": "half_loop_slack_mm",
+    "near_mm": "half_loop_near_mm", "middle_mm": "half_loop_middle_mm", "far_mm": "half_loop_far_mm",
+}  # fmt: skip
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -26,9 +29,10 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     fastest = float(np.percentile(np.abs(drivers.rate), 99))
     loaded = float(drivers.loaded)
     if not drivers.levered:
-        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": loaded} for share in DRY]
+        travel = _travel(drivers)
+        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": loaded, **travel} for share in DRY]
         pairs = [(float(f"{a * drivers.span:.6g}"), float(f"{b * drivers.span:.6g}")) for a, b in ROUNDINGS]
-        return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded} for a, b in pairs), *dry]
+        return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded, **travel} for a, b in pairs), *dry]
     stretch = [
         {
             "span_turns": float(f"{drivers.span:.6g}"),
@@ -42,6 +46,14 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
         for nonlinear in grid("play_turns", 1e-3 * drivers.span, 0.1 * drivers.span, 14)
     ]
     return [*stretch, *plays]
+
+
+def _travel(drivers: Drivers) -> Nonlinear:
+    """Where the motion begins and how far it goes, where a loop may be wider at one place than at another."""
+    if drivers.velocity is not None:
+        return {}
+    begin = float(np.percentile(drivers.motion, 0.1))
+    return {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
@@ -65,7 +77,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     for name, side in sides.items():
         all_terms += [
             Term(f"{name}_{key}", "resistance", side * size, "mm/10N" if "10_n" in key else "mm", total=TOTALS.get(key))
-            for key, size in envelopes(drivers, bool(nonlinear["loaded"])).items()
+            for key, size in {**envelopes(drivers, bool(nonlinear["loaded"])), **along(drivers, nonlinear)}.items()
         ]
     if "fastest_turns_per_s" in nonlinear:
         for share in SLOW:
@@ -96,13 +108,27 @@ def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
     return envelope_by_unit
 
 
+def along(drivers: Drivers, nonlinear: Nonlinear) -> dict[str, Array]:
+    """How much higher a loop may be at the beginning, in the middle and at the end of the travel, by name.
+
+    Cables wrap further around what guides them at one place than at another. Each of shape (samples,), a factor
+    without a unit: Bernstein polynomials of the share of the travel, so that the loop is nowhere less than nothing.
+    """
+    if "from_turns" not in nonlinear:
+        return {}
+    share = np.clip((drivers.motion - nonlinear["from_turns"]) / nonlinear["span_turns"], 0.0, 1.0)
+    return {
+        "near_mm": np.square(1.0 - share), "middle_mm": 2.0 * share * (1.0 - share), "far_mm": np.square(share)
+    }  # fmt: skip
+
+
 MECHANISM = Mechanism(
     id="friction_hysteresis",
     driver="direction x load",
     equation="dx = -(F/K) g(a) s, s: stop operators of the twist (Prandtl-Ishlinskii)",
     source=(
         "Visintin, Differential Models of Hysteresis, 1994 (Prandtl-Ishlinskii); Armstrong-Helouvry, Dupont and "
-        "Canudas de Wit, Automatica 30, 1994"
+        "Canudas de Wit, Automatica 30, 1994 (along the travel too)"
     ),
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
@@ -112,6 +138,9 @@ MECHANISM = Mechanism(
         "half the loop is {half_loop_mm}",
         "half the loop grows by {half_loop_mm_per_10_n}",
         "half the loop is larger by {half_loop_slack_mm} where nothing loads it",
+        "half the loop is larger by {half_loop_near_mm} where the motion begins",
+        "half the loop is larger by {half_loop_far_mm} where the motion ends",
+        "half the loop is larger by half of {half_loop_middle_mm} in the middle of the motion",
         "half the play is {play_turns} under the middle one of the recorded loads",
     ),
     names={
@@ -121,6 +150,9 @@ MECHANISM = Mechanism(
         "load_twist": "load x tan(helix angle)",
         "dry_*_twist": "load x tan(helix angle) x direction, closed below that share of the highest speed",
         "load_steep": "load x tan(helix angle)^3",
+        "near": "(1 - share of the travel)^2",
+        "middle": "2 x share of the travel x (1 - share of the travel)",
+        "far": "(share of the travel)^2",
         "root_load_twist": "the root of the load, x tan(helix angle)",
     },
     candidates=candidates,

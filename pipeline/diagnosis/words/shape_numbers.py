@@ -19,6 +19,7 @@ MEANS = {
     "frequency_hz": "how fast it swings, under 10 N",
     "fresh": "1 means: the {string} was first loaded at the first sample, and 0: it had been loaded for long before",
     "from_load": "the load, in 10 N, at which it does nothing",
+    "from_turns": "where the travel begins",
     "half_turns": "half the width of the narrow stop that rounds the loop",
     "half_waves": "by how many half waves over the recording it may wander",
     "half_width_turns": "the widest part of the play; half the play is a share of it, which the verdict gives in turns",
