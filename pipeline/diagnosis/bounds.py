@@ -3,7 +3,7 @@
 import re
 
 BOUND = 2.95  # sigma, from which a dimension stands where calibration had to stop
-HOME_REACH = 20.0  # sigma that the motor's zero of a later run may move: in a break a person may change it at will
+HOME_REACH = 20.0  # tolerances that the motor's zero of a later run may move: in a break a person may change it
 
 
 def at_bound(moved_sigma: dict[str, float]) -> dict[str, str]:

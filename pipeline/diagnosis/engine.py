@@ -7,12 +7,10 @@ import numpy as np
 
 from ..ground.counts import counted
 from ..ground.errors import BadInput
-from ..run.description import Run
-from ..systems import Parameter, System
+from ..systems import System
 from ..systems.interface import PORTS
-from . import calibrate, candidates, chance, discrepancy, generic
+from . import calibrate, candidates, chance, discrepancy, generic, homes
 from .adopt import acts_from
-from .bounds import HOME_REACH
 from .drivers import Drivers, drivers_of
 from .judge import Judge, judge
 from .judged import NOTHING, judged
@@ -59,7 +57,7 @@ def make_problem(
             where, "recording", f"holds {counted(len(record), 'sample')}, of which {LEAST_SAMPLES} are needed", mend
         )
     drivers = drivers_of(system, record, runs[0])
-    homes = homes_of(system, runs)
+    zeros = homes.of_runs(system, runs)
     nowhere = unplaced(system, drivers)
     for number, entry in enumerate(runs[0].simulation):
         if entry.get("id") in nowhere:
@@ -67,21 +65,9 @@ def make_problem(
             raise BadInput(where / "run.yaml", f"simulation[{number}].id", problem, "remove it")
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
     return Problem(
-        system, record, drivers, (*system.parameters(runs[0]), *homes), record.measured, len(record), included,
-        len(homes), without | nowhere, by or judge(),
+        system, record, drivers, (*system.parameters(runs[0]), *zeros), record.measured, len(record), included,
+        len(zeros), without | nowhere, by or judge(), homes.one_string(runs),
     )  # fmt: skip
-
-
-def homes_of(system: System, runs: list[Run]) -> list[Parameter]:
-    """Where the motor's zero lies in each run after the first: in a break a person may home it or hang the string anew.
-
-    So it may go further than a dimension may, and a step of the twist between two runs is no slip.
-    """
-    if system.homed is None:
-        return []
-    first = next(parameter for parameter in system.parameters(runs[0]) if parameter.name == system.homed)
-    home = replace(first, nominal=0.0, reach=HOME_REACH)
-    return [replace(home, name=f"{first.name}_{number}") for number in range(2, len(runs) + 1)]
 
 
 def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
@@ -121,7 +107,15 @@ def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, t
 
 
 def study(problem: Problem, say: Progress = lambda _: None) -> Study:
-    """The whole procedure on the rows that the problem lets it see."""
+    """The whole procedure on the rows that the problem lets it see; twice where a break between runs may mislead it."""
+    if not (problem.homed and problem.stays):
+        return studied_once(problem, say)
+    held = studied_once(homes.held(problem), say)
+    return studied_once(problem, say) if homes.moved(problem, held) else held
+
+
+def studied_once(problem: Problem, say: Progress) -> Study:
+    """The whole procedure, with the motor's zeros of later runs as free as the problem has them."""
     say("calibrating")
     nominal = problem.nominal()
     base = calibrate.base(problem)
@@ -172,7 +166,7 @@ def _refitted(studied: Study, fine: Problem) -> Study:
     acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
     if not acts or len(fine.record) == len(studied.problem.record):
         return studied
-    fine, _ = calibrate.without_outliers(fine, studied.best)
+    fine, _ = calibrate.without_outliers(replace(fine, parameters=studied.problem.parameters), studied.best)
     noise = noise_of(fine, studied.best)
     best = calibrate.calibrate(fine, noise, studied.best, acts)
     best = replace(best, acts=(*best.acts, *(act for act in studied.best.acts if act.id in studied.random)))

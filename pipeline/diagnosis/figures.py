@@ -11,7 +11,7 @@ from ..ground.figure_file import write_page
 from ..ground.kinematics import Array
 from . import driver_panels, panels
 from .content import Simulated, Verdict
-from .mismatch_map import map_of, mismatch_map
+from .mismatch_map import map_of, map_signs, mismatch_map
 from .outcome import Study
 from .panels import AFTER, SHADES
 from .simulation import at_its_best_zero
@@ -28,12 +28,7 @@ from .words.vocabulary import Vocabulary
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
 MOST, WIDEST = 6, 130  # panels of drivers, and letters in a line of the mark
-STYLES = {
-    "nominal": {"color": "0.7", "lw": 0.8},
-    "calibrated": {"color": "#2166ac", "lw": 0.8, "ls": ":"},
-    "as diagnosed": {"color": AFTER, "lw": 0.8},
-    "as adopted": {"color": AFTER, "lw": 0.8},
-}  # of the simulators over time
+THIN = {"lw": 0.8}  # of the simulators over time, whose colours are the same in every panel
 WIDE = 100  # characters of a line of the title
 
 
@@ -113,8 +108,8 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
     if warned:
         top.suptitle(warned, fontsize=8.5, color=AFTER)
-    lines = {"recording": (problem.measured, {"color": "k", "lw": 2.4})}
-    lines |= {name: (values, STYLES[name]) for name, values in simulations.items()}
+    lines = {"recording": (problem.measured, {"color": "0.1", "lw": 2.4})}
+    lines |= {name: (values, {"color": SHADES[name], **THIN}) for name, values in simulations.items()}
     panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
     left = {name: (values, {"color": SHADES[name], "lw": 0.6}) for name, values in residuals.items()}
     panels.over_time(under, drivers, left, f"residual ({unit})")
@@ -123,6 +118,8 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
         limit = max(float(np.nanpercentile(np.abs(map_of(drivers, residual)[0]), 98)), 2.0 * floor)
         image = mismatch_map(axes, drivers, residual, f"recording − simulation, {name} (own scale)", limit)
         maps.colorbar(image, ax=axes, label=unit, pad=0.01)
+    signs = map_signs(drivers, simulations["calibrated"])
+    maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     compared, single = noises(content, vocabulary)
     panels.ranking(ranked, content, ending, compared)

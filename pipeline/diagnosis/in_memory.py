@@ -14,6 +14,7 @@ from .adopted_effects import adopted_effects
 from .content import Adoption, Verdict
 from .covered import pauses, reversals
 from .judge import Judge
+from .noise import resolution
 from .not_kept import not_kept
 from .outcome import Study, rms
 from .recorded_run import RecordedRun
@@ -61,6 +62,8 @@ def diagnosed(
     if lonely := spikes_found(recorded):
         content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]
+    if step := steps_of(recorded):
+        content["evidence"][f"resolution_{ending}"] = verdict.tidy(step)
     if adopted := optional("what was adopted", name, lambda: adopted_effects(study, runs[0], ending)):
         content["evidence"]["adopted_effects"] = verdict.tidy(adopted)
     if others := optional("why others are not kept", name, lambda: not_kept(study, ending)):
@@ -95,6 +98,11 @@ def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:
         predicted = at_its_best_zero(problem, adopted, Path("run.yaml"), runs[0].run)
         known[f"adopted_{channel.rpartition('_')[2]}"] = rms(problem.measured - predicted)
     return known
+
+
+def steps_of(recorded: list[RecordedRun]) -> float:
+    """The steps that the sensor reads in, the coarsest of the runs, in the channel's unit; 0 where none is seen."""
+    return max(resolution(each.samples[each.run.system.channel].to_numpy()) for each in recorded)
 
 
 def of_one_rig(recorded: list[RecordedRun]) -> None:

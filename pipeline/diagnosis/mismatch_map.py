@@ -3,7 +3,10 @@
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
@@ -11,6 +14,10 @@ from ..ground.kinematics import Array
 from .drivers import Drivers
 from .panels import BINS, MOTION, ways
 from .working_samples import PHASES
+
+EMPTY = "0.8"  # the grey of a cell without samples: white is a residual of 0
+TURN: dict[str, Any] = {"color": "k", "lw": 0.8}
+BREAK: dict[str, Any] = {"color": "k", "lw": 0.8, "ls": "--"}
 
 
 def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], Array]:
@@ -31,6 +38,25 @@ def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], 
     return np.where(count > 0, total / np.maximum(count, 1.0), np.nan), strokes, edges
 
 
+def begins_of_runs(drivers: Drivers) -> list[int]:
+    """The first stroke of each run after the first, as a number."""
+    begins = [place for place in np.flatnonzero(drivers.first == 0) if place]
+    later = (drivers.stroke[place:] for place in begins)
+    return [int(strokes[strokes > drivers.stroke[place - 1]][0]) for place, strokes in zip(begins, later, strict=True)
+            if (strokes > drivers.stroke[place - 1]).any()]  # fmt: skip
+
+
+def map_signs(drivers: Drivers, residual: Array) -> list[Artist]:
+    """What the lines and the empty cells of a map mean, for a legend; `residual` of shape (samples,), in any unit."""
+    _, down = ways(drivers)
+    signs: list[Artist] = [Line2D([], [], **TURN, label=f"the turn: right of it {down}")]
+    if begins_of_runs(drivers):
+        signs.append(Line2D([], [], **BREAK, label="between two runs"))
+    if np.isnan(map_of(drivers, residual)[0]).any():
+        signs.append(Patch(color=EMPTY, label="nothing recorded"))
+    return signs
+
+
 def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float) -> Any:
     """The map of a residual; returns the image, for its colour bar.
 
@@ -39,7 +65,10 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     mean, strokes, edges = map_of(drivers, residual)
     image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
                         extent=(0, 2 * BINS, strokes[-1] + 0.5, strokes[0] - 0.5))  # fmt: skip
-    axes.axvline(BINS, color="k", lw=0.6)
+    axes.set_facecolor(EMPTY)  # of the cells in which nothing was recorded
+    axes.axvline(BINS, **TURN)
+    for first in begins_of_runs(drivers):
+        axes.axhline(first - 0.5, **BREAK)
     up, down = ways(drivers)
     low, high = (f"{edge:.3g}" if abs(edge) > 1e-3 * np.ptp(edges) else "0" for edge in (edges[0], edges[-1]))
     axes.set_xticks(

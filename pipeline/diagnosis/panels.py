@@ -17,12 +17,12 @@ from .words import rivals
 from .words.holdout import included
 from .words.quantity import percent, size, times
 
-BEFORE, AFTER, TIED, OTHER, MORE = "0.35", "#b2182b", "#ef8a62", "0.65", "0.85"
-COLOUR = {BEFORE: "dark grey", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
+BEFORE, AFTER, TIED, OTHER, MORE = "#2166ac", "#b2182b", "#ef8a62", "0.65", "0.85"
+COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
 SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
-TITLE_WIDE, NAME_WIDE = 34, 22  # characters
+TITLE_WIDE = 34  # characters
 NAMED = "as diagnosed"
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
@@ -137,10 +137,10 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    called = [
-        fill(f"as named without them: {without}", NAME_WIDE) if each == NAMED and without else each for each in names
-    ]
-    axes.set(xticks=places, xticklabels=called, xlim=(-0.6, len(names) - 0.4))
+    other = {NAMED: "as named\nwithout them"} if without else {}
+    if without:
+        axes.set_xlabel(fill(f"named without them: {without}", TITLE_WIDE), fontsize=8)
+    axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
     axes.tick_params(axis="x", labelsize=8)

@@ -52,6 +52,7 @@ class Problem:
     homed: int = 0  # of the parameters, the last: what shifts the motion of each run after the first
     without: frozenset[str] = frozenset()  # ids that no explanation may name
     judge: Judge = field(default_factory=judge)  # who says how likely each explanation is
+    stays: bool = False  # whether all runs name one string
     _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
     def until(self, rows: int) -> "Problem":

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from pipeline.diagnosis import driver_panels, figures, panels
+from pipeline.diagnosis import driver_panels, figures, mismatch_map, panels
 from pipeline.diagnosis.adopt import adoptions
 from pipeline.diagnosis.bounds import BOUND
 from pipeline.diagnosis.engine import make_problem, study
@@ -54,6 +54,40 @@ def test_the_figure_wears_the_mark_of_what_recorded_it_and_its_numbers_do_not_cr
     for axes in figure.subfigs[-1].axes:
         low, high = axes.get_xlim()
         assert sum(low <= place <= high for place in axes.get_xticks()) <= 6
+
+
+def test_a_simulator_has_one_colour_in_every_panel_and_the_signs_of_the_maps_are_explained(drawn) -> None:
+    figure, _ = drawn
+    top, maps, _, bottom = figure.subfigs
+    lines = [line for part in (top, bottom) for axes in part.axes for line in axes.get_lines()]
+    for name in ("calibrated", "as diagnosed"):
+        named = {(line.get_color(), line.get_linestyle()) for line in lines if line.get_label() == name}
+        assert {colour for colour, _ in named} == {panels.SHADES[name]} and {style for _, style in named} <= {
+            "-",
+            "None",
+        }
+    (legend,) = maps.legends
+    signs = [text.get_text() for text in legend.get_texts()]
+    assert signs[0] == "the turn: right of it unwinding" and "between two runs" not in signs
+    assert legend.get_window_extent().y1 <= min(axes.get_window_extent().y0 for axes in maps.axes)
+
+
+def test_a_cell_of_a_map_without_samples_is_not_white_and_runs_are_parted(studied) -> None:
+    problem = studied("creep")[0].problem
+    seen = problem.drivers
+    half = len(seen.first) // 2
+    begin = int(np.flatnonzero(np.diff(seen.stroke[half:]))[0]) + half + 1
+    runs = replace(
+        seen, first=np.where(np.arange(len(seen.first)) < begin, seen.first, np.arange(len(seen.first)) - begin)
+    )
+    low = replace(runs, motion=np.where(seen.stroke == seen.stroke.max(), 0.5 * seen.motion, seen.motion))
+    first = int(seen.stroke[begin])
+    assert mismatch_map.begins_of_runs(seen) == [] and mismatch_map.begins_of_runs(low) == [first]
+    labels = [sign.get_label() for sign in mismatch_map.map_signs(low, problem.measured)]
+    assert labels == ["the turn: right of it unwinding", "between two runs", "nothing recorded"]
+    _, axes = plt.subplots()
+    mismatch_map.mismatch_map(axes, low, problem.measured, "map", 1.0)
+    assert axes.get_facecolor()[:3] == (0.8, 0.8, 0.8) and axes.get_lines()[1].get_ydata() == [first - 0.5] * 2
 
 
 @pytest.mark.long
@@ -114,7 +148,8 @@ def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_th
     _, axes = plt.subplots()
     held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
     panels.held_out(axes, held, 0.02, "mm", "mm", without="creep + wear")
-    assert axes.get_xticklabels()[2].get_text() == "as named without them:\ncreep + wear"
+    assert axes.get_xticklabels()[2].get_text() == "as named\nwithout them"
+    assert axes.get_xlabel() == "named without them: creep + wear"
 
 
 def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:

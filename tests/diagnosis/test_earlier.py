@@ -47,3 +47,25 @@ def test_a_verdict_on_other_runs_or_one_that_cannot_be_read_is_not_spoken_of(tmp
     both = written(Path("reports/mine/both"), ["nylon-3", "nylon-4"])
     assert "Before, the verdict on nylon-4 alone (reports/mine/nylon-4) was parameters." in both
     assert "Before, the verdict" not in written(Path("reports/mine/nylon-3"), "nylon-3"), "one run is not more"
+
+
+def test_what_the_verdict_on_more_runs_does_not_keep_is_said(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    radius = {"nominal": 0.55, "value": 0.531, "low": 0.529, "high": 0.533}
+    written(Path("reports/mine/nylon-3"), "nylon-3", parameters={"radius_mm": radius})
+    folder, runs = Path("reports/mine/both"), ["nylon-3", "nylon-4"]
+    kept = written(folder, runs, parameters={"radius_mm": radius})
+    assert "replaces it. What acts" in kept or "replaces it. Calibration" in kept, "nothing is lost"
+    now = spoken(confident(0.93, 0.46), SYSTEMS["mm"])
+    alone = [entry for entry in now["mechanisms"] if entry["id"] == "creep"]
+    moved = {"nominal": 0.55, "value": 0.561, "low": 0.56, "high": 0.563}
+    evidence = now["evidence"] | {"tolerance": {"radius_mm": 0.0165}}
+    changed = {"mechanisms": alone, "alternatives": [], "evidence": evidence, "verdict": "explained"}
+    text = written(folder, runs, **changed, parameters={"radius_mm": moved})
+    said = "replaces it. This one does not name friction_hysteresis and has a radius of 0.561 mm, not 0.531 mm."
+    assert said in text, text[:900]
+    changed["alternatives"] = [["friction_hysteresis", "thermal"]]
+    text = written(folder, runs, **changed | {"verdict": "ambiguous"}, parameters={"radius_mm": radius})
+    assert "This one has friction_hysteresis only in another likely explanation." in text
+    nearly = {**moved, "value": 0.535, "low": 0.5345, "high": 0.5355}
+    assert "not 0.53" not in written(folder, runs, **changed, parameters={"radius_mm": nearly})

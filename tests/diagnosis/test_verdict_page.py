@@ -880,3 +880,17 @@ def test_what_is_to_be_measured_again_below_stands_below():
         text = " ".join(page(made).split())
         assert ("measured again (below)" in text) == below == ("measure to" in text), text
         assert "measured again, this verdict is provisional" in text or below
+
+
+@pytest.mark.parametrize(("noise", "step", "sure"), [(0.004, 0.01, False), (0.02, 0.01, True), (0.004, 0.0, True)])
+def test_an_effect_that_is_far_smaller_than_the_steps_of_the_sensor_is_not_called_sure(noise, step, sure):
+    made = confident(0.97, 0.96, **ALONE, evidence__moved_sigma=NEAR)
+    entry = next(entry for entry in made["mechanisms"] if entry["id"] == "creep")
+    entry["rms_mm"] = {"value": 0.0012, "low": 0.001, "high": 0.0014}
+    made["fit"] |= {"noise_floor_mm": noise, "heldout": None}
+    made["evidence"] |= {"resolution_mm": step} if step else {}
+    text, why = " ".join(page(made).split()), "0.0012 mm is too small for a sensor that reads in steps of 0.010 mm"
+    assert ("creep sure, 96 %" in text) == sure == (why not in text), text
+    assert "friction_hysteresis sure, 97 %" in text, "0.08 mm is no part of a step"
+    assert sure or f"In a paper call creep probable, not sure: from 80 % on the word is sure, but {why}." in text
+    assert sure or f"Probable while {why}: creep" in details(made)

@@ -4,6 +4,7 @@ from ..bounds import HOME_REACH, of_later_run
 from ..content import Verdict
 from .dimensions import LEAVES
 from .quantity import listing, number
+from .tolerances import stem
 
 MAY = 0.98  # of that reach, from which more may have changed
 WHY = (
@@ -15,12 +16,14 @@ MORE = "This is as far as the zero may go: another string, or another rig, is mo
 
 def changed(content: Verdict) -> list[str]:
     """That the motor's zero is another in a later run, by more than it was known; nothing where it is not."""
-    runs, sigmas = content["run"], content["evidence"].get("moved_sigma", {})
-    far = {name: sigma for name, sigma in sigmas.items() if of_later_run(name) and abs(sigma) > LEAVES}
+    runs, known = content["run"], content["evidence"].get("tolerance", {})
+    own = {name: abs(entry["value"]) for name, entry in content["parameters"].items() if of_later_run(name)}
+    moved = {name: turns / known[stem(name)] for name, turns in own.items() if known.get(stem(name))}
+    far = {name: sigma for name, sigma in moved.items() if sigma > LEAVES}
     if not far or isinstance(runs, str):
         return []
     each = [f"in {runs[int(name.rpartition('_')[2]) - 1]} by {_turns(content, name)}" for name in far]
-    ends = [WHY, *([MORE] if max(map(abs, far.values())) >= MAY * HOME_REACH else [])]
+    ends = [WHY, *([MORE] if max(far.values()) >= MAY * HOME_REACH else [])]
     return [f"Between the runs the twist changed, {listing(each)}. {'. '.join(ends)}."]
 
 

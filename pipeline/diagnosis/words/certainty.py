@@ -4,7 +4,7 @@ from ..bounds import at_bound
 from ..content import Verdict, mismatch_of
 from ..library import mechanisms
 from ..time_constants import time_constants_s
-from . import in_vain, probability, rivals
+from . import coarse, in_vain, probability, rivals
 from .dimensions import far_moved, name_of
 from .missing_signs import missing
 from .quantity import duration, listing, percent, size
@@ -37,7 +37,7 @@ def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
     """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `while`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
     not_recorded = f"no other {listing(list(lacks), 'and no other')} was recorded" if lacks else ""
-    return at_limit(content) or in_vain.doubt(content, words) or not_recorded
+    return at_limit(content) or coarse.too_small(content, words, id_) or in_vain.doubt(content, words) or not_recorded
 
 
 def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
