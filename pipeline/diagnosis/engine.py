@@ -158,6 +158,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
 
 def polished(studied: Study, fine: Problem) -> Study:
     """The study with its simulator refitted to what `to_polish` gives, and trusted as far as it may be."""
+    fine = replace(fine, parameters=studied.problem.parameters)  # a zero of the motor that the study held stays
     return tempered(_refitted(studied, fine), fine)
 
 
@@ -166,7 +167,7 @@ def _refitted(studied: Study, fine: Problem) -> Study:
     acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
     if not acts or len(fine.record) == len(studied.problem.record):
         return studied
-    fine, _ = calibrate.without_outliers(replace(fine, parameters=studied.problem.parameters), studied.best)
+    fine, _ = calibrate.without_outliers(fine, studied.best)
     noise = noise_of(fine, studied.best)
     best = calibrate.calibrate(fine, noise, studied.best, acts)
     best = replace(best, acts=(*best.acts, *(act for act in studied.best.acts if act.id in studied.random)))

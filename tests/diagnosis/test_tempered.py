@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnosis import calibrate, intervals, tempered
+from pipeline.diagnosis import calibrate, engine, intervals, tempered
 from pipeline.diagnosis.judged import NOTHING
 from pipeline.diagnosis.noise import white
 from pipeline.diagnosis.outcome import Study, rms
@@ -92,3 +92,12 @@ def test_an_explanation_stays_at_work_and_dimensions_give_way_to_nothing_else(st
     assert after.base is study.base and after.best is after.state
     both = [rms(study.problem.measured - study.problem.simulate(each.state)) for each in (study, after)]
     assert both[1] == pytest.approx(both[0], rel=0.02)
+
+
+def test_what_the_study_held_is_held_in_the_last_fit_too(one_load):
+    free = recorded(one_load[0], structure_mm=0.1)
+    first, *others = free.parameters
+    study = unknown(replace(free, parameters=(replace(first, sigma=0.0), *others)))
+    after = engine.polished(study, free)
+    assert after is not study and after.state.values[0] == first.nominal
+    assert tempered.tempered(study, free).state.values[0] != first.nominal, "which it would not be otherwise"
