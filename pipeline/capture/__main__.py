@@ -1,6 +1,8 @@
 """Record a rig: PORT → RUN_DIR/recording.frames, then capture.json. Ctrl-C ends it in good order: what came is used."""
 
+import io
 import math
+from contextlib import redirect_stderr
 from pathlib import Path
 
 from ..ground.command import command
@@ -27,7 +29,7 @@ GAPS_TOLD = 5
 def tell(info: CaptureJson, folder: Path) -> None:
     """Say what was recorded, and what is missing for the run to be used."""
     if "lines" in info:
-        tell_lines(info, folder)
+        tell_lines(info, folder, usable=not unusable_columns(folder))
     else:
         tell_frames(info, folder)
     ended = f"ended by {info['ended_by']}" if info["ended_by"] else None
@@ -48,13 +50,22 @@ def tell(info: CaptureJson, folder: Path) -> None:
         tell_of_its_string(folder, info)
 
 
-def check_channels(run: Run, folder: Path) -> None:
+def unusable_columns(folder: Path) -> bool:
+    """Whether the run is described, and its columns as they are called are not those of its channels."""
+    try:
+        check_channels(read_run(folder), folder, again=True)
+    except BadInput as error:
+        return error.file == str(folder / CSV)
+    return False
+
+
+def check_channels(run: Run, folder: Path, again: bool = False) -> None:
     """Raise BadInput where the columns of printed lines, as they are named, are not those of the run's channels."""
     import pandas as pd  # for which no rig should wait
 
     from ..run.channels import Channels
 
-    channels, first = Channels(run, folder / CSV, folder / "run.yaml"), pd.read_csv(folder / CSV, nrows=1)
+    channels, first = Channels(run, folder / CSV, folder / "run.yaml", again), pd.read_csv(folder / CSV, nrows=1)
     try:
         channels.look(first)
         channels.samples(first)
@@ -71,11 +82,29 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     beside = Beside()
     for sentence in advice_on(folder, beside):
         print(f"{folder}: {sentence}")
-    if info["exit_status"] != "fault" and info["samples"]["received"]:
-        hello = info.get("hello")
-        whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
-        anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
-        print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
+    if not info["samples"]["received"]:
+        return
+    if info["exit_status"] == "fault" and not tell_of_use(folder):
+        return
+    hello = info.get("hello")
+    whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
+    anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
+    print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
+
+
+def tell_of_use(folder: Path) -> bool:
+    """Say of a run that a fault ended whether its samples can be used, and why not; whether they can."""
+    from ..run.samples import read_strokes  # it needs pandas, for which no rig should wait
+
+    try:
+        with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
+            _, samples, strokes = read_strokes(folder)
+    except BadInput as error:
+        print(f"{error} Until then nothing can use this run.")
+        return False
+    kept = f"{counted(len(samples), 'sample')} in {counted(len(strokes), 'stroke')}"
+    print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
+    return True
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

@@ -11,6 +11,7 @@ from ..run.description import Run
 from ..run.folder import read_run
 from ..run.named_units import TIMES, in_its_unit
 from .fields import TIME
+from .likely_names import likely
 from .unnamed import LIKELY
 
 USUAL: tuple[str, ...] = ("time_s", *LIKELY)  # of a run that nobody described yet
@@ -39,6 +40,12 @@ def mend_of(mend: str, columns: Sequence[str], run: Run, folder: Path) -> str:
     meant = corrected(columns, run.system.columns, [channel.column for channel in run.channels.values()])
     again = f"{recover_command(folder)} --columns"
     if meant == tuple(columns):
+        own = [(channel.column, name) for name, channel in run.channels.items()]
+        given: dict[object, str] = {column: name for column, name in own if column is not None}
+        names = likely(columns, run.system.columns, given)
+        if names and names != ",".join(columns):
+            first = "call the columns as the channels that they likely are, in the order in which they are printed"
+            return f"{first}: {again} {names}; or {mend}"
         return f"{mend}; or, with the names in the order in which they are printed: {again} ..."
     return f"did you mean {','.join(meant)}? Then: {again} {','.join(meant)}; or {mend}"
 

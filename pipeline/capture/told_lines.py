@@ -39,8 +39,11 @@ def _names(info: CaptureJson) -> str:
     return f"--columns {','.join(columns)}" if known else named(len(columns))
 
 
-def tell_lines(info: CaptureJson, folder: Path) -> None:
-    """Say what was recorded, what was no line of numbers and where samples seem to be missing."""
+def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
+    """Say what was recorded, what was no line of numbers and where samples seem to be missing.
+
+    Where the columns are not `usable` as they are called, no command calls them so: the one that mends it follows.
+    """
     lines = info["lines"]
     text = f", {counted(lines['text'], 'line')} of text passed over" if lines["text"] else ""
     samples, bad = counted(info["samples"]["received"], "sample"), counted(lines["bad"], "bad line")
@@ -48,9 +51,9 @@ def tell_lines(info: CaptureJson, folder: Path) -> None:
     if lines["unnamed"]:
         again = f"{recover_command(folder)} --columns {','.join(info['columns'])} reads them too"
         came = f"{counted(lines['unnamed'], 'line')} of numbers came before anything named their columns"
-        print(f"{folder}: {came}; {again}")
+        print(f"{folder}: {came}; {again if usable else 'the command below reads them too'}")
     rename = f"if not, put their names in the order in which they are printed: {recover_command(folder)} {_names(info)}"
-    print(f"{folder}: the columns are {', '.join(info['columns'])}; {rename}")
+    print(f"{folder}: the columns are {', '.join(info['columns'])}{f'; {rename}' if usable else ''}")
     if lines["swapped_headers"]:
         again = f"named the columns in another order {counted(lines['swapped_headers'], 'time')}"
         print(f"{folder}: the rig {again}; the fields are put back into the first one's")

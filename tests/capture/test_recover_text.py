@@ -12,8 +12,9 @@ import yaml
 from made_recording import content
 
 from pipeline.capture.holes import MOST
+from pipeline.capture.likely_names import likely
 from pipeline.capture.lines_to_csv import recover_lines
-from pipeline.capture.near_names import doubt
+from pipeline.capture.near_names import USUAL, doubt
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 
@@ -59,15 +60,71 @@ def test_names_that_no_channel_has_are_said_with_the_command_that_mends_them(fol
     done = recover(folder, "--columns", "t_ms,turns,mm")
     words = "there are no columns 'motor_turns' and 'displacement_mm', only t_ms, turns, mm"
     assert done.returncode == 0 and words in done.stdout and "Until then nothing can use this run." in done.stdout
-    assert f"--recover {folder} --columns ..." in done.stdout and "Next:" not in done.stdout
+    right = "t_ms,motor_turns,displacement_mm"
+    assert f"printed: python -m pipeline.capture --recover {folder} --columns {right}; or name the" in done.stdout
+    assert done.stdout.count("--recover") == 1 and "Next:" not in done.stdout, "the one command that works"
     done = recover(folder, "--columns", "time_ms,motor_turn,displacement_mm")
     assert "there is no column 'motor_turns', only time_ms, motor_turn, displacement_mm" in done.stdout
-    right = "time_ms,motor_turns,displacement_mm"
+    right = f"time{right[1:]}"
     assert f"did you mean {right}? Then: python -m pipeline.capture --recover {folder} --columns {right}; or name" in (
         done.stdout
     )
     done = recover(folder, "--columns", "time_ms,motor_turns,displacement_mm")
     assert done.returncode == 0 and "nothing can use" not in done.stdout and "Next:" in done.stdout
+
+
+def test_lines_before_a_header_of_other_names_get_one_command_that_reads_all(folder):
+    """Two commands were printed, and the first one left the run unusable, with exit status 1."""
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    head, *lines = wound().splitlines(keepends=True)
+    (folder / "recording.lines").write_text("".join([*lines[:100], "time_ms,turns,mm\n", *lines[100:]]))
+    done = recover(folder)
+    assert (
+        "99 lines of numbers came before anything named their columns; the command below reads them too" in done.stdout
+    )
+    commands = re.findall(r"pipeline\.capture (--recover \S+ --columns [\w,]+)", done.stdout)
+    assert commands == [f"--recover {folder} --columns {head.strip()}"], done.stdout
+    done = ready.run("pipeline.capture", *commands[0].split())
+    assert done.returncode == 0 and "799 samples" in done.stdout and "Next:" in done.stdout, done.stdout
+
+
+@pytest.mark.parametrize(
+    ("printed", "names"),
+    [
+        ("time_ms,turns,mm", "time_ms,motor_turns,displacement_mm"),
+        ("millis,mm,turns,force", "millis,displacement_mm,motor_turns,load_n"),
+        ("t,theta,x_mm", "time_s,motor_turns,displacement_mm (time_ms where it prints milliseconds)"),
+        ("time_ms,theta_deg,x_cm,pressure_bar", "time_ms,motor_deg,displacement_cm,pressure_bar"),
+        ("time_ms,angle,mm", "time_ms,angle,displacement_mm"),  # run.yaml gives it
+        ("Real,time,rig", "time_ms,motor_turns,displacement_mm"),  # a banner
+        ("time,motor_deg,displacement_cm,load_kg", ""),  # no column is load_kg
+        ("turns,mm", ""),
+    ],
+)
+def test_what_a_rigs_own_names_mean_goes_by_their_words_then_by_their_places(printed, names):
+    assert likely(printed.split(","), USUAL, {"angle": "motor_turns"} if "angle" in printed else {}) == names
+
+
+def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder):
+    """Exit status 1 and not a word of what to do, though `diagnose` takes the run."""
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "recording.lines").write_text(wound())
+    recover(folder)
+    info = json.loads((folder / "capture.json").read_text())
+    (folder / "capture.json").write_text(json.dumps(info | {"exit_status": "fault", "fault": "the port went away"}))
+    (folder / "recording.csv").unlink()
+    done = recover(folder)
+    words = "what came before the fault can be used: 800 samples in 4 strokes; the exit status 1 tells of the fault"
+    assert done.returncode == 1 and words in done.stdout and "Next:" in done.stdout, done.stdout
+    (folder / "capture.json").write_text(json.dumps(info | {"exit_status": "fault", "fault": "the port went away"}))
+    (folder / "recording.lines").chmod(0o644)
+    (folder / "recording.lines").write_text(HEADER + "0,1,1\n20,1,1\n")
+    (folder / "capture.json").unlink()
+    (folder / "capture-pending.json").write_text(
+        json.dumps({**info, "columns": [], "exit_status": "fault", "fault": "the port went away"})
+    )
+    done = recover(folder)
+    assert done.returncode == 1 and "too few for a stroke" in done.stdout and "Next:" not in done.stdout, done.stdout
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,68 @@
+"""Which channels the columns of a rig that names them in its own words likely are: one complete list of names."""
+
+import re
+from collections.abc import Mapping, Sequence
+
+from ..ground.header_units import header_unit
+from ..ground.units import unit_of
+from ..run.named_units import in_its_unit
+from .fields import is_known
+from .unnamed import named
+
+WORDS = {  # in the names that people give to a rig's columns
+    "time_s": r"t|time|clock|sec|seconds",
+    "motor_turns": r"motor|turns?|rev|rot|theta|phi|angle|twist|rad|deg",
+    "displacement_mm": r"disp|displacement|mm|x|pos|position|contraction|stroke",
+    "load_n": r"load|force|weight|n",
+    "temperature_c": r"temp|temperature",
+    "motor_current_a": r"current|amps?",
+}
+NEEDED = 3  # of a system's columns, which a recording must have
+UNSURE = "time_ms where it prints milliseconds"
+
+
+def likely(columns: Sequence[str], channels: Sequence[str], own: Mapping[object, str]) -> str:
+    """The names of all columns, separated by commas, as a run's channels are called; a remark where a clock's is open.
+
+    By the words in them, then by their places. `own` are the channels of the columns that run.yaml gives. Nothing
+    where not all that a recording must have is found, or a name says a unit that its channel cannot have.
+    """
+    if 2 * sum(is_known((name,)) or name in own for name in columns) < len(columns):
+        return named(len(columns)).rpartition(" ")[2] if len(columns) >= NEEDED else ""
+    held = {name: own.get(name) or _held(name, channels, columns) for name in columns}
+    taken = {name: channel for name, channel in held.items() if channel}
+    free = [channel for channel in channels if channel not in taken.values()]
+    for by_word in (True, False):
+        for name in columns:
+            meant = next((each for each in free if (_says(name, each) if by_word else each in channels[:NEEDED])), None)
+            if name not in taken and meant is not None:
+                taken[name] = meant
+                free.remove(meant)
+    names = [_called(name, taken[name], own) if name in taken else name for name in columns]
+    if "" in names or not {*channels[:NEEDED]} <= {*taken.values()}:
+        return ""
+    open_clock = any(new == "time_s" != name for name, new in zip(columns, names, strict=True))
+    return ",".join(names) + (f" ({UNSURE})" if open_clock and "time_s" not in columns else "")
+
+
+def _held(name: str, channels: Sequence[str], columns: Sequence[str]) -> str:
+    """The channel that a column is already read as; empty where it is none."""
+    if name in channels:
+        return name
+    return next((each for each in channels if each not in columns and in_its_unit(each, [name])), "")
+
+
+def _says(name: str, channel: str) -> bool:
+    """Whether a column's name has a word of a channel."""
+    return bool(re.search(rf"(^|[_\W])({WORDS.get(channel, '(?!)')})($|[_\W\d])", name, re.IGNORECASE))
+
+
+def _called(name: str, channel: str, own: Mapping[object, str]) -> str:
+    """What a column is to be called: as its channel, with the unit that its name carries; empty for another unit."""
+    unit = header_unit(name)
+    if name in own or in_its_unit(channel, [name]):
+        return name
+    if unit in (None, unit_of(channel)):
+        return channel
+    with_unit = f"time_{unit}" if channel == "time_s" else f"{channel.rpartition('_')[0]}_{str(unit).lower()}"
+    return with_unit if in_its_unit(channel, [with_unit]) else ""
