@@ -57,7 +57,7 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
     for level in ("0.8", "0.95"):
         done = ask(dataset, text, "--model", "polynomial", "--level", level)
         assert done.returncode == 0 and "1 of them without an interval" in done.stdout
-        assert "  row 3: stroke 12 is 6 after 6, the last recorded; errors were measured up to 2 strokes ahead: " in (
+        assert "  row 3: stroke 12 is 6 after 6, the last recorded; errors were measured up to 2 strokes ahead (" in (
             done.stdout
         )
         table = pd.read_csv(dataset.with_name("answers.csv"))
@@ -120,6 +120,23 @@ def test_questions_that_are_no_text_are_refused_in_words(dataset: Path, tmp_path
 def test_a_misspelt_column_is_told_the_near_name(dataset: Path) -> None:
     done = ask(dataset, "stroke,direction,motor_turns,load_N\n1,1,3,20\n")
     assert done.returncode == 2 and "load_N: is not a column that is read. Mend: did you mean 'load_n'?" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "mend"),
+    [
+        ("contraction_mm", "rename it: displacement_mm? That is in mm"),
+        ("x", "rename it: displacement_mm? That is in mm"),
+        ("turns", "rename it: motor_turns? That is in turns"),
+        ("twist_turns", "rename it: motor_turns? That is in turns"),
+    ],
+)
+def test_another_word_for_a_column_is_told_its_name(dataset: Path, name: str, mend: str) -> None:
+    """Told to remove it, a person asked without what the question was about."""
+    done = ask(dataset, f"stroke,direction,{name}\n1,1,3\n")
+    assert done.returncode == 2 and f"{name}: is not a column that is read. Mend: {mend}" in done.stderr, done.stderr
+    both = ask(dataset, f"strok,direction,{name}\n1,1,3\n")
+    assert f"for strok, {mend.split(': ')[1].split('?')[0]} for {name}" in both.stderr, both.stderr
 
 
 def test_all_wrong_columns_are_named_at_once(dataset: Path) -> None:
@@ -266,10 +283,9 @@ def test_a_stroke_too_far_ahead_of_a_saved_model_is_flagged_as_it_is_of_one_that
         flagged[stem] = table["inside"].tolist()
         assert np.isfinite(table["displacement_mm"]).all()
         last = known["stroke"].max()
-        rule = "a string tells as many as it has strokes beyond its first 4, at most 3"
         reason = (
             f"stroke 9 is {9 - last} after {last}, the last that the model was fitted to; errors were measured up to 2 "
-            f"strokes ahead: {rule}; the export answers, by the model's law of n"
+            "strokes ahead (strokes recorded - 4, at most 3); the export answers, by the model's law of n"
         )
         assert table["why"][2] == reason and f"  row 3: {reason}\n" in done.stdout
         assert "TSA_BAD_STROKE" in table["why"][4] and "law of n" not in table["why"][4]
@@ -319,6 +335,7 @@ def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, sa
     assert table["inside"].tolist() == [True, False, False]
     assert table["why"].str.startswith("HELD at ").tolist()[1:] == [True, True] and table["why"].isna()[0]
     assert table["why"].str.endswith(" (TSA_HELD)").tolist()[1:] == [saved, saved]
+    assert "at this stroke and direction" in table["why"][1], "no load was asked: it was the same all the time"
     least_mm, most_mm = (float(number) for number in re.findall(r"give (-?[\d.]+) to ([\d.]+) mm", table["why"][1])[0])
     assert asked[1] > most_mm > ends["max"] - 0.1 and least_mm == pytest.approx(ends["min"], abs=0.1)
     held = [float(re.findall(r"HELD at ([-\d.]+) turns", words)[0]) for words in table["why"][1:]]
@@ -374,7 +391,8 @@ def test_all_rows_that_cannot_be_answered_are_named_at_once_and_the_others_answe
     assert done.returncode == 2 and len(errors) == 1 and "row 1:" not in errors[0], done.stderr
     for named in (
         "rows: 5 cannot be answered (row 1 is the first question): row 2: stroke is 1.5, no whole number from 1; ",
-        "row 3: direction is 2, neither 1 nor -1; row 4: motor_turns is 'x', no number; row 5: motor_turns is empty; ",
+        "row 3: direction is 2, neither 1 nor -1; row 4: motor_turns is 'x', no number; ",
+        "; row 5: motor_turns is empty or nan; row 6: ",
         "Mend: row 2: the first stroke of a new string is 1; row 3: 1 is winding, -1 unwinding; row 4: write a number ",
         "row 5: fill it in, or take the row out; row 6: write a number. The other 2 rows are answered.",
     ):

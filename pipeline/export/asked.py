@@ -60,7 +60,8 @@ def answers(
         value[rows] = np.clip(value[rows], *ends)
         reached = reached_mm(source.model, points.iloc[rows], ends) if len(rows) else ((), ())
         for row, least_mm, most_mm in zip(rows, *reached, strict=True):
-            why[row] = f"{held(value[row], float(least_mm), float(most_mm))} (TSA_HELD)"
+            conditions = [paired.name for paired in pairs]
+            why[row] = f"{held(value[row], float(least_mm), float(most_mm), conditions)} (TSA_HELD)"
     turns = points["motor_turns"].to_numpy(float) if known == "motor_turns" else value
     refused = why != ""
     for paired in pairs:

@@ -11,16 +11,17 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from pydantic import JsonValue
 
+from ..ground.counts import counted
 from ..models.interface import about, settings_of
-from ..models.parts.rolling_origin import AHEAD, LEAST_STROKES
+from ..models.parts.rolling_origin import RULE
 from ..models.parts.settings import values
 from .interface import Source
 from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
 SAME = (
-    "Whichever configuration makes it, the same recordings give the same file: where tables of a small one, such as "
-    "config/ci.yaml, are marked as no results, that is for other models and for fewer seeds."
+    "A small configuration, such as config/ci.yaml, makes the same file from the same recordings: its tables are "
+    "marked as no results for the sake of other models, and of fewer seeds."
 )
 MOST_STRINGS = 3  # whose zero is named
 
@@ -58,7 +59,7 @@ def _zero(source: Source) -> str:
     else:
         value = "sqrt(d^2 + b^2) - d at 0 turns, d being torsion_zone_mm and b separator_mm as measured"
     law = "the equation of a twisted pair" if inputs.pair else "eq. 4"
-    runs = f" Taken so, of string {', of string '.join(source.zeroed)}." if source.zeroed else ""
+    runs = f" It was set so for string {', for string '.join(source.zeroed)}." if source.zeroed else ""
     return (
         f"On the rest before a new string's first stroke, displacement_mm is what {law} gives at that twist: {value}. "
         f"Set your sensor's zero so, once a string, and never in between: what later rests read is wear.{runs} "
@@ -69,16 +70,12 @@ def _zero(source: Source) -> str:
 def _strokes(source: Source) -> str:
     """How far ahead of the training strokes an error was ever measured."""
     trained = f"Strokes to {source.inputs.last_stroke} were trained on. Beyond, the model's law of n goes on."
-    rule = f"as many as a string has beyond its first {LEAST_STROKES}, at most {AHEAD}"
     if source.foreseen is None:
-        return f"{trained} How far ahead errors are measured, and pipeline.predict gives intervals: {rule} strokes."
+        return f"{trained} So many strokes ahead errors are measured, and pipeline.predict gives intervals: {RULE}."
     strokes, ahead = source.foreseen
-    last = f"the longest string of this dataset has {strokes} stroke{'s' * (strokes != 1)}"
+    most = f"{RULE}, and the longest string of this dataset has {counted(strokes, 'stroke')}"
     reach = f"further than {ahead} stroke{'s' * (ahead > 1)} ahead" if ahead else "of strokes ahead"
-    return (
-        f"{trained} Errors {reach} were never measured: {rule}, are foreseen, and {last}. Further on pipeline.predict "
-        "gives no interval."
-    )
+    return f"{trained} Errors {reach} were never measured ({most}). Further on pipeline.predict gives no interval."
 
 
 def fit(name: str, model: Any) -> str:

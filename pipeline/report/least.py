@@ -59,8 +59,10 @@ def against_others(inn: pd.Series, models: pd.DataFrame, unit: str) -> str:
     for side, rows in sides.items():
         alike = (rows["high"] >= inn["low"]) & (rows["low"] <= inn["high"])
         sizes = [_shown(row) + ", within the spread of the seeds" * bool(alike[at]) for at, row in rows.iterrows()]
-        words.append(f"{side} than {_named(rows, sizes) or 'none of the others'}")
-    return f"The {plain(inn['title'])} ({_shown(inn)} {unit}) errs {words[0]}; {words[1]}."
+        words += [f"{side} than {_named(rows, sizes)}"] if sizes else []
+        if len(rows) == len(others) > 1:
+            words[-1] = f"{side} than all others: {_named(rows, sizes)}"
+    return f"The {plain(inn['title'])} ({_shown(inn)} {unit}) errs {'; '.join(words)}." if words else ""
 
 
 def cost_of_direction(chosen: pd.DataFrame, inn: pd.Series, unit: str) -> str:

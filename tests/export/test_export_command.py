@@ -248,12 +248,22 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     said = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
     small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
     assert small in said["cinn"] and small in done["cinn"].stdout
-    assert "Fit: Made with the usual settings of this model. Whichever configuration makes it" in said["spline"]
+    assert (
+        "Fit: Made with the usual settings of this model. A small configuration, such as config/ci.yaml"
+        in said["spline"]
+    )
     assert "no small fit" not in said["spline"], "beside tables that are marked as small fits it read as its opposite"
     zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
     for text in said.values():
-        assert f"{zero_mm:.3f} mm at 0 turns" in text and "of string made-01 in run " in text and "tare: run" in text
-        assert "Errors further than 2 strokes ahead were never measured: as many as" in said_of(text)
+        assert (
+            f"{zero_mm:.3f} mm at 0 turns" in text
+            and "It was set so for string made-01 in run " in text
+            and "tare: run" in text
+        )
+        assert (
+            "Errors further than 2 strokes ahead were never measured (strokes recorded - 4, at most 3, and"
+            in said_of(text)
+        )
         assert "#define TSA_STROKE_TRAINED 6 " in text
     model = tmp_path / "cinn" / "cinn" / "within-0.model"
     assert export(model, "--format", "onnx", "--out", tmp_path).returncode == 0
@@ -407,7 +417,7 @@ def test_a_range_says_what_was_recorded_at_which_twists(tmp_path: Path, has_data
     assert "Each number is checked alone" in text and "does not read" not in text
     assert ("(tsa_recorded says of which)" if has_dataset else "(pipeline.predict says of which)") in text
     assert ("tsa_recorded(&state, motor_turns) returns TSA_UNRECORDED where" in text) == has_dataset
-    assert ("further than 2 strokes ahead" in text) == has_dataset and "beyond its first 4, at most 3" in text
+    assert ("further than 2 strokes ahead" in text) == has_dataset and "strokes recorded - 4, at most 3" in text
 
 
 def test_two_exports_of_one_name_do_not_compile_and_the_sentence_says_name(folder: Path, tmp_path: Path) -> None:

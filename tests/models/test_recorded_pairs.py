@@ -93,6 +93,7 @@ def test_held_is_said_as_soon_as_the_answer_gives_another_contraction(dataset: P
     back, _ = ask(dataset, [f"3,1,{turns},20" for turns in table["motor_turns"]], "--model", "spline")
     off = np.abs(back["displacement_mm"] - asked_mm) > half
     held = table["why"].str.startswith("HELD")
+    assert table["why"][held].str.endswith(" at this stroke, direction and load").all()
     assert held.tolist() == off.tolist() and 0 < held.sum() < len(held)
     assert (table["inside"] == ~held).all() and half < 0.3
 

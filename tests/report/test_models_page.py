@@ -133,8 +133,14 @@ def test_what_a_table_cannot_tell_apart_shares_the_least_error():
 def test_the_page_says_when_the_inn_loses_to_none_or_hardly():
     best = told(made_metrics({**FORWARD, "inn": [0.050]}), [])
     assert best[0] == "- Least error forward, within strokes: INN model (0.050 mm)."
-    assert "(0.050 mm) errs less than MLP model (0.051, within the spread of the seeds), Calibrated model" in best[2]
-    assert "; more than none of the others." in best[2]
+    assert "(0.050 mm) errs less than all others: MLP model (0.051, within the spread of the seeds), Cal" in best[2]
+    assert "more than" not in best[2] and "none of the others" not in best[2]
+    worst = told(made_metrics({**FORWARD, "inn": [2.499]}), ["mlp"])[2]
+    assert "- The INN model (2.499 mm) errs more than all others: MLP model (0.051), Calibrated" in worst
+    alone = made_metrics(FORWARD)
+    assert not [
+        line for line in told(alone[alone["model"].isin(["inn", "floor", "floor_blind"])], []) if "errs" in line
+    ]
     hardly = made_metrics({**FORWARD, "calibrated": [0.119]})
     assert "Calibrated model (0.119, within the spread of the seeds)" in told(hardly, ["mlp"])[2]
     assert told(made_metrics({**FORWARD, "mlp": [0.2]}), ["mlp"])[-1].endswith(": none.")

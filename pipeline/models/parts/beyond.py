@@ -1,6 +1,7 @@
 """A number of a question that lies beyond a range, in words: which one, which end, and what that end is."""
 
 import math
+from collections.abc import Sequence
 
 from ...ground.units import unit_of
 
@@ -42,11 +43,13 @@ def also(sentence: str, reason: str, between: str = "; ") -> str:
     return between.join(filter(None, (sentence, reason)))
 
 
-def held(turns: float, least_mm: float, most_mm: float, around: str = "") -> str:
+def held(turns: float, least_mm: float, most_mm: float, conditions: Sequence[str], around: str = "") -> str:
     """Say that a twist, in turns, is an end of its range, since the range gives only contractions between two.
 
-    `around` are the conditions, in words, around which no more was recorded.
+    `conditions` are the columns of those that a question tells; `around` those, in words, around which no more was
+    recorded.
     """
     reached = f"{inward(least_mm, up=True):g} to {inward(most_mm, up=False):g} mm"
     at_end = f"HELD at {turns:.4g} turns, the end of the range{around and f' recorded around {around}'}"
-    return f"{at_end}: its twists give {reached} at this stroke, direction and load"
+    state = ["stroke", "direction", *(WORDS.get(name, name) for name in conditions)]
+    return f"{at_end}: its twists give {reached} at this {', '.join(state[:-1])} and {state[-1]}"

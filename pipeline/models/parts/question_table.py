@@ -19,6 +19,10 @@ IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the m
     "file.encoding": ("file", "save it as CSV in UTF-8"),
 }
 MOST = 10  # wrong columns that are named
+OTHER_NAMES = {  # of a column's quantity, without unit
+    "displacement_mm": {"contraction", "displacement", "shortening", "x"},
+    "motor_turns": {"twist", "turns", "twists", "revolutions", "rotations"},
+}
 WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
 
 
@@ -49,7 +53,8 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
     name, bad = str(cells.name), []
     empty = cells.isna().to_numpy()
     if recorded.notna().all() and not may_be_empty:
-        bad += of_mask(empty, name, "is empty", "", "fill it in, or take the row out")
+        what = "is empty or nan" if numeric else "is empty"
+        bad += of_mask(empty, name, what, "", "fill it in, or take the row out")
     if not numeric:
         return bad
     if cells.dtype.kind not in "iuf":
@@ -76,8 +81,16 @@ def _all_meant(names: list[str], known: Collection[str]) -> str:
     return "; ".join([f"write {', '.join(mends)}"] * bool(mends) + left)
 
 
+def _renamed(name: str, known: Collection[str]) -> str:
+    """The column of the quantity that a name is another word for; empty where it is none."""
+    words = {name.lower(), name.lower().rpartition("_")[0]}
+    return next((column for column, others in OTHER_NAMES.items() if others & words and column in known), "")
+
+
 def _nearest(name: str, known: Collection[str]) -> str:
     """The column that a misspelt or shortened one stands for; empty where none or several may be meant."""
+    if renamed := _renamed(name, known):
+        return renamed
     begun = [column for column in known if len(name) > 2 and column.startswith(name)]
     close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(known), n=1)
     return close[0] if close else ""
@@ -85,6 +98,8 @@ def _nearest(name: str, known: Collection[str]) -> str:
 
 def _meant(name: str, known: Collection[str]) -> str:
     """The column that a misspelt one is nearest to, with its unit; or all of them."""
+    if renamed := _renamed(name, known):
+        return f"rename it: {renamed}? That is in {unit_of(renamed)}"
     mend = meant(name, known)
     unit = next((unit_of(column) for column in known if mend == f"did you mean {column!r}?"), "1")
     return mend if unit == "1" else f"{mend} It is in {unit}"

@@ -8,6 +8,7 @@ import pandas as pd
 FOLDS = 4  # into which seen strokes are cut to be foreseen from each other
 LEAST_STROKES = 4  # to foresee any
 AHEAD = 3  # strokes that are foreseen, at most
+RULE = f"strokes recorded - {LEAST_STROKES}, at most {AHEAD}"  # how many strokes ahead errors are measured, in words
 
 
 def most_ahead(strokes: int) -> int:
@@ -17,10 +18,9 @@ def most_ahead(strokes: int) -> int:
 
 def too_far(stroke: float, last: float, ahead: int, last_is: str = "the last recorded") -> str:
     """Say that a stroke is further after the last one than the `ahead` strokes for which errors could be measured."""
-    rule = f"a string tells as many as it has strokes beyond its first {LEAST_STROKES}, at most {AHEAD}"
     measured = f"up to {ahead} stroke{'s' * (ahead > 1)} ahead" if ahead else "in recorded strokes only"
     after = f"stroke {stroke:.0f} is {stroke - last:.0f} after {last:.0f}, {last_is}"
-    return f"{after}; errors were measured {measured}: {rule}"
+    return f"{after}; errors were measured {measured} ({RULE})"
 
 
 def last_strokes(points: pd.DataFrame) -> dict[str, int]:

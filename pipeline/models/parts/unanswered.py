@@ -63,7 +63,8 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
         near = around(intervals.pairs, rest, twists)
         for place in np.flatnonzero(wrong):
             end, least, most = float(twists[place]), float(least_mm[place]), float(most_mm[place])
-            sentences[rows[place]] = held(end, least, most, near[place])
+            conditions = [paired.name for paired in intervals.pairs]
+            sentences[rows[place]] = held(end, least, most, conditions, near[place])
     sentences[sentences == ""] = "how large an error is here could not be learnt"
     return sentences
 
