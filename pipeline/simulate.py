@@ -11,13 +11,14 @@ import pandas as pd
 
 from .diagnosis.content import Verdict
 from .diagnosis.home import homed
+from .diagnosis.later_run import predicted_after, said_of, simulated_before
 from .diagnosis.own_rate import at_own_rate
 from .diagnosis.planned_motion import Plan, expected_error, recorded_beside, tied_with
 from .diagnosis.prediction_band import adopted_diagnosis
 from .diagnosis.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
-from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis, tared
+from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
 from .diagnosis.words import loop_table
 from .diagnosis.words.corner_table import corners
 from .diagnosis.words.dimensions import name_of
@@ -39,7 +40,6 @@ from .diagnosis.words.residual import RESIDUAL
 from .diagnosis.words.vocabulary import Vocabulary
 from .ground import schemas
 from .ground.command import command
-from .ground.complaint import key_name
 from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
@@ -77,7 +77,8 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
     tied = tied_with(run, content, arguments.simulation is None)
     beside = recorded_beside(arguments.run_dir, run, content, arguments.simulation is None) if recorded else []
-    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied, beside)
+    before = simulated_before(content, run.run, arguments.run_dir) if arguments.after_recording else []
+    return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied, beside, before)
 
 
 def source_of(arguments: argparse.Namespace) -> Path:
@@ -143,7 +144,8 @@ def main() -> None:
     file_to_write(arguments.out, reads=[source, *([arguments.motion] if arguments.motion else [])])
     plan = plan_of(arguments) if arguments.motion else None
     if plan:
-        run, samples, content, problem, predicted = plan.run, plan.samples, plan.content, plan.problem, plan.predicted
+        run, samples, content, before = plan.run, plan.samples, plan.content, plan.before
+        problem, predicted = plan.problem, plan.predicted
     else:
         recorded = RecordedRun(*read_strokes(arguments.run_dir))
         run, samples = recorded.run, recorded.samples
@@ -152,13 +154,10 @@ def main() -> None:
         if arguments.home:
             content, home = homed(problem, content, source, run.run)
             print(of_home(home, problem.drivers.units.reading))
-        predicted = tared(problem, content, source, run.run)
-    if isinstance(content.get("run"), list) and content["run"][0] != run.run:
-        print(
-            f"warning: {source} counts time from the start of {key_name(content['run'][0])}",
-            file=sys.stderr,
-        )
+        before = simulated_before(content, run.run, arguments.run_dir)
+        predicted = predicted_after(before, recorded, problem, content, source)
     columns, words = foretold(plan, arguments) if plan else ({}, [])
+    words += said_of(content, run.run, before, source)
     if arguments.residual:
         more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
         columns, words = columns | more, words + more_words
@@ -181,7 +180,7 @@ def main() -> None:
         for line in loop_table.printed(table, Vocabulary.of(problem.system), problem.system.channel, begins):
             print(line)
     if plan and problem.system.free_zero:
-        as_there = plan.after or has_zero(content, problem.system, run.run)
+        as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
         print(f"its zero is {zero}; the string is taken to be {state}")
@@ -189,7 +188,8 @@ def main() -> None:
         print(f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here")
     if plan is None:
         error, _ = off(*compared(run, problem, predicted))
-        where = "as it was fitted" if has_zero(content, problem.system, run.run) else "set in the first second"
+        has_own = has_zero(content, problem.system, run.run, 1 + len(before))
+        where = "as it was fitted" if has_own else "set in the first second"
         zero = f", its zero {where}" if problem.system.free_zero else ""
         print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
     if not arguments.simulation:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ..diagnosis.adopt import fitted, is_number
 from ..diagnosis.content import Simulated, Verdict
+from ..diagnosis.later_run import names_before
 from ..diagnosis.problem import Problem
 from ..diagnosis.simulation import off, tared
 from ..diagnosis.words import unseen
@@ -17,6 +18,7 @@ from ..diagnosis.words.rivals import called
 from ..diagnosis.words.to_measure import BESIDE
 from ..diagnosis.words.vocabulary import Vocabulary
 from ..ground.command import program_name
+from ..ground.complaint import key_name
 from ..ground.errors import BadInput
 from ..ground.units import unit_of
 from ..run.description import Run
@@ -108,21 +110,28 @@ def is_of(content: Verdict, run: str) -> bool:
     return run in (of if isinstance(of, list) else [of])
 
 
-def on_unseen(content: Verdict, unit: str) -> list[str]:
-    """What the verdict says of strokes that no fit has seen, and whether it says not to adopt; nothing where it cannot.
+def on_unseen(content: Verdict, unit: str, run: str) -> list[str]:
+    """What the verdict on a run says of strokes that no fit has seen, and whether it says not to adopt; or nothing.
 
-    `unit` is that of the reading.
+    `unit` is that of the reading. Of a run that went after others in the diagnosis that is said too.
     """
     fit, verdict = content.get("fit"), content.get("verdict")
     held = fit.get("heldout") if isinstance(fit, dict) else None
     values = [held.get(f"{name}_{unit}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
-    if verdict not in ("explained", "ambiguous") or len(values) != 2 or not all(map(is_number, values)):
+    if not is_of(content, run) or verdict not in ("explained", "ambiguous"):
+        return []
+    if len(values) != 2 or not all(map(is_number, values)):
         return []
     calibrated, explained = (float(value) for value in values if value is not None)
     sentences = [
         f"Those errors are of strokes that the fit has seen. On unseen ones the verdict says {size(explained, unit)}, "
         f"and {size(calibrated, unit)} without the effects."
     ]
+    if names := names_before(content, run):
+        after = f"There {run} goes after {' and '.join(map(key_name, names))}"
+        sentences.append(
+            f"{after}; alone, what goes on over time or strokes begins anew in it, and the error is larger."
+        )
     if explained > unseen.WORSE * calibrated:
         sentences.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
     return sentences

@@ -36,7 +36,7 @@ class Plan:
 
     `content`, from the file `source`, is the simulator. `after`: whether the recorded motion goes before the plan.
     `tied`: the explanations that are as likely as what acts, by their mechanisms. `beside`: the other recordings that
-    were diagnosed together with the run's own.
+    were diagnosed together with the run's own; `before`: those of them that go before it, and before the plan.
     """
 
     run: Run
@@ -48,6 +48,7 @@ class Plan:
     after: bool = False
     tied: Sequence[Sequence[str]] = ()
     beside: Sequence[RecordedRun] = ()
+    before: Sequence[RecordedRun] = ()
 
     @cached_property
     def outside(self) -> Outside | None:
@@ -69,7 +70,7 @@ class Plan:
         samples = self.samples
         if self.after and self.recorded is not None:
             samples = continued(self.run.system, samples, self.recorded.samples, self.drawn)
-        problem = at_own_rate([RecordedRun(self.run, samples)], thin=False, to_fit=False)
+        problem = at_own_rate([*self.before, RecordedRun(self.run, samples)], thin=False, to_fit=False)
         if self.drawn:
             problem = replace(problem, drivers=replace(problem.drivers, drawn=True), _terms={})
         return problem
@@ -117,7 +118,7 @@ class Plan:
             gap = replace(self, after=True).predicted - self.predicted
         except BadInput:  # what cannot be simulated after the recording is no reason to refuse the plan alone
             return None
-        if not has_zero(self.content, self.run.system, self.run.run) and self.run.system.free_zero:
+        if not has_zero(self.content, self.run.system, self.run.run, self.problem.runs) and self.run.system.free_zero:
             gap = gap - tare(np.zeros_like(gap), gap, self.samples["time_s"].to_numpy())
         limit = SHARE * float(np.ptp(self.predicted)) if expected is None else expected
         return gap if rms(gap) > limit else None

@@ -28,7 +28,7 @@ def state_of(content: Simulated, problem: Problem, path: Path, run: str) -> Stat
     """The simulator that a diagnosis describes; its zero is left at 0 when the diagnosis has none."""
     values = [value_of(content, parameter.name, path, parameter.nominal) for parameter in problem.parameters]
     together = content.get("run")
-    if isinstance(together, list) and run in together[1:]:  # the zero of its motor is its own
+    if isinstance(together, list) and run in together[1:] and problem.runs == 1:  # the zero of its motor is its own
         names = [parameter.name for parameter in problem.parameters]
         own = f"{problem.system.homed}_{together.index(run) + 1}"
         if problem.system.homed and own in content["parameters"]:
@@ -92,9 +92,21 @@ def _adopted(run: Run) -> dict[str, Fitted]:
     return {name: dimension for name, dimension in held.items() if own or not name.startswith("zero")}
 
 
-def has_zero(content: Simulated, system: System, run: str) -> bool:
-    """Whether a diagnosis, or what a run has adopted, holds the zero of this run's reading."""
-    return content.get("run") == run and f"zero_{system.channel.rpartition('_')[2]}" in content["parameters"]
+def has_zero(content: Simulated, system: System, run: str, runs: int = 1) -> bool:
+    """Whether a diagnosis, or what a run has adopted, holds the zero of this run's reading, as `zero_name` says it."""
+    return zero_name(content, system, run, runs) in content["parameters"]
+
+
+def zero_name(content: Simulated, system: System, run: str, runs: int = 1) -> str:
+    """The name of the zero of a run's reading, of which `runs` are simulated up to it; empty where none is known.
+
+    That of a later run of several is known beside what those before it left behind, so with all of these alone.
+    """
+    together, unit = content.get("run"), system.channel.rpartition("_")[2]
+    if together == run:
+        return f"zero_{unit}"
+    number = together.index(run) + 1 if isinstance(together, list) and run in together else 0
+    return f"zero_{number}_{unit}" if number == runs else ""
 
 
 def simulated(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
@@ -128,15 +140,14 @@ def tare(predicted: Array, measured: Array, time_s: Array) -> float:
 def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
     """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does.
 
-    Shape (samples,), in the channel's unit.
+    Of several runs the zero is that of the last, which is the run's. Shape (samples,), in the channel's unit.
     """
     predicted = simulated(problem, content, path, run)
-    if has_zero(content, problem.system, run):
-        unit = problem.system.channel.rpartition("_")[2]
-        return predicted + value_of(content, f"zero_{unit}", path, 0.0)
-    return (
-        predicted + tare(predicted, problem.measured, problem.record.time_s) if problem.system.free_zero else predicted
-    )
+    if has_zero(content, problem.system, run, problem.runs):
+        return predicted + value_of(content, zero_name(content, problem.system, run, problem.runs), path, 0.0)
+    own = problem.record.run_index == problem.runs - 1
+    first = tare(predicted[own], problem.measured[own], problem.record.time_s[own])
+    return predicted + first if problem.system.free_zero else predicted
 
 
 def at_its_best_zero(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
