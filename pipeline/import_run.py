@@ -12,7 +12,7 @@ from typing import Any
 import pandas as pd
 
 from .foreign.axes import each_axis
-from .foreign.draft import draft
+from .foreign.drafted import guess
 from .foreign.empty_fields import refuse_empty
 from .foreign.folder_files import OPTION, files_in
 from .foreign.mended_clock import check_mended, mend_time
@@ -22,18 +22,20 @@ from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.counts import counted, mends
 from .ground.errors import BadInput, program
-from .ground.files import write_text
 from .ground.folders import whole_folder
 from .ground.names import checked, own_material, run_name
 from .ground.parser import Parser
 from .ground.strict_yaml import read_yaml, write_yaml
 from .run.columns_read import read_as
 from .run.description import parse_run
+from .run.folder import read_run
 from .run.named_units import in_its_unit
 from .run.next_command import following
 from .run.recording import asked_columns, to_samples
 from .run.samples import check, check_finite, questions
 from .run.tolerances_given import read_back, tolerance_questions
+from .string.known_strings import imported_as_another
+from .string.same_string import others_recorded
 from .systems import systems
 
 TAKEN = "choose another --run; runs are never overwritten"
@@ -96,12 +98,12 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
 
-def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
+def import_run(file: Path, mapping: Path, name: str, out: Path, string_id: str | None = None) -> str:
     """Import one file as run `name` under `out`, or one run an axis; a sentence on each that was made.
 
-    Raises BadInput, before anything is written.
+    `string_id` goes before the mapping's. Raises BadInput, before anything is written.
     """
-    axes = each_axis(read_mapping(mapping), mapping)
+    axes = each_axis(read_mapping(mapping), mapping, string_id)
     names = {axis: f"{name}-{axis}" if axis else name for axis in axes}
     runs = [_checked(file, mapping, own, names[axis], out) for axis, own in axes.items()]
     for run in runs:
@@ -112,18 +114,26 @@ def import_run(file: Path, mapping: Path, name: str, out: Path) -> str:
     return "\n".join(run.said for run in runs)
 
 
-def import_folder(folder: Path, mapping: Path, name: str, out: Path, pattern: str | None = None) -> int:
+def say_another(folder: Path) -> None:
+    """Say of an imported run, the last of several, where it counts as another string than one that is like it."""
+    if note := imported_as_another(read_run(folder), folder.parent):
+        print(note, file=sys.stderr)
+
+
+def import_folder(
+    folder: Path, mapping: Path, name: str, out: Path, pattern: str | None = None, string_id: str | None = None
+) -> int:
     """Import each recording below a folder by one mapping, as run `name`-<its name>; say what became of each file.
 
     A file that is refused costs itself alone: it is named, and the answer is 2, else 0. Raises BadInput where the
     mapping is wrong, or where there is nothing to import.
     """
     files = files_in(folder, checked(run_name, name, "--run", "run"), pattern)
-    made, refused = 0, 0
+    made, refused, last = 0, 0, out
     for run, file in files.file_by_run.items():
         try:
-            print(import_run(file, mapping, run, out))
-            made += 1
+            print(import_run(file, mapping, run, out, string_id))
+            made, last = made + 1, out / run
         except BadInput as error:
             if error.file == str(mapping):  # no file can be read through it
                 raise
@@ -133,24 +143,10 @@ def import_folder(folder: Path, mapping: Path, name: str, out: Path, pattern: st
         print(files.sentence)
     print(f"{made} of {counted(made + refused, 'file')} imported" + (", the others refused (above)" if refused else ""))
     if made:
+        say_another(last)
         runs = shlex.quote(str(out / name))
         print(f"diagnose each by {command('diagnose')} {runs}-* --out reports/mine; runs of one rig in one: --together")
     return 2 if refused else 0
-
-
-def guess(file: Path, actuator: str | None, out: Path | None) -> None:
-    """Print a mapping drafted for a file, or write it to `out`, and show the file's first rows as it reads them."""
-    text, preview = draft(file, actuator)
-    print(preview, file=sys.stderr)
-    if out is None:
-        print(text, end="")
-        return
-    try:
-        write_text(out, text, new=True)
-    except FileExistsError:
-        raise BadInput(out, "--out", "is there already", "choose another name; no mapping is overwritten") from None
-    then = f"{command('import_run')} {shlex.quote(str(file))} --map {shlex.quote(str(out))} --run NAME"
-    print(f"{out}: fill in what is empty, check what is a guess, then: {then}")
 
 
 @program
@@ -164,6 +160,8 @@ def main() -> int:
     parser.add_argument("--run", help="name of the new run: lower-case letters, digits and -")
     which = "of a folder, which files are recordings, such as '*.TXT'; default: by their endings"
     parser.add_argument(OPTION, metavar="PATTERN", help=which)
+    own = "name of this very string, in place of string.id of the mapping: runs that share it continue each other"
+    parser.add_argument("--string-id", metavar="ID", help=own)
     parser.add_argument("--guess", action="store_true", help="draft a mapping for the file, and show its first rows")
     kinds = ", ".join(systems())
     parser.add_argument("--actuator", help=f"with --guess, the kind of rig: {kinds}; default: separator, to be checked")
@@ -182,9 +180,11 @@ def main() -> int:
     if arguments.files is not None and not arguments.file.is_dir():
         parser.error(f"{OPTION} goes with a folder")
     if arguments.file.is_dir():
-        return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files)
-    print(sentences := import_run(arguments.file, arguments.map, arguments.run, raw))
-    print("\n".join(following(Path(sentences.partition(": ")[0]), recorded=True)))
+        return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files, arguments.string_id)
+    print(sentences := import_run(arguments.file, arguments.map, arguments.run, raw, arguments.string_id))
+    folder = Path(sentences.partition(": ")[0])
+    say_another(folder)
+    print("\n".join(following(folder, recorded=True, others=others_recorded(folder, read_run(folder)))))
     return 0
 
 

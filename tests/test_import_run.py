@@ -6,6 +6,7 @@ from pathlib import Path
 import downloaded
 import numpy as np
 import pandas as pd
+import programs
 import pytest
 import ready
 import yaml
@@ -45,6 +46,35 @@ def test_import_makes_a_run_folder_that_reads_like_any_other(foreign):
     assert samples["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy())
     assert samples["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy())
     assert run.mended == {}
+
+
+def test_a_second_run_of_the_same_size_is_said_to_be_of_another_string_until_its_id_is_given(foreign):
+    """It became a new string without a word, and its strokes counted from 1 again."""
+
+    def imported(name, *words):
+        return programs.run(
+            "pipeline.import_run", foreign[0], "--map", foreign[1], "--out", foreign[2], "--run", name, *words
+        )
+
+    done = imported("a-01")
+    assert done.returncode == 0 and "note:" not in done.stderr
+    done = imported("a-02")
+    note = "note: this counts as another string than a-01, of the same material and size. If it is the same one, write "
+    mend = f"`id: a-01` under `string` in {foreign[2]}/a-02/run.yaml; the next import of it: --string-id a-01\n"
+    assert done.returncode == 0 and note + mend in done.stderr, done.stderr
+    done = imported("a-03", "--string-id", "a-01")
+    assert done.returncode == 0 and "note:" not in done.stderr
+    assert f"{foreign[2]}/a-01 {foreign[2]}/a-03 --together" in done.stdout
+    own = foreign[2] / "a-02" / "run.yaml"
+    own.write_text(own.read_text().replace("string:\n", "string:\n  id: a-01\n"))
+    assert {read_samples(foreign[2] / name)[0].string_id for name in ("a-01", "a-02", "a-03")} == {"a-01"}
+
+
+def test_a_string_id_for_a_rig_without_a_string_is_refused(foreign):
+    mapping = {"actuator": "moving_mass", "channels": {"position_m": {"column": 2}}}
+    foreign[1].write_text(yaml.safe_dump(mapping))
+    with pytest.raises(BadInput, match="leave --string-id out"):
+        import_run(*foreign[:2], "a-01", foreign[2], "spool")
 
 
 def test_it_says_which_column_it_read_as_what_over_which_range(foreign):

@@ -23,9 +23,20 @@ def _over(whole: Any, own: Any) -> Any:
     return {**whole, **{key: _over(whole.get(key), value) for key, value in own.items()}}
 
 
-def each_axis(mapping: dict[str, Any], path: Path) -> dict[str, dict[str, Any]]:
-    """The mapping of each axis by its name, one without a name where there are no `axes`; raises BadInput."""
+def _named(mapping: dict[str, Any], string_id: str, path: Path) -> dict[str, Any]:
+    """A mapping of this very string; raises BadInput where it has none."""
+    if not isinstance(mapping.get("string"), dict):
+        raise BadInput(path, "string", "is not there, and --string-id names one", "leave --string-id out")
+    return {**mapping, "string": {**mapping["string"], "id": string_id}}
+
+
+def each_axis(mapping: dict[str, Any], path: Path, string_id: str | None = None) -> dict[str, dict[str, Any]]:
+    """The mapping of each axis by its name, one without a name where there are no `axes`; raises BadInput.
+
+    `string_id` goes before the one that all share.
+    """
     shared = {key: value for key, value in mapping.items() if key != "axes"}
+    shared = shared if string_id is None else _named(shared, string_id, path)
     if "axes" not in mapping:
         return {"": shared}
     axes = mapping["axes"]

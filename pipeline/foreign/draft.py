@@ -26,6 +26,11 @@ UNITS |= {"s": "s, ms or us", "m": "m, cm or mm", "n": "N, kgf or g", "nm": "Nm 
 NO_LOAD = (
     "the load in N that hung all the time, 0 for none; if a column has it, name it under channels and take this out"
 )
+MORE = [  # of a string, commented out: it may be left so
+    "  # id: NAME  # of this very string, the same in all of its runs; without it each run counts as a new string",
+    "  # stiffness_n_per_mm: K  # of the string, in N/mm; leave it out where nobody measured it",
+    "  # strokes_before: 0  # that the string had done before its first recording",
+]
 
 
 def _filled(key: str, what: str, indent: int = 2) -> str:
@@ -44,7 +49,7 @@ def _rig(system: System, has_load: bool) -> list[str]:
     if system.needs_string:
         keys = ("material", "radius_mm", "length_mm")
         meanings = {key: String.model_fields[key].description or key for key in keys}
-        lines += ["string:", *(_filled(key, what) for key, what in meanings.items())]
+        lines += ["string:", *(_filled(key, what) for key, what in meanings.items()), *MORE]
     rig = [_filled(key, f"{key.rpartition('_')[0].replace('_', ' ')}, {what}") for key, what in system.rig.items()]
     if system.load == "load_n" and not has_load:
         rig.append(_filled("load_n", NO_LOAD))

@@ -10,6 +10,7 @@ from ..run.description import Run, String
 from ..run.folder import find_runs, read_run
 
 SIZE = ("material", "radius_mm", "length_mm")
+NAMED = 4  # strings, where there are more: so many and the number of the others
 
 
 def alike(string: String, raw: Path, name: str) -> list[Run]:
@@ -41,10 +42,28 @@ def string_id(string: String, raw: Path, name: str, ask: Callable[[str], str] | 
         return None
     if ask is not None:
         return asked(ids, ask)
-    same = " or ".join(f"--string-id {shlex.quote(id_)}" for id_ in ids)
+    same = _options(ids)
     print(
         f"note: {raw} has {len(ids)} string{'s' if len(ids) > 1 else ''} of the same material and size. This run counts"
         f" as another string. If it is the same one, remove this run and make it again with {same}.",
         file=sys.stderr,
     )
     return None
+
+
+def imported_as_another(run: Run, raw: Path) -> str:
+    """What is said of an imported run that names no string, where others of its material and size lie beside it."""
+    ids = list(dict.fromkeys(other.string_id for other in alike(run.string, raw, run.run))) if run.string else []
+    if not ids or (run.string and run.string.id is not None):
+        return ""
+    others = f"{', '.join(ids[:NAMED])}{f' and {len(ids) - NAMED} more' if len(ids) > NAMED else ''}"
+    yaml = shlex.quote(str(raw / run.run / "run.yaml"))
+    return (
+        f"note: this counts as another string than {others}, of the same material and size. If it is the same one, "
+        f"write `id: {ids[0] if len(ids) == 1 else 'NAME'}` under `string` in {yaml}; the next import of it: "
+        f"{_options(ids[:NAMED])}"
+    )
+
+
+def _options(ids: list[str]) -> str:
+    return " or ".join(f"--string-id {shlex.quote(id_)}" for id_ in ids)

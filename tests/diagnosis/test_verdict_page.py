@@ -675,7 +675,12 @@ def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
     (folder / "run.yaml").write_text(f"{through}run: nylon-3\n")
     imported, text = typed()
     assert imported[0] == f"python -m pipeline.import_run FILE --map 'my map.yaml' --run nylon-3-next --out {tmp_path}"
-    assert len(imported) == 2 and "the mapping is that of nylon-3:" in text
+    assert len(imported) == 2 and "the mapping and the string id are those of nylon-3:" in text
+    for id_, option in (("", "nylon-3"), (", id: spool 3", "'spool 3'")):
+        string = f"string: {{material: nylon, radius_mm: 0.4, length_mm: 400{id_}}}\n"
+        rig = "rig: {torsion_zone_mm: 150, separator_mm: 8, load_n: 20}\n"
+        (folder / "run.yaml").write_text(f"{through}run: nylon-3\nactuator: separator\n{string}{rig}")
+        assert f"--run nylon-3-next --string-id {option} --out " in typed()[0][0], "it became a new string"
     (folder / "run.yaml").write_text("run: nylon-3\n")
     (folder / "recording.frames").write_bytes(b"")
     assert typed()[0] == capturing

@@ -47,6 +47,7 @@ def test_each_recording_becomes_a_run_named_after_its_file_and_folder(folder):
     for run in runs:
         _, samples = read_samples(folder.parent / "raw" / run)
         assert samples["motor_turns"].to_numpy() == pytest.approx(recording()["motor_turns"].to_numpy())
+    assert done.stderr.count("note: this counts as another string than tool-tool-4-maryland-r-5-00") == 1
     assert "passed over 2 files: 'README.md', 'Tool_4_Maryland_R_5/LICENSE'\n" in done.stdout
     assert "2 of 2 files imported\n" in done.stdout and "tool-* --out reports/mine" in done.stdout
 

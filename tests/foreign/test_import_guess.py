@@ -90,6 +90,8 @@ def test_a_drafted_mapping_imports_the_file_once_the_sizes_are_filled_in(tmp_pat
     MAKERS[name](tmp_path / name)
     done = program("--guess", name, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
+    assert "  # id: NAME  # of this very string" in done.stdout and "  # stiffness_n_per_mm: K" in done.stdout
+    assert "  # strokes_before: 0" in done.stdout
     assert "its first rows, as they are read:" in done.stderr and "displacement_mm" in done.stderr
     (tmp_path / "map.yaml").write_text(filled(done.stdout), encoding="utf-8")
     done = program(name, "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)

@@ -4,6 +4,8 @@ import shlex
 from pathlib import Path
 
 from ...ground.command import command
+from ...ground.errors import BadInput
+from ...run.folder import read_run
 from ...run.whence import mapping_of, own_log
 
 DIAGNOSE = command("diagnose")
@@ -37,11 +39,21 @@ def _recorded(old: Path, new: Path, load: str, file: str) -> list[str]:
     name, mapping = shlex.quote(new.name), mapping_of(old)
     if mapping:
         out = shlex.quote(str(new.parent))
-        return [f"{command('import_run')} {file} --map {shlex.quote(mapping)} --run {name} --out {out}"]
+        again = f"{command('import_run')} {file} --map {shlex.quote(mapping)} --run {name}{_of_string(old)} --out {out}"
+        return [again]
     like = f"{command('new_run')} {name} --like {shlex.quote(str(old))}{f' --load-n {load}' if load else ''}"
     if own_log(old):
         return [f"{like} --recording {file}"]
     return [like, f"{command('capture')} PORT {shlex.quote(str(new))}"]
+
+
+def _of_string(old: Path) -> str:
+    """The option that says that a new run is of the string of an old one; empty where that has none."""
+    try:
+        run = read_run(old)
+    except BadInput:
+        return ""
+    return f" --string-id {shlex.quote(run.string_id)}" if run.string else ""
 
 
 def _file(old: Path, ending: str = "") -> str:
@@ -59,5 +71,7 @@ def remark(old: Path) -> str:
 def block(commands: list[str], old: Path, twisted: bool) -> list[str]:
     """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
     taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old.name}"
-    taken = f"the mapping is that of {old.name}" if mapping_of(old) else taken
+    taken = (
+        f"the mapping{' and the string id are' if twisted else ' is'} those of {old.name}" if mapping_of(old) else taken
+    )
     return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), remark(old)]
