@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.names import SYNTHETIC
 from ..ground.words_by_file import SIGN
 from ..run.left_out import LeftOut
 from ..string.jump_notes import read_jumps
@@ -22,6 +23,7 @@ from .index_head import glance
 from .made_by import MadeBy
 from .marks import add_mark, mark_from
 from .page_parts import FOLDER, Parts, of_materials, of_runs
+from .part_marks import PartMarks, add_part_marks, part_marks
 from .web.glossary import glossary
 from .web.page import Text, anchor, document, folded, paragraph, together
 
@@ -87,14 +89,14 @@ def page(
     return document("twistbench reports", together(filter(None, body)), mark, places)
 
 
-def write_pages(reports: Path, folder: Path, every: Iterable[Parts], mark: MadeBy) -> None:
+def write_pages(reports: Path, folder: Path, every: Iterable[Parts], marks: PartMarks) -> None:
     """Write the pages of all parts in place of those of an earlier time, all of them or none."""
     temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
     try:
         temporary.mkdir(parents=True)
         for parts in every:
             heads = {run: verdict_tag(reports, run) for run in parts.names} if parts.kind == "run" else {}
-            parts.write(temporary, mark, heads)
+            parts.write(temporary, marks, heads)
         shutil.rmtree(folder, ignore_errors=True)
         os.rename(temporary, folder)
     finally:
@@ -113,15 +115,18 @@ def main() -> None:
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the file of the page, HTML; required")
     add_mark(parser)
+    add_part_marks(parser)
     left_out.arguments(parser)
     jumps.arguments(parser)
     arguments = parser.parse_args()
     mark, gone, reports = mark_from(arguments.made_by), left_out.told(arguments), arguments.reports
+    rigs = arguments.runs if arguments.part_marks is None else arguments.strings.get(SYNTHETIC, [])
+    marks = part_marks(arguments.part_marks, mark, rigs)
     runs = of_runs(reports, arguments.runs)
     materials = of_materials(reports, arguments.materials, arguments.strings, runs)
     text = page(reports, materials, runs, arguments.strings, gone, mark, read_jumps(arguments.jumps))
     write_text(arguments.out, text)
-    write_pages(reports, arguments.out.with_name(FOLDER), (materials, runs), mark)
+    write_pages(reports, arguments.out.with_name(FOLDER), (materials, runs), marks)
 
 
 if __name__ == "__main__":

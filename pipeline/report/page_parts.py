@@ -7,7 +7,7 @@ from markupsafe import Markup
 
 from ..ground.files import write_text
 from . import diagnoses, materials
-from .made_by import MadeBy
+from .part_marks import PartMarks
 from .web.page import Text, anchor, document, folded, paragraph, together
 
 FEW = 20  # parts of a kind that the index still shows itself; more would make it slow to open and long to read
@@ -41,7 +41,7 @@ class Parts:
             sections.append(folded(anchor(self.kind, name), name, aside(name), below, level))
         return sections
 
-    def write(self, folder: Path, mark: MadeBy, heads: Mapping[str, Text]) -> None:
+    def write(self, folder: Path, marks: PartMarks, heads: Mapping[str, Text]) -> None:
         """Write every part's page into a folder, with the ways to the index, to the one before and to the next."""
         last = len(self.names) - 1
         for at, name in enumerate(self.names):
@@ -53,7 +53,7 @@ class Parts:
                 if 0 <= to <= last
             ]
             body = together(filter(None, [paragraph(heads.get(name, "")), self.body(name, UP)]))
-            text = document(name, body, mark, above=Markup(" · ").join(ways))
+            text = document(name, body, marks.of(self.kind, name), above=Markup(" · ").join(ways))
             write_text(folder / Path(self.page(name)).name, text)
 
 

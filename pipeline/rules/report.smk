@@ -180,12 +180,13 @@ rule index:
     params:
         words=words_of_index,
         made_by=MARK_OF_ALL,
+        part_marks=PART_MARKS,
         code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
     message:
         "write the page that leads to every report"
     shell:
-        "exec python -m pipeline.report.index {params.words:q} --made-by {params.made_by:q} --reports reports"
-        " --out {output[0]:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.index {params.words:q} --made-by {params.made_by:q}"
+        " --part-marks {params.part_marks:q} --reports reports --out {output[0]:q} > {log:q} 2>&1"
 
 
 # It asks in a second, so a cluster's own machine does.

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 
 import programs
 import pytest
@@ -10,6 +11,7 @@ from made_verdict import made_verdict
 from test_diagnoses import FINE, TIED
 from test_index import Seen
 
+from pipeline.report.made_by import MadeBy
 from pipeline.report.page_parts import FEW
 
 MANY = 60
@@ -18,11 +20,11 @@ RUNS = [run for runs in STRINGS.values() for run in runs]
 WORDS = "What is said of a run at length. " * 20
 
 
-def index(reports, strings):
+def index(reports, strings, *more):
     runs = [run for own in strings.values() for run in own]
     done = programs.run(
         "pipeline.report.index", *strings, "--runs", *runs, "--strings", json.dumps(strings),
-        "--reports", reports, "--out", reports / "index.html",
+        "--reports", reports, "--out", reports / "index.html", *more,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
 
@@ -78,6 +80,27 @@ def test_an_index_that_fails_leaves_the_pages_of_before(reports, tmp_path):
     with pytest.raises(KeyError):
         index(place, STRINGS)
     assert {path.name: path.read_text() for path in (place / "pages").iterdir()} == before
+
+
+def test_a_page_wears_the_mark_of_what_made_it_and_not_that_of_another_rig(tmp_path):
+    """The set-up of the synthetic rig, and the INN's epochs, stood over the diagnosis of a person's own recording."""
+    strings = {"nylon": ["nylon-01"], "synthetic": ["example-1"]}
+    rig, small = "set-up small (5 strokes)", MadeBy("ci.yaml", "abc1234", "small", "INN model 2 seeds", ("epochs",))
+    for run in ("nylon-01", "example-1"):
+        made_verdict(tmp_path / "diagnosis" / run, f"{run}: said", FINE)
+    whole = replace(small, rig=rig)
+    marks = {"material": small, "synthetic": whole, "rig": MadeBy("ci.yaml", "abc1234", "own", "", ("setup",), rig)}
+    words = ["--part-marks", json.dumps({part: json.loads(mark.packed()) for part, mark in marks.items()})]
+    index(tmp_path, strings, "--made-by", whole.packed(), *words)
+    pages = {path.stem: path.read_text() for path in (tmp_path / "pages").iterdir()}
+    assert rig in (tmp_path / "index.html").read_text() and 'class="mark' not in pages["run-nylon-01"]
+    assert rig not in pages["material-nylon"] and "INN model 2 seeds" in pages["material-nylon"]
+    assert rig in pages["material-synthetic"]
+    assert rig in pages["run-example-1"] and "INN model" not in pages["run-example-1"]
+    marks["rig"] = MadeBy("default.yaml", "abc1234", "default")
+    words = ["--part-marks", json.dumps({part: json.loads(mark.packed()) for part, mark in marks.items()})]
+    index(tmp_path, strings, *words)
+    assert 'class="mark' not in (tmp_path / "pages" / "run-example-1.html").read_text()
 
 
 @needs_browser
