@@ -10,10 +10,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from ..ground.unfinished import NAMES, NOTE
 from .fields import names
 from .stream import Outcome
 
-NAME = "capture-pending.json"
+NAME = NOTE
 
 
 def note(
@@ -28,6 +29,19 @@ def note(
     if ended is not None and outcome is not None:
         content |= {"ended_utc": ended.astimezone(UTC).isoformat()}
         content |= {"exit_status": outcome.status, "fault": outcome.fault, "ended_by": outcome.ended_by}
+    _put(folder, content)
+
+
+def propose(folder: Path, likely: str) -> None:
+    """Note beside a recording what its columns are likely called, where nothing has named them: programs say it."""
+    try:
+        content = json.loads((folder / NAME).read_bytes())
+    except (OSError, ValueError, RecursionError):
+        content = None
+    _put(folder, {**(content if isinstance(content, dict) else {}), NAMES: likely})
+
+
+def _put(folder: Path, content: dict[str, Any]) -> None:
     temporary = folder / f".{NAME}.{os.getpid()}"
     with suppress(OSError):
         try:

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, cast
 
-from ..ground.command import command, recover_command
+from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
 from ..ground.regular_file import read_regular
 from ..ground.strict_yaml import read_yaml
+from ..ground.unfinished import mend_of_unfinished
 from .capture_json import CaptureJson
 from .description import Run, parse_run
 
@@ -49,8 +50,8 @@ def recording_path(folder: Path | str) -> Path:
     """The one recording of a run folder; raises BadInput when there is none, more than one, or it is unfinished."""
     folder = Path(folder)
     if unfinished(folder):
-        mend = f"wait for the capture to end, or run {recover_command(folder)}"
-        raise BadInput(folder, "capture.json", "is missing, so the recording is unfinished", mend)
+        problem = "is missing, so the recording is unfinished"
+        raise BadInput(folder, "capture.json", problem, mend_of_unfinished(folder))
     paths = [folder / name for name in RECORDINGS if (folder / name).is_file()]
     if not paths:
         raise BadInput(folder, "recording", "is missing", f"put one of {', '.join(RECORDINGS)} there")

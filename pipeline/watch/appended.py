@@ -30,13 +30,17 @@ class Piece:
 
 @dataclass(frozen=True)
 class Counts:
-    """What a page says of losses; `lost` is None where the rig does not number what it sends."""
+    """What a page says of losses; `lost` is None where the rig does not number what it sends.
+
+    `unnamed` lines of numbers are no samples, since nothing has named their columns.
+    """
 
     bad: int
     lost: int | None
     jumps: int
     strokes: int | None
     planned: int
+    unnamed: int = 0
 
 
 class Source(Protocol):
@@ -153,7 +157,7 @@ class Printed:
 
     def counts(self) -> Counts:
         """Lines that are no samples."""
-        return Counts(self._lines.bad, None, self._jumps, None, 0)
+        return Counts(self._lines.bad, None, self._jumps, None, 0, self._lines.unnamed.count)
 
     def why_none(self, folder: Path) -> str:
         """What came instead of samples, and the command that names the columns when the recording has ended."""

@@ -135,7 +135,8 @@ class Followed:
             return "recording"
         if self._growing:
             return "recording" if age_s is None else "silent"
-        return "no end was written"
+        unnamed = not self.samples and self.source.counts().unnamed
+        return "kept; its columns have no names" if unnamed else "no end was written"
 
     def _empty(self) -> str:
         """Why there is no curve of displacement over twist, and what to do; empty where there is one."""
@@ -163,6 +164,7 @@ class Followed:
             "empty": self._empty(),
             "device": self.source.device,
             "samples": self.samples,
+            "unnamed": counts.unnamed,
             "rate_hz": self.source.rate_hz,
             "lost": counts.lost,
             "bad": counts.bad,

@@ -1,17 +1,16 @@
-"""What reports/ has to say of a run: verdicts, pages, and the strokes that are left by the lifespan forecast."""
+"""What lies in reports/: the diagnosed runs with their pages, and the newest file of a name."""
 
 import contextlib
-import json
 import os
 from pathlib import Path
-from typing import Any
 
 LARGEST = 1_000_000  # bytes of a file that is looked into
 PAGES = ("diagnosis.html", "diagnosis.pdf", "verdict.txt")  # of a diagnosis, the first that is there
 MOST = 500  # runs that are listed
 
 
-def _text(path: Path) -> str:
+def text_of(path: Path) -> str:
+    """A file's text, bounded; empty where it cannot be read."""
     try:
         with open(path, encoding="utf-8", errors="replace") as file:
             return file.read(LARGEST)
@@ -19,7 +18,8 @@ def _text(path: Path) -> str:
         return ""
 
 
-def _names(folder: Path) -> list[str]:
+def names_in(folder: Path) -> list[str]:
+    """What lies in a folder, hidden ones left out, bounded; nothing where it cannot be read."""
     try:
         return sorted(name for name in os.listdir(folder) if not name.startswith("."))[:MOST]
     except OSError:
@@ -29,18 +29,18 @@ def _names(folder: Path) -> list[str]:
 def verdicts(reports: Path) -> list[dict[str, str]]:
     """Each diagnosed run with the first line of its verdict, and where its page lies below reports/."""
     verdict_list = []
-    for name in _names(reports / "diagnosis"):
+    for name in names_in(reports / "diagnosis"):
         folder = reports / "diagnosis" / name
-        lines = _text(folder / "verdict.txt").splitlines()
+        lines = text_of(folder / "verdict.txt").splitlines()
         if lines:
-            page = _page(folder).relative_to(reports).as_posix()
+            page = page_of(folder).relative_to(reports).as_posix()
             verdict_list.append({"run": name, "verdict": lines[0][:300], "page": page})
     return verdict_list
 
 
-def _newest_first(reports: Path, *names: str) -> list[Path]:
+def newest_first(reports: Path, *names: str) -> list[Path]:
     """Where reports/ has a file `names[-1]` in a folder `names[0]`, or in one of that name a level lower."""
-    places = [reports, *(reports / name for name in _names(reports))]
+    places = [reports, *(reports / name for name in names_in(reports))]
     changed = []
     for path in (place.joinpath(*names) for place in places):
         with contextlib.suppress(OSError):
@@ -48,31 +48,6 @@ def _newest_first(reports: Path, *names: str) -> list[Path]:
     return [path for _, path in sorted(changed, reverse=True)]
 
 
-def newest_verdict(reports: Path, run: str) -> dict[str, str] | None:
-    """The first line of a run's newest verdict, with the page of its diagnosis by its path below reports/."""
-    for path in _newest_first(reports, run, "diagnosis.json"):
-        lines = _text(path.parent / "verdict.txt").splitlines()
-        if lines:
-            return {"verdict": lines[0][:300], "page": _page(path.parent).relative_to(reports).as_posix()}
-    return None
-
-
-def _page(folder: Path) -> Path:
+def page_of(folder: Path) -> Path:
     """What of a diagnosis a person reads."""
     return next(folder / page for page in PAGES if (folder / page).is_file())
-
-
-def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:
-    """Low, median and high of the earliest question of a string's newest lifespan.json, and its path below reports/.
-
-    None where there is none.
-    """
-    for path in _newest_first(reports, string, "lifespan.json"):
-        try:
-            content = json.loads(_text(path))
-            left = content["questions"][content["first"]]["strokes_left"]
-            numbers = {name: None if left[name] is None else float(left[name]) for name in ("low", "median", "high")}
-            return {**numbers, "file": path.relative_to(reports).as_posix()}
-        except (ValueError, KeyError, TypeError, RecursionError):
-            continue
-    return None

@@ -63,6 +63,7 @@ class Settling:
             "at_work": working,
             "stopping": working and self.answers.stopped(),
             "settled": (self.place.out / SETTLED).is_file(),
+            "first": self._first.name,
             "step": step.number,
             "state": step.state,
             "title": str(step.proposal.get("title", "")),

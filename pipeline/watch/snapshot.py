@@ -7,8 +7,10 @@ from typing import Any
 
 from ..ground.kinematics import Array
 from .envelope import Envelope
+from .left_of_string import strokes_left
 from .recording import Followed
-from .reports_of_run import newest_verdict, strokes_left, verdicts
+from .reports_of_run import verdicts
+from .verdict_of_run import newest_verdict
 
 
 def numbers(values: Array) -> list[float | None]:
@@ -57,7 +59,10 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
     content["verdicts"] = verdicts(reports)
     listed = next((verdict for verdict in content["verdicts"] if verdict["run"] == content["run"]), None)
     newest = newest_verdict(reports, content["run"]) or listed
+    if newest is None and (loop := content.get("loop")):  # the run that is made now has none; the loop's first run has
+        newest = newest_verdict(reports, loop["first"])
     content["verdict"], content["verdict_page"] = (newest["verdict"], newest["page"]) if newest else (None, None)
+    content["verdict_of"] = newest.get("of", "") if newest else ""
     content["index"] = (reports / "index.html").is_file()
     content["left"] = strokes_left(reports, run.string_id) if run else None
     return json.dumps(content, separators=(",", ":")).encode()

@@ -5,12 +5,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ..ground.command import recover_command
 from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
 from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, checked, run_name
 from ..ground.regular_file import read_regular
 from ..ground.strict_yaml import LARGEST, read_yaml
+from ..ground.unfinished import mend_of_unfinished
 from ..run.description import STRING_ACTUATORS
 from ..run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
 from ..run.left_out import LeftOut
@@ -83,7 +83,7 @@ def _place(plan: Plan, folder: Path) -> None:
         return
     try:
         if unfinished(folder):
-            mend = f"wait for the capture to end, or run {recover_command(folder)}"
+            mend = mend_of_unfinished(folder)
             plan.unfinished.append(LeftOut.of(run, BadInput(folder, "recording", "is unfinished", mend)))
             return
         read = read_run(folder)

@@ -24,6 +24,7 @@ from scripted_rig import synthetic_rig
 
 from pipeline.capture.pending import note
 from pipeline.watch.appended import Printed
+from pipeline.watch.left_of_string import strokes_left
 from pipeline.wire import Channel, Event, Hello, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
 
@@ -234,7 +235,7 @@ def test_a_browser_shows_the_recording_and_no_hostile_text_acts(tmp_path: Path):
     values = dict(re.findall(r'<b id="([a-z]+)"[^>]*>([^<]*)<', shown))
     assert (values["samples"], values["lost"]) == ("3,009", "10, 0"), values
     assert "<title>run-1</title>" in shown and "<img" not in shown and shown.count("&lt;img src=x") >= 2
-    assert shown.count("<canvas") == 5 and re.search(r'id="link"[^>]*>live<', shown)
+    assert shown.count("<canvas") == 5 and re.search(r'id="link"[^>]*>connected<', shown)
 
 
 @CHROMIUM
@@ -258,6 +259,8 @@ def test_a_browser_shows_words_where_nothing_is_recorded_and_when_a_run_ended(tm
         (mine / "verdict.txt").write_text("explained: friction\n")
         (mine / "diagnosis.json").write_text("{}")
         page.until("document.getElementById('verdict').textContent === 'explained: friction'")
+        assert re.fullmatch(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d \S+", page.text("age")), "with its time zone"
+        assert page.text("link") == "connected"
         assert page.text("verdict-page") == "It stands in reports/mine/run-1/verdict.txt"
 
 
@@ -301,6 +304,26 @@ def test_names_that_a_person_gave_are_known_while_it_is_recorded_and_afterwards(
         assert ready.run("pipeline.capture", "--recover", run).returncode == 0, "the note names them here too"
         found = told(port, lambda found: found["ended"])
     assert found["samples"] == 898 and found["columns"] == [*columns[1:]] and found["replaced"] == 0
+
+
+def test_a_run_whose_columns_nobody_named_says_so_everywhere_with_the_command_that_works(tmp_path: Path):
+    """`diagnose` advised `--recover` without names, which ends in a refusal; the page said `no end was written`."""
+    run = folder(tmp_path)
+    (run / "recording.lines").write_text(NAMELESS)
+    assert ready.run("pipeline.capture", "--recover", run).returncode == 2
+    os.utime(run / "recording.lines", (time.time() - 500, time.time() - 500))
+    refused = ready.run("pipeline.diagnose", run, "--out", tmp_path / "mine")
+    assert refused.returncode == 2 and "its columns have no names yet" in refused.stderr, refused.stderr
+    mend = re.search(
+        rf"pipeline\.capture (--recover {run} --columns time_ms,motor_turns,displacement_mm)", refused.stderr
+    )
+    assert mend and "wait for the capture" not in refused.stderr
+    with watched(run) as (port, _):
+        found = told(port, lambda found: found["unnamed"])
+        assert (found["samples"], found["unnamed"], found["state"]) == (0, 898, "kept; its columns have no names")
+        assert ready.run("pipeline.capture", *mend[1].split()).returncode == 0
+        assert told(port, lambda found: found["ended"])["unnamed"] == 0
+    assert not (run / "capture-pending.json").exists()
 
 
 def test_a_column_is_shown_as_the_channel_that_run_yaml_reads_it_as(tmp_path: Path):
@@ -356,3 +379,45 @@ def test_a_diagnosis_and_a_forecast_are_shown_wherever_they_lie_in_reports_the_n
     diagnosed("mine/deep", "explained: wear", 3.0, 2e9)
     with watched(run, "--reports", reports / "mine" / "deep") as (port, _):
         assert told(port)["verdict_page"] == "run-1/verdict.txt"
+
+
+def test_a_verdict_of_settle_or_of_several_runs_is_shown_as_theirs(tmp_path: Path):
+    """`This run has no diagnosis yet.`, while a step of settle or a joint diagnosis had one."""
+    run, reports = folder(tmp_path), tmp_path / "reports"
+
+    def diagnosed(place: str, runs: list[str] | str, verdict: str, seconds: float) -> None:
+        (reports / place).mkdir(parents=True)
+        (reports / place / "verdict.txt").write_text(f"{verdict}\n")
+        (reports / place / "diagnosis.json").write_text(json.dumps({"run": runs, "verdict": verdict}, indent=1))
+        os.utime(reports / place / "diagnosis.json", (seconds, seconds))
+
+    diagnosed("mine/run-9", ["run-8", "run-9"], "consistent", 3e9)
+    with watched(run) as (port, _):
+        assert told(port)["verdict"] is None
+        for place, runs, verdict, seconds, words in (
+            ("settle/run-1/step-0", "run-1", "ambiguous", 1e9, "run-1 in step 0 of settle"),
+            ("settle/run-1/step-1", ["run-1", "run-1-s1"], "explained", 1.1e9, "run-1 in step 1 of settle, together"),
+            ("mine/run-2", ["run-1", "run-2"], "unknown", 2e9, "together with run-2"),
+            ("both", ["run-2", "run-1", "run-3"], "open", 2.5e9, "together with run-2 and run-3"),
+        ):
+            diagnosed(place, runs, verdict, seconds)
+            found = told(port, lambda found, verdict=verdict: found["verdict"] == verdict)
+            assert found["verdict_page"] == f"{place}/verdict.txt" and found["verdict_of"].startswith(words)
+
+
+def test_the_strokes_left_say_of_which_limit_by_which_strokes_and_promise_no_more_than_the_terminal(tmp_path: Path):
+    """`16.9 (9.93 to –)`: of what, by what, and the terminal said 9 and 16."""
+    left = tmp_path / "spool-1"
+    left.mkdir()
+    strokes = {"low": 9.93, "median": 16.927, "high": None}
+    asked = {"model_error": {"limit": 1.0, "unit": "mm", "strokes_left": strokes}}
+    asked["stroke_loss"] = {"limit": 0.1, "unit": "1", "strokes_left": {"low": 62.2, "median": None, "high": None}}
+    for first, words, until in (
+        ("model_error", "16 (median), at least 9 in 90 % of the futures", "is off by 1 mm"),
+        ("stroke_loss", "at least 62 in 90 % of the futures", "10 % of the stroke is lost"),
+    ):
+        forecast = {"first": first, "questions": asked, "level": 0.9, "strokes_seen": 18, "runs": ["a-1", "a-2"]}
+        (left / "lifespan.json").write_text(json.dumps(forecast))
+        found = strokes_left(tmp_path, "spool-1")
+        assert found and (found["words"], found["rests"]) == (words, "18 strokes of a-1 and a-2")
+        assert found["until"].endswith(until)

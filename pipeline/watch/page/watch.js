@@ -1,6 +1,7 @@
 "use strict";
 const EVERY_MS = 500, STALE_S = 3, BAND = 2; // sigma
 const COLOURS = ["#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b"];
+const ZONED = { year: "numeric", month: "2-digit", day: "2-digit", hour: "2-digit", minute: "2-digit", second: "2-digit", timeZoneName: "short" };
 const KEY = "watch-token";
 const at = (id) => document.getElementById(id);
 
@@ -18,15 +19,15 @@ function fact(name, text, id, bad) {
 
 function facts(d) {
   const stale = !d.ended && d.age_s !== null && d.age_s > STALE_S;
-  const left = d.left && d.left.median !== null ? `${round(d.left.median, 3)} (${round(d.left.low, 3)} to ${round(d.left.high, 3)})` : "no forecast";
+  const left = d.left && d.left.words ? d.left.words : "no forecast";
   // a program's strokes, not those of the rig's own motion; of an earlier step's run nothing tells any more
   const planned = d.loop?.moves?.winds || (d.loop && d.ended ? 0 : d.planned);
   at("facts").replaceChildren(
     fact("state", d.state, "state", stale),
-    fact("samples", d.samples.toLocaleString("en"), "samples"),
+    fact("samples", d.samples.toLocaleString("en") + (d.unnamed && !d.samples ? `; ${d.unnamed.toLocaleString("en")} lines without names are kept` : ""), "samples"),
     fact("rate (Hz)", round(d.rate_hz, 6), "rate"),
     fact("frames lost, bad", d.lost === null ? `–, ${d.bad}` : `${d.lost}, ${d.bad}`, "lost", d.lost > 0 || d.bad > 0),
-    d.ended && d.ended_utc ? fact("ended at", new Date(d.ended_utc).toLocaleString("sv"), "age") : fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
+    d.ended && d.ended_utc ? fact("ended at", new Date(d.ended_utc).toLocaleString("sv", ZONED), "age") : fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
     fact("disk left", bytes(d.free_bytes), "disk", d.free_bytes < 1e9),
     fact("strokes", d.strokes === null ? "–" : planned ? `${d.strokes} of ${planned}` : `${d.strokes}`, "strokes"),
     fact("strokes left, forecast", left, "left"),
@@ -63,12 +64,12 @@ function drawLoops(loops, d) {
 let listed = "";
 function verdicts(d) {
   show("verdict", d.verdict || "This run has no diagnosis yet.");
-  const text = JSON.stringify([d.verdicts, d.index, d.verdict_page, d.left && d.left.file]);
+  const text = JSON.stringify([d.verdicts, d.index, d.verdict_page, d.verdict_of, d.left]);
   if (text === listed) return;
   listed = text;
   const link = (name, path) => { const a = document.createElement("a"); a.textContent = name; a.href = "/reports/" + path.split("/").map(encodeURIComponent).join("/"); return a; };
-  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page)] : []));
-  at("left-file").replaceChildren(...(d.left ? ["The strokes left stand in ", link(`reports/${d.left.file}`, d.left.file)] : []));
+  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
+  at("left-file").replaceChildren(...(d.left ? ["The strokes left", d.left.until && ` until ${d.left.until}`, d.left.rests && ` (by ${d.left.rests})`, " stand in ", link(`reports/${d.left.file}`, d.left.file)] : []));
   at("index").replaceChildren(...(d.index ? [link("All reports", "index.html")] : []));
   at("verdicts").replaceChildren(...d.verdicts.map((one) => {
     const row = document.createElement("tr"), run = document.createElement("td"), said = document.createElement("td");
@@ -94,6 +95,8 @@ async function press(button) {
   at("clear").checked = false;
 }
 
+const opened = Date.now(), WAIT_MS = 4000;
+const NO_DATA = "connected, but no data yet: a long recording is read from its beginning first. If this stays, look at the terminal of watch; start it again and open the address that it prints.";
 let asked = null;
 const STATES = { proposed: "proposed", approved: "is made now", recorded: "is being diagnosed", diagnosed: "diagnosed" };
 function loop(d) {
@@ -108,6 +111,7 @@ function loop(d) {
   show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
   for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
   at("approve").disabled = !token || !at("clear").checked;
+  show("stop", l.state === "approved" ? "Stop: the motor first" : "Stop the loop: nothing moves now");
   at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
   at("no-token").hidden = Boolean(token) || !l.at_work;
   foretold(l.foretold, d);
@@ -168,8 +172,8 @@ async function look() {
       document.title = d.run; show("run", d.run);
       show("about", [d.material, d.string && `string ${d.string}`, d.device].filter(Boolean).join(" · "));
       facts(d); loop(d); draw(d); jobs(d); verdicts(d);
-      const link = at("link"); link.className = ""; link.textContent = "live";
-    }
+      const link = at("link"); link.className = ""; link.textContent = "connected";
+    } else if (Date.now() - opened > WAIT_MS) show("link", NO_DATA);
   } catch (error) {
     const link = at("link"); link.className = "bad"; link.textContent = `no answer, trying again (${error.message})`;
   }

@@ -1,0 +1,52 @@
+"""The strokes that a string has left by its newest forecast, in the words of the terminal: rounded down."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+from ..ground.counts import counted
+from .reports_of_run import newest_first, text_of
+
+LIMITS = {  # by the question of a forecast
+    "stroke_loss": "{limit:.3g} % of the stroke is lost",
+    "model_error": "a model calibrated on the first strokes is off by {limit:g} mm",
+}
+
+
+def _limit(question: str, content: dict[str, Any]) -> str:
+    """The limit that is asked about, in words."""
+    limit = float(content["limit"]) * (100.0 if content["unit"] == "1" else 1.0)
+    return LIMITS.get(question, f"{question} passes {{limit:g}}").format(limit=limit)
+
+
+def _count(least: str, median: float | None, low: float | None) -> str:
+    """Median and lower end, each rounded down; the median is the stroke that half of the futures reach."""
+    words = [] if median is None else [f"{math.floor(median)} (median)"]
+    return ", ".join([*words, *([] if low is None else [f"at least {math.floor(low)} in {least}"])])
+
+
+def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:
+    """Low, median and high of the earliest question of a string's newest lifespan.json, and its path below reports/.
+
+    `words` say how many in how many of the futures, `until` which limit is passed, `rests` on how many strokes of
+    which runs. None where there is none.
+    """
+    for path in newest_first(reports, string, "lifespan.json"):
+        try:
+            content = json.loads(text_of(path))
+            question = content["questions"][content["first"]]
+            left = question["strokes_left"]
+            numbers = {name: None if left[name] is None else float(left[name]) for name in ("low", "median", "high")}
+            least = f"{100.0 * float(content.get('level', 0.9)):.0f} % of the futures"
+            seen, runs = content.get("strokes_seen"), [str(run) for run in content.get("runs", [])]
+            return {
+                **numbers,
+                "words": _count(least, numbers["median"], numbers["low"]),
+                "until": _limit(str(content["first"]), question) if "limit" in question else "",
+                "rests": f"{counted(int(seen), 'stroke')} of {' and '.join(runs)}" if seen and runs else "",
+                "file": path.relative_to(reports).as_posix(),
+            }
+        except (ValueError, KeyError, TypeError, RecursionError):
+            continue
+    return None
