@@ -137,9 +137,9 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    other = {NAMED: "as named\nwithout them"} if without else {}
+    other = {NAMED: f"{NAMED}*"} if without else {}
     if without:
-        axes.set_xlabel(fill(f"named without them: {without}", TITLE_WIDE), fontsize=8)
+        axes.set_xlabel(fill(f"* named without them: {without}", TITLE_WIDE), fontsize=8)
     axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))

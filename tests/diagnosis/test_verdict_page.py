@@ -1,6 +1,7 @@
 """The page of a verdict: short, the effects in a table, the dimensions to measure, what to do in numbered steps."""
 
 import copy
+import re
 from pathlib import Path
 
 import pytest
@@ -126,7 +127,7 @@ def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then(
     said = steps()
     assert "- If you find another value: write it into run.yaml, and diagnose again;" in said
     assert "known better than its tolerance: say how well (`tolerance: {radius: …}`) and diagnose again;" in said
-    assert "- if the same, no better known: go on with step 2. No percentage covers" in said
+    assert "- if the same, no better known: go on with step 2. The percentages do not hold" in said
     assert "three is the most that it may" in text and "provisional" in text
     near = page(content(evidence__moved_sigma=NEAR))
     assert "Measure again" not in near and "provisional" not in near
@@ -334,19 +335,31 @@ def test_an_effect_larger_than_what_is_missing_says_where_the_rest_is():
 def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_is_what_fails():
     bad = {**ALONE, "fit__heldout__explained_mm": 4.3}
     same = page(content(**bad, evidence__chosen_without_them=["creep", "friction_hysteresis"]))
-    assert "the explanation makes the calibrated simulator worse" in same and "the same procedure" not in same
+    assert "the explanation makes the calibrated simulator worse" in same and "the procedure names" not in same
     made = content(**bad, evidence__chosen_without_them=["slack"])
     other = " ".join(page(made).split())
-    instead = "On the unseen strokes slack, which the same procedure named without them, makes the calibrated simulator"
-    assert f"{instead} worse: adopt nothing. So the recording is too short to choose" in other
-    assert "1. Adopt nothing: on the unseen strokes slack, which the same procedure named" in other
+    slack = "slack (what the procedure names without these strokes)"
+    worse = f"On the unseen strokes {slack} makes the calibrated simulator worse: adopt nothing."
+    assert f"{worse} So the recording is too short to choose" in other
+    assert "1. Adopt nothing: on the unseen strokes slack (what the procedure names" in other
     assert "the explanation makes" not in other and "explanation improves" not in other
     everywhere = [details(made), figures.warning(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"]))]
-    assert all("slack, which" in each and "the explanation makes" not in each for each in everywhere)
+    assert all("slack (what" in each and "the explanation makes" not in each for each in everywhere)
     made["evidence"]["chosen_without_them"] = []
     made["fit"]["heldout"]["explained_mm"] = made["fit"]["heldout"]["calibrated_mm"]
-    none = "On the unseen strokes nothing was tried, for without them the same procedure named no effect. So the"
+    none = "On the unseen strokes nothing was tried, for without them the procedure names no effect. So the"
     assert none in " ".join(page(made).split())
+
+
+def test_a_good_error_of_other_effects_is_said_to_be_of_these():
+    made = content(evidence__chosen_without_them=["creep", "friction_hysteresis"])
+    assert "not settled" not in page(made) and " *" not in page(made)
+    made["evidence"]["chosen_without_them"] = ["thermal"]
+    shown = " ".join(page(made).split())
+    assert "Without the last strokes the procedure names thermal, not creep + friction_hysteresis" in shown
+    error = re.search(r"not settled; (.+?) is thermal's error", shown)
+    assert error and re.search(rf"as diagnosed: effects added .* {error[1]} \([0-9.]+ times the noise\) \*", shown)
+    assert "* of thermal, which the procedure names without these strokes." in shown
 
 
 def test_after_adopting_what_tied_is_decided_after_measuring_again():
@@ -824,7 +837,7 @@ def test_what_the_whole_recording_shows_and_unseen_strokes_do_not_is_said_to_be_
     made["evidence"]["explanations"][-1]["left_mm"] = 0.021
     first = " ".join(under("What to know first", page(copy.deepcopy(made))))
     said = "Something systematic is left: the explanation leaves 0.021 mm rms, 2.8 times the noise of the averages"
-    assert f"{said}; the 2 % for physics that the library lacks is about names alone." in " ".join(first.split())
+    assert f"{said}; the 2 % for physics that the library lacks does not cover that." in " ".join(first.split())
     made["fit"]["heldout"]["explained_mm"] = 0.05
     text = page(made)
     assert "Something systematic is left" not in text and "Something systematic is still missing" in text, "once"

@@ -5,7 +5,7 @@ import math
 from ...ground.command import program_name
 from ..bounds import of_later_run
 from ..content import Verdict
-from . import holdout, rivals, unseen
+from . import holdout, in_vain, rivals, unseen
 from .dimensions import far_moved, from_to, name_of
 from .headline import kept_times
 from .quantity import duration, size, times
@@ -15,6 +15,7 @@ HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
 UNKNOWN, GAP = "–", 3  # what an older file does not hold; spaces between columns
 WHOLE = "whole recording (seen by the fit)"
+OTHER = "* of {}, which the procedure names without these strokes"
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
 WHOSE = {
     holdout.UNSEEN: "For the right column all was fitted anew without those strokes.",
@@ -27,7 +28,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, and what must be known to read it."""
     seen, held = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
-    remarks = [WHOSE[holdout.status(content)]] if held else [TOO_FEW]
+    remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if held else [TOO_FEW]
     remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
     return [*aligned(_rows(content, words)), *_moved_most(content, words), *(line for line in remarks if line)]
 
@@ -41,6 +42,8 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
+    if held and in_vain.other_name(content):
+        rows[-1][-1] += " *"
     if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
         rows.pop()
     adopted = content["evidence"].get(f"adopted_{words.ending}")
@@ -75,7 +78,13 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
         "noise": "noise: about the least possible",
     }
     cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
-    return [*cells, *([] if held else [TOO_FEW])]
+    return [*cells, *(_of_other(content) if held else [TOO_FEW])]
+
+
+def _of_other(content: Verdict) -> list[str]:
+    """Whose error on unseen strokes the last row holds, where it is not of what the verdict names."""
+    other = in_vain.other_name(content)
+    return [f"{OTHER.format(other)}."] if other else []
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:

@@ -5,6 +5,7 @@ import math
 from ..content import Verdict
 from . import holdout
 from .level import NO_BETTER
+from .quantity import size
 from .unseen import WORSE, errors
 from .vocabulary import Vocabulary
 
@@ -36,9 +37,7 @@ def said(content: Verdict, words: Vocabulary) -> str:
     if not improves_nothing(content, words):
         return ""
     if other_name(content) == NONE:
-        return (
-            f"on the {holdout.strokes(content)} nothing was tried, for without them the same procedure named no effect"
-        )
+        return f"on the {holdout.strokes(content)} nothing was tried, for without them the procedure names no effect"
     does = "makes the simulator worse" if harmful(content, words) else "improves nothing"
     return f"on the {holdout.strokes(content)} {tried(content)} {does}{too_small(content, words) * SMALL}"
 
@@ -69,7 +68,18 @@ def other_name(content: Verdict) -> str:
 def tried(content: Verdict) -> str:
     """What was tried on the strokes that no fit has seen: the explanation, or what was named without them."""
     other = other_name(content)
-    return f"{other}, which the same procedure named without them," if other else "the explanation"
+    return f"{other} (what the procedure names without these strokes)" if other else "the explanation"
+
+
+def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
+    """That the good error on the last strokes is of other effects than are named; nothing where it is of these."""
+    other, unseen_errors = other_name(content), errors(content, words)
+    named = [entry["id"] for entry in content["mechanisms"]]
+    if not other or not named or unseen_errors is None or improves_nothing(content, words):
+        return []
+    whose = f"{other}'s error" if other.isidentifier() else f"the error of {other}"
+    names = f"Without the last strokes the procedure names {other}, not {' + '.join(sorted(named))}"
+    return [f"{names}: the name is not settled; {size(unseen_errors[2], words.unit)} is {whose}."]
 
 
 def other_choice(content: Verdict) -> list[str]:

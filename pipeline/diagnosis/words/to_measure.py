@@ -74,7 +74,7 @@ def consequences(content: Verdict, then: str, brief: int = 0) -> list[str]:
     bullets = [
         f"- If you find another value: write it into run.yaml{gain}, and diagnose again;",
         *([f"{exact} and diagnose again;"] if where else []),
-        f"- if the same, no better known: {then}. No percentage covers other physics that moved it.",
+        f"- if the same, no better known: {then}. The percentages do not hold where other physics moved it.",
     ]
     if brief > 2:
         return [f"Write what you measured, or how well, into run.yaml ({DETAILS}) and diagnose again; else {then}."]

@@ -31,6 +31,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
         )
         other = in_vain.other_choice(content)
         sentences += [f"O{in_vain.said(content, words)[1:]}{'' if other else f': {means}'}.", *other]
+    sentences += in_vain.unsettled(content, words)
     if unseen.partly(content, words) and content["verdict"] != "unknown":
         lies = level.place_of_missing(content, words)
         sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
@@ -50,5 +51,5 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
     left = size(fitted * float(content["evidence"][f"floor_{words.ending}"]), words.unit)
     more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
     none = content["evidence"].get("probability_of_none")
-    share = "" if none is None else f"; the {percent(none)} for physics that the library lacks is about names alone"
+    share = "" if none is None else f"; the {percent(none)} for physics that the library lacks does not cover that"
     return [f"Something systematic is left: the explanation leaves {left} rms, {more}{share}."]
