@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from ..formats import format_of, read_foreign
+from ..formats.text import Uneven, even_lines
 from ..ground.complaint import key_name
 from ..ground.counts import counted
 from ..ground.errors import BadInput
@@ -110,7 +111,10 @@ def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     if actuator not in known:
         raise BadInput("--actuator", "actuator", f"{actuator!r} is not known", f"use one of {', '.join(known)}")
     system, guessed = known[actuator], guess_layout(path)
-    table = read_foreign(path, guessed.layout)
+    try:
+        table, refused = read_foreign(path, guessed.layout), ""
+    except Uneven as error:  # the draft can be made all the same
+        table, refused = even_lines(path, guessed.layout), f"\nbut as it is the import will refuse it: {error}"
     columns = numbers(table, guessed.layout.decimal == ",")
     if not columns:
         raise BadInput(path, "file", "holds no column of numbers", "check that it is the recording")
@@ -126,4 +130,4 @@ def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     lines += [*_layout(guessed.layout), "channels:"]
     for channel in wanted:
         lines += _channel(channel, roles.get(channel), free)
-    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns)
+    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns) + refused

@@ -68,6 +68,15 @@ def _above(rows: Rows) -> tuple[int, bool, int, list[str]]:
     return (rows[top][0] if top else 0), True, first - top - 1, last
 
 
+def _without_ends(parted: Rows, first: int) -> Rows:
+    """The rows without the empty cells at their ends where the rows of numbers have those, and the names above not."""
+    over = len(parted[first][1]) - len(parted[first - 1][1]) if first > 0 else 0
+    if over <= 0 or any(parted[first][1][-over:]):
+        return parted
+    rows = ((number, row if any(row[-over:]) else row[:-over]) for number, row in parted[first:])
+    return [*parted[:first], *rows]
+
+
 def _of_text(path: Path) -> Guessed:
     lines, encoding = _decoded(path)
     numbered = [(number, line) for number, line in enumerate(lines[:LOOK_ROWS]) if line.strip()]
@@ -75,6 +84,7 @@ def _of_text(path: Path) -> Guessed:
     delimiter = max(DELIMITERS, key=lambda sign: (scores[sign], -DELIMITERS.index(sign)))
     parted = [(number, cells(line, delimiter)) for number, line in numbered]
     first = next((index for index, (_, row) in enumerate(parted) if _of_numbers(row)), 0)
+    parted = _without_ends(parted, first)
     remarks = [line.lstrip() for _, line in numbered if line.lstrip().startswith(REMARKS)]
     comment = next((sign for sign in REMARKS if remarks and remarks[0].startswith(sign)), None)
     named = first > 0 and len(parted[first - 1][1]) == len(parted[first][1])

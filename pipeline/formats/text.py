@@ -5,10 +5,12 @@ import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal, TypedDict
 
 import pandas as pd
 
 from ..ground import schemas
+from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.text_file import TextFile
 from .interface import Format
@@ -16,6 +18,18 @@ from .text_layout import DELIMITERS, cells, check_start, other_delimiter, uneven
 from .text_lines import IMPORT, TableFile, table_lines
 
 MOST_COLUMNS = 2_000
+FEW = 20  # lines with fields too many: slips of a logger; more of them are another layout
+
+
+class Reading(TypedDict):
+    """Arguments of pandas."""
+
+    sep: str
+    header: int | None
+    skipinitialspace: bool
+    index_col: Literal[False]
+    decimal: str
+    engine: Literal["c"]
 
 
 def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
@@ -69,26 +83,54 @@ def _names(path: Path, layout: TextFile, lines: TableFile) -> list[str]:
 def _tables(path: Path, layout: TextFile, lines: TableFile) -> Iterator[pd.DataFrame]:
     """Tables of so many rows as a row group has, as pandas reads them; raises BadInput for what is no table."""
     try:
-        reader = pd.read_csv(
-            io.BufferedReader(lines),
-            sep=r"\s+" if layout.delimiter == " " else layout.delimiter,
-            header=0 if layout.header else None,
-            skipinitialspace=True,
-            index_col=False,
-            decimal=layout.decimal,
-            engine="c",
-            chunksize=schemas.ROW_GROUP,
-        )
+        reader = pd.read_csv(io.BufferedReader(lines), chunksize=schemas.ROW_GROUP, **_as_written(layout))
         while (table := _next(reader)) is not None and lines.error is None:
             yield table
     except (ValueError, OverflowError, pd.errors.ParserWarning) as error:
         if lines.error is None:
-            mend = "check file.delimiter, file.skip and file.comment, and the line that it names"
-            rows = (line.rstrip("\n") for _, line in table_lines(path, layout))
-            reason = uneven(rows, layout.delimiter) or re.sub(r"\s+", " ", str(error)).strip()[:200]
-            raise BadInput(path, "file", f"is not a table ({reason})", mend) from None
+            raise _no_table(path, layout, error) from None
     if lines.error is not None:
         raise lines.error
+
+
+class Uneven(BadInput):
+    """Some lines have fields too many: the others are a table."""
+
+
+def _no_table(path: Path, layout: TextFile, error: Exception) -> BadInput:
+    """What is wrong with lines that pandas makes no table of, by the first line that has fields too many."""
+    mend = "check file.delimiter, file.skip and file.comment"
+    longer = uneven(table_lines(path, layout), layout.delimiter)
+    if longer is None:
+        reason = re.sub(r"\s+", " ", str(error)).strip()[:200]
+        return BadInput(path, "file", f"is not a table ({reason})", f"{mend}, and the line that it names")
+    number, what, count = longer
+    more = f"; so have {counted(count - 1, 'more line')}" if count > 1 else ""
+    problem = f"is not a table (line {number}, {what}{more})"
+    if count > FEW:
+        return BadInput(path, "file", problem, mend)
+    lines = f"line {number}" if count == 1 else f"line {number} and the others"
+    return Uneven(path, "file", problem, f"take the fields that are too many out of {lines}, or the whole line")
+
+
+def even_lines(path: Path, layout: TextFile) -> pd.DataFrame:
+    """The table of a file without the lines that have fields too many."""
+    lines = [line for _, line in table_lines(path, layout)]
+    width = len(cells(lines[0], layout.delimiter))
+    text = "".join(line for line in lines if len(cells(line, layout.delimiter)) <= width)
+    return pd.read_csv(io.StringIO(text), **_as_written(layout))
+
+
+def _as_written(layout: TextFile) -> Reading:
+    """How pandas is to read the table."""
+    return {
+        "sep": r"\s+" if layout.delimiter == " " else layout.delimiter,
+        "header": 0 if layout.header else None,
+        "skipinitialspace": True,
+        "index_col": False,
+        "decimal": layout.decimal,
+        "engine": "c",
+    }
 
 
 def _next(reader: Iterator[pd.DataFrame]) -> pd.DataFrame | None:

@@ -87,12 +87,18 @@ def is_half(before: str, last: str, delimiter: str) -> bool:
     return short_row or half_number
 
 
-def uneven(lines: Iterator[str], delimiter: str) -> str | None:
-    """In words, the first of a table's lines with more fields than its first line; None where no line has more."""
-    first = next(lines)
+def uneven(lines: Iterator[tuple[int, str]], delimiter: str) -> tuple[int, str, int] | None:
+    """The first of a table's lines with more fields than its first line; None where no line has more.
+
+    Its number in the file, from 1, what it has in words, and how many such lines there are. `lines` are those of the
+    table, each after how many lines of the file.
+    """
+    (_, first), worst, count = next(lines), None, 0
     width = len(cells(first, delimiter))
-    for line in lines:
+    for number, line in lines:
         fields = len(cells(line, delimiter))
         if fields > width:
-            return f"the line {short(line)} has {counted(fields, 'field')}, its first line {short(first)} has {width}"
-    return None
+            first_has = f"its first line {short(first.rstrip())} has {width}"
+            worst = worst or (number + 1, f"{short(line.rstrip())} has {counted(fields, 'field')}, {first_has}")
+            count += 1
+    return (*worst, count) if worst else None

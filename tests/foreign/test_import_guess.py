@@ -250,3 +250,34 @@ def test_a_guessed_actuator_is_marked_and_a_load_of_nobody_is_to_be_filled_in(tm
     assert "load_n:  # fill in" not in program("forced.csv", "--guess", cwd=tmp_path).stdout, "a column has it"
     drive = program("log.csv", "--guess", "--actuator", "cable_drive", cwd=tmp_path).stdout
     assert "load_n" not in drive and "# check: a guess, as no" not in drive
+
+
+def test_a_delimiter_that_ends_the_rows_of_numbers_alone_costs_no_names(tmp_path):
+    """The draft had neither names nor units, and skipped the first rows."""
+    rows = [f"{t:.6f}\t{m * 360:.6f}\t{x / 10:.6f}\t" for t, m, x in zip(T, M, X, strict=True)]
+    (tmp_path / "a.txt").write_text("\n".join(["t [s]\tmotor [deg]\tx [cm]", *rows]) + "\n")
+    text = program("--guess", "a.txt", cwd=tmp_path).stdout
+    assert 'file: {delimiter: "\\t"}\n' in text and "motor_turns: {column: 'motor [deg]', unit: deg}" in text, text
+    (tmp_path / "map.yaml").write_text(filled(text))
+    done = program("a.txt", "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert read_samples(tmp_path / "raw" / "a-01")[1]["motor_turns"].to_numpy() == pytest.approx(M.to_numpy(), abs=1e-6)
+
+
+def test_a_row_with_a_field_too_many_is_told_by_its_line_and_the_draft_is_made_all_the_same(tmp_path):
+    """Nothing was drafted, and the mend, to check the delimiter, mended nothing."""
+    lines = table(time_s=T, motor_turns=M, x_mm=X).to_csv(index=False).splitlines()
+    lines[57] += ",9"
+    (tmp_path / "a.csv").write_text("\n".join(lines) + "\n")
+    done = program("--guess", "a.csv", cwd=tmp_path)
+    assert done.returncode == 0 and "but as it is the import will refuse it: a.csv: file: is not a" in done.stderr
+    (tmp_path / "map.yaml").write_text(filled(done.stdout))
+    words = ("a.csv", "--map", "map.yaml", "--run", "a-01")
+    done = program(*words, cwd=tmp_path)
+    assert done.returncode == 2 and "has 4 fields, its first line 'time_s,motor_turns,x_mm' has 3)" in done.stderr
+    assert "(line 58, " in done.stderr and "Mend: take the fields that are too many out of line 58, or" in done.stderr
+    (tmp_path / "a.csv").write_text("\n".join([*lines[:57], lines[57][:-2], *lines[58:]]) + "\n")
+    assert program(*words, cwd=tmp_path).returncode == 0
+    (tmp_path / "a.csv").write_text("\n".join([lines[0], *(f"{line},9" for line in lines[1:])]) + "\n")
+    done = program(*words[:-1], "a-02", cwd=tmp_path)
+    assert done.returncode == 2 and "more lines" in done.stderr and "Mend: check file.delimiter, file." in done.stderr
