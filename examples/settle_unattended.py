@@ -6,8 +6,8 @@ and ends. `watch` shows all of it on a page. Run as
 
     python3 env/run.py python examples/settle_unattended.py [FOLDER]
 
-It takes two minutes. All that it makes lies in FOLDER (default: a new one in the temporary folder), and it says where.
-The page is there until it ends.
+It takes two minutes, three or more on a busy machine. All that it makes lies in FOLDER (default: a new one in the
+temporary folder), and it says where. The page is there until it ends.
 """
 
 import json

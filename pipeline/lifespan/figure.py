@@ -20,6 +20,7 @@ from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 from .strokes_left import BAND_LEVELS, LEAST_STROKES
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
+BEGINS = "0.4"  # where another recording begins
 OTHERS = (
     ("rest_mm", "rest, drift (mm)"),
     ("loop_mm", "loop (mm)"),
@@ -58,11 +59,31 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             axes.set_ylabel(label)
             if name == "loop_mm" and float(np.nanmin(table[name])) < 0.0:
                 axes.text(0.98, 0.97, NEGATIVE_LOOP, ha="right", va="top", transform=axes.transAxes, fontsize=7.5)
+        begins = begun(health)
+        for number, axes in enumerate(axes for axes in panels.values() if axes.get_xlabel()):
+            mark(axes, begins, named=not number)
         figure.suptitle(f"{health.string}: {strokes(len(health.strokes))} seen", fontsize=11)
         if note := footnote(answers, level):
             figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
         write_figure(figure, path, dpi=130)
         plt.close(figure)
+
+
+def begun(health: Health) -> list[tuple[str, float]]:
+    """Each further run with the place between its first stroke and the one before, in strokes."""
+    places = health.strokes.drop_duplicates("run")[["run", "stroke"]].itertuples(index=False)
+    return [(str(run), float(stroke) - 0.5) for run, stroke in [*places][1:]]
+
+
+def mark(axes: Axes, begins: list[tuple[str, float]], named: bool) -> None:
+    """A line where each further recording begins, with the run's name in the first panel."""
+    for run, at in begins:
+        axes.axvline(at, color=BEGINS, lw=0.8, ls=":")
+        if named:
+            axes.annotate(
+                f"{run} begins", (at, 0.98), xycoords=("data", "axes fraction"), xytext=(2, 0),
+                textcoords="offset points", fontsize=7, color=BEGINS, rotation=90, va="top", ha="left",
+            )  # fmt: skip
 
 
 def footnote(answers: list[Answer], level: float) -> str:

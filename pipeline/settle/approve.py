@@ -9,6 +9,7 @@ from .answers import Answers
 from .choose import apart
 from .motion_table import begins, lines
 from .step import Place, Step
+from .tie import tie
 
 WAYS = ("ask", "auto", "page")
 UNATTENDED = ("auto", "page")  # nobody need stand at the terminal, so nothing moves without limits
@@ -20,7 +21,7 @@ def told(step: Step, place: Place) -> str:
         return f"step {step.number}: proposed: {step.proposal['title']}"
     size = f"{step.seconds:.0f} s, {counted(step.strokes, 'stroke')}"
     drawn = f"drawn before it is made: {place.folder(step.number) / 'proposed.png'}"
-    below = [*filter(None, [apart(step.proposal)]), begins(step), *lines(step), drawn]
+    below = [*tie(step, place), *filter(None, [apart(step.proposal)]), begins(step), *lines(step), drawn]
     return "\n  ".join([f"step {step.number}: proposed: {step.proposal['title']} ({size})", *below])
 
 

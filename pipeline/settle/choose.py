@@ -10,6 +10,7 @@ from ..wire.motion import MOST_LEGS, Leg, Limits
 from .limits import beyond
 from .proposed import ProposedRun, without_curves
 from .step import Step
+from .tie import FORETOLD, closest
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
@@ -105,7 +106,9 @@ def apart(run: ProposedRun) -> str:
     """How far apart a run puts the two closest explanations, in words; nothing where it parts none."""
     if "gap_then" not in run:
         return ""
-    return f"With it the closest two explanations are expected {in_words(gaps(run)[1])} apart."
+    two = closest(run)
+    names = f", {two}," if two else ""
+    return f"With it the closest two explanations{names} are expected {in_words(gaps(run)[1])} apart: {FORETOLD}."
 
 
 def in_words(deviations: float) -> str:

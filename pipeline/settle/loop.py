@@ -23,6 +23,7 @@ from .motor import Motor
 from .proposed import ProposedRun, retimed, without_curves
 from .sheet import sheet
 from .step import Place, Step
+from .tie import so_far
 
 DONE, FAULT, STOPPED = 0, 1, 130
 
@@ -72,7 +73,8 @@ class Loop:
                 if approved_step is not None:
                     steps[-1] = approved_step
                 elif not self.answers.stopped():
-                    print(f"step {step.number}: not approved: nothing was moved; started again it asks again")
+                    verdict = so_far(step, self.place)
+                    print(f"step {step.number}: not approved: nothing was moved; started again it asks again{verdict}")
                     return DONE
             else:
                 steps[-1], status = self._recorded(step)

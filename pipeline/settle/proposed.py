@@ -1,7 +1,7 @@
 """A run that could be made, and the verdict that it follows, as the files of a step hold them."""
 
 from collections.abc import Sequence
-from typing import Any, TypedDict, cast
+from typing import Any, NotRequired, TypedDict, cast
 
 import numpy as np
 
@@ -24,6 +24,14 @@ class Curves(TypedDict):
 _Begins = TypedDict("_Begins", {"from": float}, total=False)  # where the motor stands before it, in turns
 
 
+class Pair(TypedDict):
+    """Two explanations, and how far apart they are without a run and with it: squares of standard deviations."""
+
+    ids: list[list[str]]
+    gap_now: float
+    gap_then: float
+
+
 class ProposedRun(_Begins, total=False):
     """A run of `next_runs.json`, as docs/diagnosis.md describes `next_run`; of step 0 also `runs`, what was there."""
 
@@ -32,6 +40,7 @@ class ProposedRun(_Begins, total=False):
     load: float | None
     fixed_load: bool
     parts: list[list[str]]
+    pairs: list[Pair]
     gap_now: float
     gap_then: float
     follows: str
@@ -49,12 +58,20 @@ class NamedMechanism(TypedDict):
     id: str
 
 
+class Explanation(TypedDict):
+    """What is read of an entry of `explanations`."""
+
+    ids: list[str]
+    probability: float | None
+
+
 class StepVerdict(TypedDict):
     """What is read of a step's `diagnosis.json`."""
 
     verdict: str
     mechanisms: list[NamedMechanism]
     alternatives: list[list[str]]
+    explanations: NotRequired[list[Explanation]]
 
 
 def retimed(run: ProposedRun, legs: Sequence[LegJson]) -> ProposedRun:

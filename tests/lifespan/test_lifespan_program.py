@@ -156,6 +156,21 @@ def test_the_picture_says_how_to_read_a_shade_that_falls_and_a_loop_below_0(tmp_
     plt.close("all")
 
 
+def test_the_picture_marks_where_each_further_recording_begins(tmp_path, monkeypatch):
+    """The strokes of two recordings stood in one row, and a step between them looked like wear."""
+    health = strings([folder(tmp_path, "a-1", samples(14, 0.002))])[0]
+    table = health.strokes.assign(run=["a-1"] * 8 + ["a-2"] * 6)
+    monkeypatch.setattr(plt, "close", lambda figure: None)
+    one = replace(health, strokes=table, runs=["a-1", "a-2"])
+    page(one, [stroke_loss(one, 0.1), model_error(one, 4.0)], 0.9, tmp_path / "page.png")
+    drawn = plt.gcf().axes
+    dotted = [[line.get_xdata()[0] for line in axes.lines if line.get_linestyle() == ":"] for axes in drawn]
+    assert len(drawn) > 3 and dotted == [[8.5]] * len(drawn)
+    assert [text.get_text() for axes in drawn for text in axes.texts if "begins" in text.get_text()] == ["a-2 begins"]
+    monkeypatch.undo()
+    plt.close("all")
+
+
 def test_too_few_strokes_are_said_and_no_error(tmp_path):
     ran = program(folder(tmp_path, "a-1", samples(5, 0.002)), "--out", tmp_path / "out")
     assert ran.returncode == 0 and ran.stdout.splitlines()[0] == (

@@ -1,6 +1,8 @@
 """What a person reads before she approves a run: each leg in numbers, and what the run is expected to tell."""
 
+import json
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from settle.test_settle_parts import RIG, entry
@@ -8,7 +10,10 @@ from settle.test_settle_parts import RIG, entry
 from pipeline.settle.approve import told
 from pipeline.settle.choose import Budget, chosen, in_words, leg_json
 from pipeline.settle.first import strokes
+from pipeline.settle.limits import Allowed
+from pipeline.settle.loop import Loop
 from pipeline.settle.motion_table import lines, table, winds
+from pipeline.settle.motor import Motor
 from pipeline.settle.step import Place, Step
 from pipeline.watch.settling import Settling
 
@@ -29,7 +34,39 @@ def test_before_a_person_says_yes_each_leg_is_said_in_numbers(tmp_path):
     assert ["1", "2.0", "stands", "at", "0.00", "0", "20"] in rows
     assert ["2", "5.0", "0.00", "to", "20.00", "4.08", "40"] in rows, "with the ramps of the rig: faster than 20 / 5"
     assert ["3", "5.0", "20.00", "to", "0.00", "4.08", "40"] in rows
-    assert "With it the closest two explanations are expected about 20 standard deviations apart." in text
+    assert "With it the closest two explanations are expected about 20 standard deviations apart: so the lib" in text
+
+
+def test_before_a_person_says_yes_the_tie_is_named_with_its_probabilities_and_the_file_of_the_verdict(
+    tmp_path, monkeypatch, capsys
+):
+    """`about 55 standard deviations apart` of nobody knew what, and no word of where the verdict stands."""
+    place = Place(tmp_path)
+    pairs = [
+        {"ids": [["backlash"], ["creep", "wear"]], "gap_now": 1.0, "gap_then": 900.0},
+        {"ids": [["backlash"], ["friction_hysteresis"]], "gap_now": 4.0, "gap_then": 400.0},
+    ]
+    parts = [["backlash"], ["friction_hysteresis"], ["creep", "wear"]]
+    step = replace(proposed(pairs=pairs, parts=parts), run_dir=str(tmp_path / "a-s1"))
+    assert "verdict so far" not in told(step, place), "of a folder that is not there"
+    explanations = [{"ids": ["friction_hysteresis"], "probability": 0.481}, {"ids": ["backlash"], "probability": 0.376}]
+    explanations += [{"ids": ["wear", "creep"], "probability": None}]
+    for path, words in (("diagnosis.json", json.dumps({"explanations": explanations})), ("verdict.txt", "ambiguous")):
+        place.folder(0).mkdir(exist_ok=True)
+        (place.folder(0) / path).write_text(words)
+    text = told(step, place)
+    assert "what ties: backlash (38 %), friction_hysteresis (48 %), creep + wear." in text
+    assert f"the verdict so far: {tmp_path / 'step-0' / 'verdict.txt'}" in text
+    assert "the closest two explanations, backlash and friction_hysteresis, are expected about 20 standard" in text
+    assert "foretell poorly which run settles a tie: in tests 12 of 22 were settled rightly (docs/settle.md)." in text
+    place.write(Step(0, "diagnosed", proposal={"runs": [str(tmp_path / "a")]}))
+    place.write(step)
+    monkeypatch.setattr(Motor, "takes", lambda self: RIG)
+    monkeypatch.setattr("sys.stdin", SimpleNamespace(isatty=lambda: True))
+    monkeypatch.setattr("builtins.input", lambda question: "no")
+    Loop([tmp_path / "a"], place, Motor("port", 1, Allowed({}), False), "ask", Budget(3, 9.0, 9)).go()
+    ending = capsys.readouterr().out.splitlines()[-1]
+    assert "not approved" in ending and ending.endswith(f"the verdict so far: {tmp_path / 'step-0' / 'verdict.txt'}")
 
 
 def test_the_table_begins_where_the_motor_stands_now():

@@ -1,0 +1,51 @@
+"""What a person reads of the tie before a run that is to decide it: which explanations, how probable, and where."""
+
+from collections.abc import Sequence
+
+from .proposed import ProposedRun
+from .step import Place, Step
+
+FORETOLD = (
+    "so the library's formulas foretell, and they foretell poorly which run settles a tie: in tests 12 of 22 were "
+    "settled rightly (docs/settle.md)"
+)
+
+
+def name_of(ids: Sequence[str]) -> str:
+    """An explanation by the names of its mechanisms."""
+    return " + ".join(ids) or "no mechanism"
+
+
+def closest(run: ProposedRun) -> str:
+    """The two explanations that are the closest ones with a run, in words; empty where nothing says which."""
+    pairs = [pair for pair in run.get("pairs", []) if len(pair["ids"]) == 2]
+    parts = run.get("parts", [])
+    ids = min(pairs, key=lambda pair: pair["gap_then"])["ids"] if pairs else parts if len(parts) == 2 else []
+    return " and ".join(map(name_of, ids))
+
+
+def tie(step: Step, place: Place) -> list[str]:
+    """Between what a step's run decides, each with its probability by the verdict before it, and that verdict's file.
+
+    Nothing of a first recording, before which there is no verdict.
+    """
+    path = so_far(step, place).removeprefix("; ")
+    if not path:
+        return []
+    try:
+        explanations = place.diagnosis(step.number - 1).get("explanations", [])
+    except (OSError, ValueError):
+        return []
+    probable = {frozenset(each["ids"]): each.get("probability") for each in explanations}
+    words = []
+    for ids in step.proposal.get("parts", []):
+        probability = probable.get(frozenset(ids))
+        words.append(name_of(ids) + ("" if probability is None else f" ({100.0 * probability:.0f} %)"))
+    decides = [f"It is to tell apart what ties: {', '.join(words)}."] if words else []
+    return [*decides, path]
+
+
+def so_far(step: Step, place: Place) -> str:
+    """Where the verdict stands that a step's run follows, to be put behind a sentence; empty before the first one."""
+    path = place.folder(step.number - 1) / "verdict.txt"
+    return f"; the verdict so far: {path}" if step.number and path.is_file() else ""
