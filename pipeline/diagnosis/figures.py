@@ -18,8 +18,7 @@ from .simulation import at_its_best_zero
 from .words import advice
 from .words.dimensions import name_of
 from .words.headline import unfit
-from .words.holdout import heading, included
-from .words.in_vain import other_name
+from .words.holdout import heading, included, other_name
 from .words.quantity import listing
 from .words.to_measure import to_measure
 from .words.unseen import noises

@@ -15,6 +15,9 @@ from .web.page import Text, link, paragraph, picture, together
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
 TO_DO = "What to do"  # begins the heading under which a verdict says it
 UNDECIDED = "not decided"
+NAMING = ("explained", "ambiguous")  # verdicts that name physics
+WORSE = ", but worse on unseen strokes: do not adopt"
+NO_NUMBER = "–"
 SIZES = ("mismatch", "nominal", "calibrated", "explained", "noise")
 FILES = {
     "verdict.txt": "the verdict",
@@ -53,10 +56,19 @@ def named_of(content: Content | None) -> Markup:
     return best + (f", or {others} other explanation{'s' * (others > 1)}" if others > 0 else "")
 
 
-def tag(verdict: str) -> Markup:
-    """A verdict in its colour."""
+def badge_of(content: Content | None) -> str:
+    """The verdict as its badge says it: with a warning where what it names is worse than the nominal simulator."""
+    verdict = verdict_of(content)
+    worse = content is not None and verdict in NAMING and "explained" in content["fit"].get("worse_than_nominal", [])
+    return f"{verdict}{WORSE}" if worse else verdict
+
+
+def tag(badge: str) -> Markup:
+    """A verdict in its colour, with the warning that its badge has."""
+    verdict = badge.removesuffix(WORSE)
     of = verdict if verdict in VERDICTS else "none"
-    return Markup('<span class="verdict {}">{}</span>').format(of, word(verdict))
+    of = "unknown" if badge != verdict else of  # no colour of a success
+    return Markup('<span class="verdict {}">{}{}</span>').format(of, word(verdict), badge[len(verdict) :])
 
 
 def sizes(content: Content | None) -> list[str]:
@@ -68,7 +80,10 @@ def sizes(content: Content | None) -> list[str]:
     numbers = [(content["mismatch"] or {}).get(f"rms_{unit}")]
     numbers += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
     numbers.append(content["fit"][f"noise_floor_{unit}"])
-    return ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in numbers]
+    cells = ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in numbers]
+    if verdict_of(content) == "unknown":  # nothing is named that could have an error
+        cells[SIZES.index("explained")] = NO_NUMBER
+    return cells
 
 
 def words_of(folder: Path) -> str:

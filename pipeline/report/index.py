@@ -47,7 +47,7 @@ def others(reports: Path) -> Markup:
 
 def verdict_tag(reports: Path, run: str) -> Markup:
     """A run's verdict in its colour."""
-    return diagnoses.tag(diagnoses.verdict_of(diagnoses.content_of(reports / "diagnosis" / run)))
+    return diagnoses.tag(diagnoses.badge_of(diagnoses.content_of(reports / "diagnosis" / run)))
 
 
 def page(

@@ -7,10 +7,13 @@ from pathlib import Path
 from markupsafe import Markup
 
 from .diagnoses import (
+    NAMING,
     SIZES,
     UNDECIDED,
     VERDICTS,
+    WORSE,
     Content,
+    badge_of,
     content_of,
     named_of,
     next_recording,
@@ -24,7 +27,6 @@ from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
 LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict
-NAMING = ("explained", "ambiguous")  # verdicts that name physics
 UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
 Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
 
@@ -55,7 +57,7 @@ def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mappin
     for run, content in contents.items():
         folder = reports / "diagnosis" / run
         names = Markup("<br>").join(filter(None, [named_of(content), advice(verdict_of(content), folder)]))
-        rows.append([name(run), of.get(run, ""), tag(verdict_of(content)), names])
+        rows.append([name(run), of.get(run, ""), tag(badge_of(content)), names])
         rows[-1] += [*sizes(content), next_run(content, folder)]
     head = ["Run", "Material", "Verdict", "Left out of the simulator", *SIZES, "Next run"]
     over = [("", 5), ("error on unseen strokes", UNSEEN), ("", 2)]
@@ -64,11 +66,10 @@ def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mappin
 
 def counted(contents: Mapping[str, Content | None]) -> Markup:
     """How many runs ended with which verdict; a click on one shows its runs alone."""
-    counts = Counter(verdict_of(content) for content in contents.values())
+    counts = Counter(badge_of(content) for content in contents.values())
     shape = Markup('<a href="#runs" data-only="{0}">{1:,} {2}</a>')
-    return Markup(" · ").join(
-        shape.format(verdict, counts[verdict], tag(verdict)) for verdict in (*VERDICTS, UNDECIDED) if counts[verdict]
-    )
+    badges = [badge for verdict in (*VERDICTS, UNDECIDED) for badge in (verdict, f"{verdict}{WORSE}")]
+    return Markup(" · ").join(shape.format(badge, counts[badge], tag(badge)) for badge in badges if counts[badge])
 
 
 def glance(

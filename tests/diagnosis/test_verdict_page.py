@@ -8,6 +8,7 @@ import pytest
 from made_content import SYSTEMS, confident, content, page, spoken, told, weighed
 
 from pipeline.diagnosis import figures
+from pipeline.diagnosis.words import advice
 from pipeline.diagnosis.words.details import details_text
 from pipeline.diagnosis.words.sections import WIDE, wrapped
 from pipeline.diagnosis.words.vocabulary import Vocabulary
@@ -360,6 +361,12 @@ def test_a_good_error_of_other_effects_is_said_to_be_of_these():
     error = re.search(r"not settled; (.+?) is thermal's error", shown)
     assert error and re.search(rf"as diagnosed: effects added .* {error[1]} \([0-9.]+ times the noise\) \*", shown)
     assert "* of thermal, which the procedure names without these strokes." in shown
+
+
+def test_what_is_worse_than_the_nominal_simulator_is_not_to_be_adopted():
+    assert advice.of_adopting(content(), Vocabulary.of(SYSTEMS["mm"])).find("worse") < 0
+    shown = advice.of_adopting(content(fit__worse_than_nominal=["explained"]), Vocabulary.of(SYSTEMS["mm"]))
+    assert shown == "Do not adopt this: on the unseen strokes the simulator with it is worse than the nominal one."
 
 
 def test_after_adopting_what_tied_is_decided_after_measuring_again():

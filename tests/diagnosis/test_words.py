@@ -1127,6 +1127,12 @@ def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_some
     words = Vocabulary.of(SYSTEMS["mm"])
     lines = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
     assert said in lines and never not in lines
+    made["evidence"]["chosen_without_them"] = ["wear"]
+    other = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
+    assert not other or (
+        "wear (what the procedure names without these strokes)" in other and "calibration" not in other
+    )
+    del made["evidence"]["chosen_without_them"]
     whole = " ".join(told(made).split())
     assert said in whole and (level.METHOD in whole) == bool(said)
     if without == 0.02:

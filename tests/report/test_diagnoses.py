@@ -13,7 +13,7 @@ from pipeline.report.diagnoses import (
     verdicts,
     why_nothing,
 )  # fmt: skip
-from pipeline.report.index_head import advice, runs_table
+from pipeline.report.index_head import advice, counted, runs_table
 from pipeline.report.summary import summary
 
 
@@ -58,6 +58,21 @@ What to do, in this order
   2. You can report: 0.17 mm. Record the rig again.
 
 More: details.txt"""
+
+
+def test_a_name_that_makes_the_simulator_worse_has_that_in_its_badge_and_is_counted_apart(tmp_path):
+    worse = {**TIED, "verdict": "explained", "fit": {**TIED["fit"], "worse_than_nominal": ["explained"]}}
+    contents = {"a": worse, "b": {**TIED, "verdict": "explained"}, "c": {**worse, "verdict": "unknown"}}
+    badge = "explained</abbr>, but worse on unseen strokes: do not adopt</span>"
+    rows = str(runs_table(tmp_path, contents, {}, str)).split("<tr>")
+    assert [badge in row for row in rows[-3:]] == [True, False, False]
+    top = str(counted(contents))
+    assert 'data-only="explained, but worse on unseen strokes: do not adopt">1 ' in top and badge in top
+    assert 'data-only="explained">1 ' in top and 'data-only="unknown">1 ' in top
+
+
+def test_an_unknown_verdict_has_no_error_of_what_it_names():
+    assert sizes({**TIED, "verdict": "unknown"})[1:4] == ["1.9 mm", "0.81 mm", "–"]
 
 
 def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_path):

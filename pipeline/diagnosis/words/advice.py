@@ -26,6 +26,10 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     """What to do about adopting what is named, by what the page says of it already; nothing decides anew here."""
     if in_vain.harmful(content, words):
         return worse(content)
+    if "explained" in content["fit"].get("worse_than_nominal", []):
+        return (
+            f"Do not adopt this: on the {holdout.strokes(content)} the simulator with it is worse than the nominal one."
+        )
     far = [f"the {name_of(name)}" for name in far_moved(content)]
     if far:
         return f"Do not adopt before {listing(far)} {'is' if len(far) == 1 else 'are'} measured again."

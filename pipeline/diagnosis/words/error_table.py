@@ -5,7 +5,7 @@ import math
 from ...ground.command import program_name
 from ..bounds import of_later_run
 from ..content import Verdict
-from . import holdout, in_vain, rivals, unseen
+from . import holdout, rivals, unseen
 from .dimensions import far_moved, from_to, name_of
 from .headline import kept_times
 from .quantity import duration, size, times
@@ -42,7 +42,7 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
-    if held and in_vain.other_name(content):
+    if held and holdout.other_name(content):
         rows[-1][-1] += " *"
     if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
         rows.pop()
@@ -83,8 +83,9 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _of_other(content: Verdict) -> list[str]:
     """Whose error on unseen strokes the last row holds, where it is not of what the verdict names."""
-    other = in_vain.other_name(content)
-    return [f"{OTHER.format(other)}."] if other else []
+    other = holdout.other_name(content)
+    who = "calibration alone: the procedure names no effect without these strokes"
+    return [f"* of {who}." if other == holdout.NO_EFFECT else f"{OTHER.format(other)}."] if other else []
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:

@@ -3,6 +3,7 @@
 from ..content import Verdict
 
 SPLIT = "last 30 % of strokes"
+NO_EFFECT = "no effect"
 UNSEEN, SEEN, PERHAPS = "unseen", "seen", "perhaps"
 
 
@@ -24,6 +25,14 @@ def status(content: Verdict) -> str:
         return SEEN
     known = {id_ for adoption in of_known_runs for id_ in adoption["effects"]}
     return UNSEEN if set(ids) <= known else PERHAPS
+
+
+def other_name(content: Verdict) -> str:
+    """What the procedure named without the last strokes, if that is not what it names with them; else nothing."""
+    chosen = content["evidence"].get("chosen_without_them")
+    if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
+        return ""
+    return " + ".join(sorted(set(chosen))) or NO_EFFECT
 
 
 def strokes(content: Verdict) -> str:

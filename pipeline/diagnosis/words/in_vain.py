@@ -9,7 +9,6 @@ from .quantity import size
 from .unseen import WORSE, errors
 from .vocabulary import Vocabulary
 
-NONE = "no effect"
 SMALL = ", and is too small to show there"
 
 
@@ -36,7 +35,7 @@ def said(content: Verdict, words: Vocabulary) -> str:
     """
     if not improves_nothing(content, words):
         return ""
-    if other_name(content) == NONE:
+    if holdout.other_name(content) == holdout.NO_EFFECT:
         return f"on the {holdout.strokes(content)} nothing was tried, for without them the procedure names no effect"
     does = "makes the simulator worse" if harmful(content, words) else "improves nothing"
     return f"on the {holdout.strokes(content)} {tried(content)} {does}{too_small(content, words) * SMALL}"
@@ -57,23 +56,15 @@ def too_small(content: Verdict, words: Vocabulary) -> bool:
     return least > NO_BETTER * calibrated
 
 
-def other_name(content: Verdict) -> str:
-    """What the procedure named without the last strokes, if that is not what it names with them; else nothing."""
-    chosen = content["evidence"].get("chosen_without_them")
-    if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
-        return ""
-    return " + ".join(sorted(set(chosen))) or NONE
-
-
 def tried(content: Verdict) -> str:
     """What was tried on the strokes that no fit has seen: the explanation, or what was named without them."""
-    other = other_name(content)
+    other = holdout.other_name(content)
     return f"{other} (what the procedure names without these strokes)" if other else "the explanation"
 
 
 def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     """That the good error on the last strokes is of other effects than are named; nothing where it is of these."""
-    other, unseen_errors = other_name(content), errors(content, words)
+    other, unseen_errors = holdout.other_name(content), errors(content, words)
     named = [entry["id"] for entry in content["mechanisms"]]
     if not other or not named or unseen_errors is None or improves_nothing(content, words):
         return []
@@ -84,6 +75,6 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
 
 def other_choice(content: Verdict) -> list[str]:
     """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
-    if not other_name(content):
+    if not holdout.other_name(content):
         return []
     return ["So the recording is too short to choose, and what is named here has been tried on no stroke unseen by it."]

@@ -22,7 +22,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
     if in_vain.harmful(content, words):
-        end = "adopt nothing" if in_vain.other_name(content) else "do not adopt it"
+        end = "adopt nothing" if holdout.other_name(content) else "do not adopt it"
         sentences.append(f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}.")
         sentences += in_vain.other_choice(content)
     elif in_vain.improves_nothing(content, words):
