@@ -159,7 +159,7 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
     status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
     quick = "snakemake --cores 2 --configfile pipeline/config/ci.yaml -- reports/UHMWPE/"
     quick += "{table_1.csv,models.html,figure_5.png}"
-    small = f"quick, small fits that are no results: {quick}"
+    small = f"quick, small fits that are no results, without reports/index.html: {quick}"
     readme = (Path(__file__).parent.parent / "README.md").read_text()
     assert quick.replace("UHMWPE", "nylon") in readme, "the README and the program say one command"
     both = f"{folder} {folder.with_name('a-02')} --together --out reports/mine/a-02"
@@ -317,6 +317,21 @@ def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
 def test_before_there_is_a_run_yaml_a_mend_names_the_option(new, samples, option):
     status, _, said = new("a-01", samples=samples)
     assert status == 2 and option in said and "run.yaml" not in said.partition("Mend: ")[2]
+
+
+@pytest.mark.parametrize(("text", "option"), [
+    (lambda csv: csv.replace(",", ";"), "--file '{delimiter: ;}'"),
+    (lambda csv: csv.replace(",", "\t"), "--file '{delimiter: \"\\t\"}'"),
+    (lambda csv: "Rig 7\nby somebody\n" + csv, "--file '{skip: 2}'"),
+])  # fmt: skip
+def test_an_option_is_whole_where_the_program_knows_the_answer(new, tmp_path, text, option):
+    """It was printed with a gap, beside the answer."""
+    file = tmp_path / "log.csv"
+    file.write_text(text(GOOD.to_csv(index=False)))
+    status, _, said = new("a-01", "--recording", str(file))
+    assert status == 2 and f"here by {option}" in said and "…" not in said, said
+    status, _, said = new("a-01", "--recording", str(file), *shlex.split(option))
+    assert status == 0, said
 
 
 def test_a_mend_for_the_command_line_keeps_what_was_given(new):

@@ -1,5 +1,6 @@
 """A mend for the command line, where the `run.yaml` that it names is not there yet."""
 
+import ast
 import copy
 import re
 from typing import Any
@@ -10,6 +11,7 @@ from ..ground.errors import BadInput
 from ..ground.strict_yaml import write_yaml
 
 KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
+VALUE = re.compile(r""" to ('[^'\n]*'|"[^"\n]*"|-?\d+(?:\.\d+)?)""")  # behind it, where the mend knows the value
 
 
 def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
@@ -26,14 +28,16 @@ def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
     for match in KEY.finditer(mend):
         key, *own = match[2].split(".")
         if match[1] == section:
-            whole[key] = _left_open(key, own, whole.get(key) or {})
+            to = VALUE.match(mend, match.end())
+            value = ast.literal_eval(to[1]) if to else "…"  # a gap where the mend names no value
+            whole[key] = _with_value(own, value, whole.get(key) or {}, key)
     option = f"here by --{section} {quoted(write_yaml(whole, flow=True))}"
     return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
 
 
-def _left_open(key: str, own: list[str], held: Any) -> Any:
-    """What stands under a key, with a gap for what is to be given: for all of it, or for its own key `own`."""
+def _with_value(own: list[str], value: Any, held: Any, key: str) -> Any:
+    """What stands under a key, with the value that is to be given: as all of it, or under its own key `own`."""
     given = written_out(key, held) if own else {}
     if own == ["column"] and not given.keys() - {"column"}:
         own = []  # a column's name alone says it
-    return {**given, own[0]: "…"} if own else "…"
+    return {**given, own[0]: value} if own else value

@@ -130,6 +130,13 @@ def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
     assert "models.html" in rest and "models.md" not in rest and "comparison.html" in rest
 
 
+def test_a_page_that_is_made_alone_says_who_makes_the_page_that_it_leads_to(reports):
+    """After the quick command of one material the link led nowhere."""
+    for name in ("models.html", "comparison.html"):
+        text = (reports / MATERIAL / name).read_text(encoding="utf-8")
+        assert '<a href="../index.html">All reports</a> (a page that the main job makes)' in text
+
+
 def test_every_page_wears_the_mark_of_its_configuration(reports):
     for path, text in pages_of(reports).items():
         assert '<p class="mark small" role="note">Small fit, not a result' in text, path

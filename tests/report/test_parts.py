@@ -135,3 +135,19 @@ def test_a_click_enlarges_a_figure_and_another_ends_it(reports, tmp_path):
     </script></body>"""
     figure = f"../diagnosis/{RUNS[0]}/diagnosis.png"
     assert clicked(reports / "pages" / f"run-{RUNS[0]}.html", click, tmp_path) == f"false|true|{figure}|true|false"
+
+
+@needs_browser
+def test_the_table_of_runs_fits_a_page_of_1200_pixels(tmp_path):
+    """The run to make next was cut off at the edge."""
+    strings = {"uhmwpe-braided": ["uhmwpe-braided-20261121-01-next"], "synthetic": ["synthetic-01"]}
+    tied = {**TIED, "next_experiment": "hold 20 N and 30 N for 15 minutes each at 20 turns, then wind: all of it"}
+    tied["mechanisms"] = [{"id": "friction_hysteresis"}, {"id": "lead_compliance"}]
+    for (run,) in strings.values():
+        made_verdict(tmp_path / "diagnosis" / run, f"{run}: said", tied)
+    index(tmp_path, strings)
+    script = """<script>
+      const around = document.querySelector("#runs .scroll");
+      document.title = [around.clientWidth > 1000, around.scrollWidth - around.clientWidth].join("|");
+    </script></body>"""
+    assert clicked(tmp_path / "index.html", script, tmp_path) == "true|0"
