@@ -18,6 +18,10 @@ LEFT_OUT = {
     "within": "blocks inside strokes that the fit left out",
     "later": "whole last strokes that the fit left out",
 }
+ANEW = (
+    "pipeline.predict without --saved fits the model anew, to all points: its answers may differ from these by about "
+    "as much as these errors, which can be more than its interval."
+)
 UNKNOWN = (
     "How large the errors are was not measured: no dataset with points that the fit left out lies beside the model."
 )
@@ -40,7 +44,7 @@ def errors_of(file: Path, name: str, model: Model, dataset: Path, string: str | 
                 sentences.append(_sentence(like, points, of, split))
         except Exception:  # whatever a file beside it that is no such model makes its loaders stumble over
             continue
-    return " ".join(sentences) or UNKNOWN
+    return " ".join([*sentences, ANEW]) if sentences else UNKNOWN
 
 
 def _sentence(model: Model, points: pd.DataFrame, of: str, own: str) -> str:

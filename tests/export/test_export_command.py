@@ -282,6 +282,7 @@ def test_header_and_graphs_say_what_the_model_errs_on_what_it_has_not_seen(tmp_p
     points = pd.read_parquet(tmp_path / "dataset.parquet")
     assert export(file, "--format", "c").returncode == 0
     alone = said_of((file.parent / "tsa.h").read_text())
+    assert "may differ from these by about as much as these errors, which can be more than its interval" in alone
     test = points[points["within"] == "test"]
     model = make_model("spline")
     model.load(file)
