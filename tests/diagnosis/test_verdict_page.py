@@ -369,6 +369,11 @@ def test_what_is_worse_than_the_nominal_simulator_is_not_to_be_adopted():
     assert shown == "Do not adopt this: on the unseen strokes the simulator with it is worse than the nominal one."
 
 
+def test_of_a_tie_the_program_is_named_that_makes_the_run_and_weighs_it():
+    assert "for you: python -m pipeline.settle RUN" in steps(confident(0.93, 0.38))
+    assert "pipeline.settle RUN" not in steps(content(**ALONE))
+
+
 def test_after_adopting_what_tied_is_decided_after_measuring_again():
     made = content(**NOTHING, mismatch=None)
     made["simulation"] = [{"id": "creep", "parameters": {}}]

@@ -834,7 +834,12 @@ def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_n
     assert "left out where" not in told()
     unknown = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.3, 0.1, 0.0, 0.1, 0.02, none=0.48, **unknown)).split())
-    assert "creep: probability 30 %; takes 99 % of the mismatch's energy." in text
+    assert "creep: probability 30 %; takes 99 % of the mismatch's energy, but is too unlikely." in text
+    assert "90 % would be needed, of an explanation that is likely; that no physics of the library explains it" in text
+    for shares in ((0.3, 0.1, 0.0, 0.1, 0.02), (0.02, 0.1, 0.0, 0.1, 0.3)):
+        made = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
+        ordered = [int(share) for share in re.findall(r"probability ([0-9]+) %; takes", made)]
+        assert ordered == sorted(ordered, reverse=True) and len(set(ordered)) > 1
     assert "recording has a probability of 48 %; from 40 % on the verdict is unknown." in text
 
 

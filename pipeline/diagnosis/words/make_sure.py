@@ -85,6 +85,8 @@ def of_names(
         f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}{HERE if id_ in has else ''}."
         for id_ in ids
     ]
+    if ids and has == set(ids) and not in_vain.doubt(content, words):
+        return []  # the recording has all that it would ask for
     if not tests:
         if numbers and brief > 1:
             return [[f"To make sure of the name, see which numbers the rig shows ({DETAILS})."]]

@@ -4,10 +4,11 @@ import math
 
 from ..content import Part, Verdict
 from ..interface import physics
+from ..library import mechanisms
 from ..search import EXPLAINED
 from . import left_out, less_likely, probability
 from .places import EVERYWHERE, place
-from .quantity import listing, size, times
+from .quantity import listing, percent, size, times
 from .reasons import why
 from .rivals import ALIKE, ALLOWED, called, entries, left, told
 from .vocabulary import Vocabulary
@@ -82,15 +83,30 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
     if nothing is None:
         return []
     energy, lines = nothing[f"left_{ending}"] ** 2 - floor**2, []
-    for explanation in entries(content, "not enough", "beaten", "not needed")[:CLOSEST]:
+    for explanation in likeliest(entries(content, "not enough", "beaten", "not needed"))[:CLOSEST]:
         taken = (nothing[f"left_{ending}"] ** 2 - explanation[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
         likely = probability.said(explanation)
         share = f"{100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
         sentence = f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}takes {share}"
-        helper = not physics(tuple(explanation["ids"]))
-        summary = f"{sentence}{', and is no physics of the library' if helper else ''}."
+        summary = f"{sentence}{_why_not(explanation, taken)}."
         lines.append(_with_rule(summary, explanation, content))
-    return [*lines, f"{100.0 * EXPLAINED:.0f} % make an explanation."]
+    none = content["evidence"].get("probability_of_none")
+    also = "" if none is None else f"; that no physics of the library explains it has {percent(none)} here"
+    return [*lines, f"{100.0 * EXPLAINED:.0f} % would be needed, of an explanation that is likely{also}."]
+
+
+def _why_not(explanation: Part, taken: float) -> str:
+    """Why an explanation does not do, where the share of the energy that it takes does not tell; ends a phrase."""
+    if not physics(tuple(explanation["ids"])):
+        return ", and is no physics of the library"
+    if taken < EXPLAINED:
+        return ""
+    if explanation.get("balanced"):
+        return ", but its effects are large and cancel each other almost fully"
+    helpers = [id_ for id_ in explanation["ids"] if id_ in mechanisms() and mechanisms()[id_].helper]
+    if helpers:
+        return f", but {listing(helpers)} would fit nearly anything"
+    return ", but is too unlikely"
 
 
 def _beaten(explanation: Part, first: Part, content: Verdict, words: Vocabulary) -> str:

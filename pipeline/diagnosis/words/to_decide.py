@@ -1,11 +1,14 @@
 """The run to make between explanations that are likely, as a step of the page."""
 
+from ...ground.command import command
 from ..content import NextRun, Verdict
 from . import effect_table, experiment, parting, worth
 from .make_sure import DETAILS, RUN
 from .quantity import listing, quantity
 from .technician import every_load, lasting
 from .vocabulary import Vocabulary
+
+SETTLE = f"To have it proposed, recorded and weighed for you: {command('settle')} RUN"
 
 
 def step(content: Verdict, words: Vocabulary, brief: int) -> list[list[str]]:
@@ -22,15 +25,16 @@ def step(content: Verdict, words: Vocabulary, brief: int) -> list[list[str]]:
     where += "." if brief > 1 else f"{_asks(content, run, words)}. {_own_tests(content, words)} stands there too."
     differ, parts = ("", "") if brief else (worth.readings(run, words), parting.sentence(content))
     care = "" if brief > 1 else worth.care(content, words)
+    alone = "" if brief > 1 or not words.twisted else SETTLE
     question, others = worth.question(content), _not_asked(content, words)
     if worth.decides(run):
         need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
-        return [[" ".join(part for part in (need, parts, differ, care) if part)]]
+        return [[" ".join(part for part in (need, parts, differ, care, alone) if part)]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {question}{hard}: try the run that parts them most{others}."
         tried = "About half of such runs decided in tests."
-        return [[" ".join(part for part in (need, tried, parts, where) if part)]]
+        return [[" ".join(part for part in (need, tried, parts, where, alone) if part)]]
     if parting.some(content):
         best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
         return [[f"No run that was tried decides {question}{others}. {parting.sentence(content)} {best}"]]
