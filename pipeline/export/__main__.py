@@ -7,6 +7,7 @@ import shlex
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from ..ground.command import command
@@ -16,6 +17,7 @@ from ..ground.outputs import file_to_write, folder_to_write
 from ..ground.parser import Parser
 from ..models.parts.saved_files import listed
 from ..stages.train import SPLITS
+from .all_points import fitted_to_all
 from .c_header import header
 from .facts import facts
 from .interface import names
@@ -44,6 +46,8 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--model", help="the model's name; otherwise its folder's")
     parser.add_argument("--dataset", type=Path, help="for models that keep no ranges; otherwise the one beside them")
     parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
+    anew = "fit the model once more, to all points, and export that: the answers of pipeline.predict without --saved"
+    parser.add_argument("--all-points", action="store_true", help=anew)
     parser.add_argument("--string", help="which of a calibrated model's strings")
     return parser.parse_args(words)
 
@@ -107,7 +111,11 @@ def main() -> None:
         _header_to_write(options.out, [options.file, *([options.dataset] if options.dataset else [])])
     else:
         options.out = folder_to_write(options.out)
-    source = opened(options.file, options.model, Beside(options.dataset, options.split, options.string))
+    beside = Beside(options.dataset, options.split, options.string)
+    if options.all_points:
+        options.file = fitted_to_all(options.file, options.model, beside)
+        beside = replace(beside, split=options.split or "within")  # of models that keep no ranges: those of its fit
+    source = opened(options.file, options.model, beside)
     if options.format == "c":
         out = options.out
         with writable(options.file):

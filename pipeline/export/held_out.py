@@ -34,7 +34,8 @@ def errors_of(file: Path, name: str, model: Model, dataset: Path, string: str | 
     """
     split, _, seed = file.stem.partition("-")
     sentences = []
-    for of in dict.fromkeys((split, "later")):
+    whole = split == "all"  # nothing was left out: its like without them answer
+    for of in ("within", "later") if whole else dict.fromkeys((split, "later")):
         points = _held_out(dataset, of, string)
         try:
             like = model if of == split else make_model(name)
@@ -44,7 +45,7 @@ def errors_of(file: Path, name: str, model: Model, dataset: Path, string: str | 
                 sentences.append(_sentence(like, points, of, split))
         except Exception:  # whatever a file beside it that is no such model makes its loaders stumble over
             continue
-    return " ".join([*sentences, ANEW]) if sentences else UNKNOWN
+    return " ".join([*sentences, *([] if whole else [ANEW])]) if sentences else UNKNOWN
 
 
 def _sentence(model: Model, points: pd.DataFrame, of: str, own: str) -> str:

@@ -276,6 +276,21 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
         )
 
 
+def test_the_model_fitted_to_all_points_can_be_exported(tmp_path: Path) -> None:
+    """The exported model's largest contraction lay outside of the interval of the one that is fitted anew."""
+    file = saved("spline", "one", tmp_path)
+    done = export(file, "--format", "c", "--all-points")
+    assert done.returncode == 0, done.stderr
+    anew, whole = make_model("spline"), make_model("spline")
+    points = pd.read_parquet(tmp_path / "dataset.parquet")
+    anew.fit(points, 0)
+    whole.load(file.with_name("all-0.model"))
+    np.testing.assert_allclose(whole.forward(points), anew.forward(points), atol=1e-9)
+    text = said_of((file.parent / "tsa.h").read_text())
+    assert "Errors on blocks inside strokes that the fit left out" in text and "by a fit of this model without" in text
+    assert "may differ from these" not in text and "--saved" in done.stdout and "all-0.model" in done.stdout
+
+
 def test_header_and_graphs_say_what_the_model_errs_on_what_it_has_not_seen(tmp_path: Path) -> None:
     """The header had no number for its error."""
     file = saved("spline", "one", tmp_path)
