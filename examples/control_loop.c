@@ -1,6 +1,7 @@
 /*
  * A 1 kHz control loop around an exported model. On a controller replace the three functions below; on a PC it prints
- * a few lines and ends. Its targets go past the model's range on purpose, to show what a refusal is:
+ * a few lines and ends. Its targets go past the model's range on purpose, to show what a refusal is. It never winds
+ * backwards, and does not go to a twist that was not recorded around what the state tells (tsa_recorded):
  *     python -m pipeline.export processed/synthetic/spline/within-0.model --format c
  *     cc -I reports/synthetic/spline examples/control_loop.c -lm && ./a.out
  */
@@ -10,10 +11,16 @@
 
 #define TICKS 3000 /* 1 ms each */
 
-/* What the task wants, in mm: a ramp up and down over the model's range, and past its end. */
-static tsa_real target_mm(int tick)
+/* The least twist that the motor is sent to: a range reaches a little below 0, which would be wound backwards. */
+static tsa_real least_turns(void)
 {
-    const tsa_real low = TSA_DISPLACEMENT_MM_MIN, span = TSA_DISPLACEMENT_MM_MAX - TSA_DISPLACEMENT_MM_MIN;
+    return TSA_MOTOR_TURNS_MIN > 0 ? TSA_MOTOR_TURNS_MIN : 0;
+}
+
+/* What the task wants, in mm: a ramp from where the motor begins to the range's end, past it, and back. */
+static tsa_real target_mm(int tick, tsa_real low)
+{
+    const tsa_real span = TSA_DISPLACEMENT_MM_MAX - low;
     const tsa_real share = TSA_R(tick < TICKS / 2 ? tick : TICKS - tick) / TSA_R(TICKS / 2);
     return low + span * share * TSA_R(1.1);
 }
@@ -66,6 +73,18 @@ static const char *refusal(int code)
     }
 }
 
+/* Whether anything was recorded around a twist and the state: a header says so where its dataset was there. */
+static int recorded(const tsa_state *state, tsa_real turns)
+{
+#ifdef TSA_HAS_RECORDED
+    return tsa_recorded(state, turns) == TSA_OK;
+#else
+    (void)state;
+    (void)turns;
+    return 1;
+#endif
+}
+
 static void command_motor(tsa_real turns, int tick)
 {
     if (tick % 500 == 0) {
@@ -80,23 +99,38 @@ static void wait_for_next_millisecond(void)
 int main(void)
 {
     tsa_state state = first_state();
-    tsa_real turns = 0, last_mm = target_mm(0);
-    int refused = 0, past = 0, tick;
+    tsa_real turns = least_turns(), low_mm = TSA_DISPLACEMENT_MM_MIN, last_mm;
+    int refused = 0, past = 0, unrecorded = 0, tick;
+    (void)tsa_forward(&state, turns, &low_mm); /* refused, it writes nothing, and each target is refused below */
+    last_mm = low_mm;
     for (tick = 0; tick < TICKS; ++tick) {
-        const tsa_real wanted_mm = target_mm(tick);
+        const tsa_real wanted_mm = target_mm(tick, low_mm);
+        tsa_real answer = turns;
         int code;
         if (wanted_mm != last_mm) {
             state.direction = wanted_mm > last_mm ? 1 : -1; /* winding, or unwinding */
         }
         last_mm = wanted_mm;
-        code = tsa_inverse(&state, wanted_mm, &turns);
+        code = tsa_inverse(&state, wanted_mm, &answer);
+        if (code <= TSA_OK && answer < least_turns()) {
+            answer = least_turns();
+        }
         past += code > TSA_OK && wanted_mm > TSA_DISPLACEMENT_MM_MAX;
-        if (code > TSA_OK && refused++ == 0) {
-            printf("%4d ms: refused, %s: the motor stays where it is\n", tick, refusal(code));
+        if (code > TSA_OK) {
+            if (refused++ == 0) {
+                printf("%4d ms: refused, %s: the motor stays where it is\n", tick, refusal(code));
+            }
+        } else if (!recorded(&state, answer)) {
+            if (unrecorded++ == 0) {
+                printf("%4d ms: %.3f turns were never recorded so: the motor stays where it is\n", tick, (double)answer);
+            }
+        } else {
+            turns = answer;
         }
         command_motor(turns, tick); /* after a refusal `turns` is the last good one */
         wait_for_next_millisecond();
     }
+    printf("%d of %d targets ask for a twist that was not recorded with this state\n", unrecorded, TICKS);
     printf("%d of %d targets refused, %d of them past the model's range, on purpose\n", refused, TICKS, past);
     return 0;
 }

@@ -37,7 +37,8 @@ def checked_pairs(source: Source) -> str:
             ]
             lines += [f"if ({' ||'.join(chr(10) + ' ' * 8 + plane for plane in planes).lstrip()}) {{"]
             lines += ["    return TSA_UNRECORDED;", "}"]
-    return function("int", "tsa_recorded(const tsa_state *at, tsa_real motor_turns)", *lines, "return TSA_OK;")
+    has = "#define TSA_HAS_RECORDED 1 /* tsa_recorded is there */\n\n"
+    return has + function("int", "tsa_recorded(const tsa_state *at, tsa_real motor_turns)", *lines, "return TSA_OK;")
 
 
 def _edges(corners: Array, paired: Paired) -> list[tuple[float, float, float]]:

@@ -28,9 +28,11 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
     figure.suptitle(textwrap.fill(title, TITLE_WIDE), fontsize=TITLE_POINTS)
     loads = changes(run)
-    motion, *hangs, reading, apart = figure.subplots(
-        4 if loads else 3, 1, sharex=True, height_ratios=[1, *([1] if loads else []), 2, 3]
-    )
+    differ = bool(curves["rivals"]) or came is not None  # the simulator beyond itself is a flat line at 0
+    heights = [1, *([1] if loads else []), 2, *([3] if differ else [])]
+    panels = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights)
+    motion, *hangs, reading = panels[:-1] if differ else panels
+    apart = panels[-1] if differ else None
     time_s, base_mm = np.array(curves["time_s"]), np.array(curves["calibrated"])
     motion.plot(time_s, curves["motor_turns"], "0.4", lw=1.2)
     motion.set_ylabel("motor (turns)")
@@ -42,19 +44,22 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
     alone = {} if curves["rivals"] else {"the simulator of run.yaml": base_mm}
     for number, (name, curve) in enumerate((curves["rivals"] or alone).items()):
         colour = COLOURS[number % len(COLOURS)]
-        reading.plot(time_s, curve, color=colour, lw=1.2)
-        apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5, label=name)
+        reading.plot(time_s, curve, color=colour, lw=1.2, label=name)
+        if apart is not None:
+            apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5, label=name)
     if came is not None:
         at_s = came["time_s"].to_numpy() - came["time_s"].iloc[0]
         turns = came["motor_turns"].to_numpy()
         came_mm = came["displacement_mm"].to_numpy() - zero_mm(turns, came["displacement_mm"].to_numpy())
         reading.plot(at_s, came_mm, "k", lw=0.8)
         beyond_mm = came_mm - simulated_mm(curves, at_s, turns)
+        assert apart is not None
         apart.plot(at_s, averaged(at_s, beyond_mm), "k", lw=1.2, label="what came")
     reading.set_ylabel("displacement since\nthe run began (mm)")
-    apart.set_ylabel("beyond the simulator\nwithout a mechanism (mm)")
-    apart.set_xlabel("time (s)")
-    apart.legend(fontsize=8, frameon=False)
+    if apart is not None:
+        apart.set_ylabel("beyond the simulator\nwithout a mechanism (mm)")
+    panels[-1].set_xlabel("time (s)")
+    panels[-1].legend(fontsize=8, frameon=False)
     write_page(figure, path)
 
 

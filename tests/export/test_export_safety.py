@@ -209,7 +209,12 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         assert "refused, TSA_BAD_DISPLACEMENT_MM:" in lines  # past the end of the range, and only there
         words = lines.splitlines()[-1].split()  # "273 of 3000 targets refused, 273 of them ..., on purpose"
         assert 0 < int(words[0]) < 500 and words[5] == words[0] and lines.endswith("range, on purpose\n")
+        sent = [float(turns) for turns in re.findall(r"ms: (\S+) turns$", lines, re.MULTILINE)]
+        assert len(sent) == 6 and min(sent) >= 0.0, "it was sent to -0.2 turns: wound backwards"
     assert "load_n" in source("spline", "campaign").inputs.names
+    lines = said("spline", "campaign", example.replace("MIDDLE(LOAD_N)", "TSA_LOAD_N_MAX"))
+    words = lines.splitlines()[-2].split()  # "2677 of 3000 targets ask for a twist that was not recorded ..."
+    assert "turns were never recorded so: the motor stays where it is" in lines and 0 < int(words[0]) < 3000, lines
     lines = said("spline", "campaign", example.replace("MIDDLE(LOAD_N)", "0"))
     assert "   0 ms: refused, TSA_BAD_LOAD_N:" in lines and "3000 of 3000 targets refused, " in lines
 

@@ -11,12 +11,16 @@ from pipeline.settle import foretold_figure
 LONG = "one stroke at twice the speed under twice the load with a hold, then one stroke under half the load with a hold"
 
 
-def drawn(monkeypatch, load_n: list[float], before_n: float | None, title: str = "a run", came=None):
+def drawn(monkeypatch, load_n: list[float], before_n: float | None, title: str = "a run", came=None, ties=True):
     time_s = [0.0, 1.0, 2.0, 3.0]
     curves = {"time_s": time_s, "motor_turns": [0.0, 0.0, 9.0, 0.0], "load": load_n, "calibrated": [0.0, 0.0, 3.0, 0.0]}
     figures: list = []
     monkeypatch.setattr(foretold_figure, "write_page", lambda figure, path: figures.append(figure))
-    run = {"title": title, "load": before_n, "curves": curves | {"rivals": {"creep": [0.0, 0.0, 3.1, 0.2]}}}
+    run = {
+        "title": title,
+        "load": before_n,
+        "curves": curves | {"rivals": {"creep": [0.0, 0.0, 3.1, 0.2]} if ties else {}},
+    }
     foretold_figure.draw(run, Path("unwritten"), f"{title}: what each explanation foretells", came)
     return figures[0]
 
@@ -54,3 +58,13 @@ def test_the_load_has_a_panel_where_it_changes(load_n, before_n, has, monkeypatc
     if has:
         foretold, hung = (np.asarray(line.get_ydata()).tolist() for line in loads[0].lines)
         assert foretold == load_n and hung == [33.0, 33.0]
+
+
+def test_a_first_recording_has_no_panel_of_a_line_at_0_before_it_is_made(monkeypatch):
+    """The largest panel showed the simulator beyond itself: flat, while nothing was loaded or compared."""
+    panels = drawn(monkeypatch, [20.0] * 4, 20.0, ties=False).axes
+    assert [panel.get_ylabel().split()[0] for panel in panels] == ["motor", "displacement"]
+    assert panels[-1].get_xlabel() == "time (s)" and panels[-1].get_legend() is not None
+    came = pd.DataFrame({"time_s": [0.0, 3.0], "motor_turns": [0.0, 0.0], "displacement_mm": 0.0})
+    panels = drawn(monkeypatch, [20.0] * 4, 20.0, came=came, ties=False).axes
+    assert [panel.get_ylabel().split()[0] for panel in panels] == ["motor", "displacement", "beyond"]
