@@ -59,6 +59,14 @@ def test_the_rival_is_the_runner_up_and_no_rejected_one_stands_beside_it():
     assert [each["ids"][0] for each in compared(alike)][1:] == ["sensor_lag", "backlash"], "both unlikely: by share"
 
 
+def test_the_same_holds_and_rests_are_asked_for_only_where_there_are_some():
+    made = rubbing()
+    assert "with the same holds and rests" in recipe.sentence(made, WORDS, ["friction_hysteresis"])
+    made["evidence"]["covered"] = COVERED | {"longest_hold_s": 0.0, "longest_rest_s": 0.0}
+    asked = recipe.sentence(made, WORDS, ["friction_hysteresis"])
+    assert asked.startswith("So record:") and "holds" not in asked
+
+
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
     text = " ".join(page(rubbing()).split())
     assert "It has no second load: 26.4 N, twice, parts friction_hysteresis from backlash most" in text

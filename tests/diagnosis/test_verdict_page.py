@@ -374,6 +374,12 @@ def test_of_a_tie_the_program_is_named_that_makes_the_run_and_weighs_it():
     assert "pipeline.settle RUN" not in steps(content(**ALONE))
 
 
+def test_two_recordings_are_not_called_this_recording():
+    assert "this recording cannot decide between" in page(confident(0.93, 0.38))
+    both = page(confident(0.93, 0.38, run=["nylon-3", "nylon-4"]))
+    assert "these recordings cannot decide between" in " ".join(both.split())
+
+
 def test_after_adopting_what_tied_is_decided_after_measuring_again():
     made = content(**NOTHING, mismatch=None)
     made["simulation"] = [{"id": "creep", "parameters": {}}]
@@ -828,17 +834,19 @@ def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it
 
 def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_that_they_alone_count():
     made = confident(0.93, 0.38, evidence__moved_sigma=NEAR)
-    assert "- open, so 0 is possible: creep, at most 0.45 mm (the upper end of the interval);" in steps(made)
-    assert "open, so 0" not in steps(confident(0.93, 0.62, evidence__moved_sigma=NEAR)), "creep is probable"
-    assert "open, so 0" not in steps(confident(0.93, 0.38)), "a dimension moved far"
+    merged = "- TO REPORT, of what is open: creep 0.41 mm (0.37 to 0.45 mm), or 0 if it is not at work (rms"
+    assert merged in steps(made) and steps(made).count("creep 0.41 mm") == 1 and "so 0 is" not in steps(made)
+    assert "of what is open" not in steps(confident(0.93, 0.62, evidence__moved_sigma=NEAR)), "creep is probable"
+    assert "of what is open" not in steps(confident(0.93, 0.38)), "a dimension moved far"
     made["evidence"]["beyond_dimensions_mm"] = {"creep": 0.2, "friction_hysteresis": 0.04}
     reported = page(copy.deepcopy(made)).partition("You can report")[2]
     assert "TO REPORT" in reported and not [
         line for line in reported.splitlines() if "  " in line.strip() or " ," in line
     ]
     text = steps(made)
-    assert "creep, at most 0.22 mm (the upper" in text and text.count("the part that no dimension could do") == 1
-    assert "of each the part that no dimension could do (rms, 90 % interval), if friction_hysteresis + creep" in text
+    assert "0.22 mm), the part that no dimension could do, or 0 if it is not at work" in text
+    assert text.count("the part that no dimension could do") == 2, "once for each"
+    assert ", the part that no dimension could do (rms, 90 % interval), if friction_hysteresis + creep" in text
     assert "Of friction_hysteresis and creep only that part may be reported, not what they do in all nor their" in text
 
 

@@ -13,7 +13,7 @@ SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
     "explained": "physics is missing, and named{sure}.",
-    "ambiguous": "physics is missing; this recording cannot decide between {count} explanations{sure}.",
+    "ambiguous": "physics is missing; {recordings} cannot decide between {count} explanations{sure}.",
     "unknown": "the mismatch is real, and nothing in the library explains it.",
 }
 WITH_ADOPTED = {
@@ -35,7 +35,7 @@ NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can 
 
 def headline(content: Verdict, words: Vocabulary) -> str:
     """The verdict in one line."""
-    run = content["run"] if isinstance(content["run"], str) else ", ".join(content["run"])
+    run = ", ".join(_runs(content))
     verdict, adopted = content["verdict"], holdout.included(content)
     fitted = unseen.fitted_times(content, words, named=False) if verdict in UNNAMED else None
     sentence = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
@@ -50,6 +50,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     if adopted and likely:
         named = f"{named}; what was adopted is one of {1 + likely} likely explanations"
     fields = {
+        "recordings": "this recording" if len(_runs(content)) == 1 else "these recordings",
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
@@ -71,6 +72,11 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     if warning:
         return f"{about}: {warning}. {sentence[0].upper()}{sentence[1:]}{unseen.worse(content, words)}"
     return f"{about}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+
+
+def _runs(content: Verdict) -> list[str]:
+    """The runs that a verdict is on."""
+    return [content["run"]] if isinstance(content["run"], str) else list(content["run"])
 
 
 def _them(adopted: list[str]) -> str:

@@ -50,13 +50,6 @@ def doubt_of(entry: Part, content: Verdict, words: Vocabulary) -> str:
     return HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if partly else ""
 
 
-def most(entry: Part, content: Verdict, words: Vocabulary) -> str:
-    """The upper end of the interval of what can be reported of an effect."""
-    known = entry[f"rms_{words.ending}"]
-    own = own_part(entry, content, words)
-    return size(known["high"] * (own / known["value"] if own else 1.0), words.unit)
-
-
 def own_part(entry: Part, content: Verdict, words: Vocabulary) -> float:
     """How much of an effect no dimension could do, rms, where that is clearly less than all of it; else 0."""
     left = content["evidence"].get(f"beyond_dimensions_{words.ending}", {}).get(entry["id"])

@@ -49,7 +49,8 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         stand = duration(lasting)
         still = f", and in the last one hold {stand} at {top} and rest {stand} at {bottom} after it"
     else:
-        still = ", with the same holds and rests"
+        stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
+        still = ", with the same holds and rests" * stood
     turned = span(low, high, words.motion_unit, high - low)
     return f"So record: the same {count} strokes, {turned}{under}, at {speed}{still}."
 

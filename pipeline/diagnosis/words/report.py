@@ -1,6 +1,6 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
-from ..content import Verdict
+from ..content import Part, Verdict
 from . import (
     certainty,
     chances,
@@ -84,7 +84,7 @@ def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _own(content: Verdict, words: Vocabulary) -> list[str]:
     """The sizes to quote and whose constants, where dimensions did not move far."""
-    entries = [entry for entry in content["mechanisms"] if entry["id"] in own_sizes(content, words)]
+    entries = _to_report(content, words, is_open=False)
     if not entries:
         return []
     sizes, constants = [], []
@@ -107,14 +107,27 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _open(content: Verdict, words: Vocabulary) -> list[str]:
     """The most that an open effect of the best explanation does, where dimensions did not move far."""
-    entries = [entry for entry in content["mechanisms"] if entry["id"] in own_sizes(content, words)]
-    shares = certainty.known(content)
     most = [
-        f"{entry['id']}, at most {own_size.most(entry, content, words)}"
-        for entry in entries
-        if shares.get(entry["id"], 1.0) < certainty.PROBABLE
+        f"{entry['id']} {_size(entry, content, words)}, or 0 if it is not at work"
+        for entry in _to_report(content, words, is_open=True)
     ]
-    return [f"open, so 0 is possible: {listing(most)} (the upper end of the interval)"] if most else []
+    vain = in_vain.said(content, words)
+    head = ONLY_WITH.format(vain) if vain else TO_REPORT
+    return [f"{head}, of what is open: {'; '.join(most)} (rms, 90 % interval)"] if most else []
+
+
+def _size(entry: Part, content: Verdict, words: Vocabulary) -> str:
+    """The size of an effect to quote: the part that no dimension could do, said so, or all of it."""
+    if own_size.own_part(entry, content, words):
+        return f"{own_size.own_with_interval(entry, content, words)}, {own_size.PART}"
+    return own_size.with_interval(entry, words)
+
+
+def _to_report(content: Verdict, words: Vocabulary, is_open: bool) -> list[Part]:
+    """The effects whose size can be reported, those that are open or all others."""
+    shares, ids = certainty.known(content), own_sizes(content, words)
+    entries = [entry for entry in content["mechanisms"] if entry["id"] in ids]
+    return [entry for entry in entries if (shares.get(entry["id"], 1.0) < certainty.PROBABLE) == is_open]
 
 
 def _best(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
