@@ -67,6 +67,14 @@ def test_the_same_holds_and_rests_are_asked_for_only_where_there_are_some():
     assert asked.startswith("So record:") and "holds" not in asked
 
 
+def test_a_rival_that_is_likelier_than_one_in_the_table_is_said_not_to_be_in_it():
+    made = rubbing()
+    assert not any("Not in the table" in line for line in lines(made, WORDS))
+    like = made["evidence"]["explanations"][0]
+    made["evidence"]["explanations"].append(like | {"ids": ["slack"], "probability": 0.14, "standing": "beaten"})
+    assert any("Not in the table: slack (14 %), of which nobody" in line for line in lines(made, WORDS))
+
+
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
     text = " ".join(page(rubbing()).split())
     assert "It has no second load: 26.4 N, twice, parts friction_hysteresis from backlash most" in text

@@ -40,7 +40,26 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
     best = next((table for table, parted in tables if parted), tables[0][0] if tables else [])
     stands = any(parted for _, parted in tables) and any(line.startswith(STAND) for line in best)
     sign = [] if stands or not best else slow_sign.lines(content, words, weighed)
-    return [*best, *recorded_evidence.lines(content, words), *sign]
+    return [*best, *(_not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]
+
+
+def _not_in(content: Verdict) -> list[str]:
+    """Why a rival that is likelier than one in the table is not in it; nothing where none is."""
+    first, *others = compared(content)
+    shares = [probability(content, other["ids"]) or 0.0 for other in others]
+    known = [set(each["ids"]) for each in content["evidence"]["expected"]["explanations"]]
+    rivals_left = [
+        each
+        for each in rivals.entries(content, "beaten", "not needed")
+        if set(each["ids"]) not in known and (each.get("probability") or 0.0) > min(shares, default=1.0)
+    ]
+    if content["verdict"] != "explained" or not rivals_left:
+        return []
+    likeliest = max(rivals_left, key=lambda each: float(each["probability"]))
+    name = f"{rivals.called(likeliest['ids'])} ({percent(likeliest['probability'])})"
+    if set(first["ids"]) < set(likeliest["ids"]):
+        return [f"Not in the table: {name}, which only adds to the best one."]
+    return [f"Not in the table: {name}, of which nobody would see a number differ from the best one's."]
 
 
 def _table(
