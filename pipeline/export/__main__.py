@@ -7,7 +7,6 @@ import shlex
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 
 from ..ground.command import command
@@ -114,7 +113,6 @@ def main() -> None:
     beside = Beside(options.dataset, options.split, options.string)
     if options.all_points:
         options.file = fitted_to_all(options.file, options.model, beside)
-        beside = replace(beside, split=options.split or "within")  # of models that keep no ranges: those of its fit
     source = opened(options.file, options.model, beside)
     if options.format == "c":
         out = options.out

@@ -134,9 +134,10 @@ def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tupl
     split = beside.split or file.name.split("-")[0]
     if not path.is_file():
         raise BadInput(file, "ranges", f"a {name} keeps none and there is no {path}", "say --dataset FILE")
-    if split not in SPLITS:
+    if split not in (*SPLITS, "all"):
         raise BadInput(file, "split", f'"{split}" is none', f"say --split {' or --split '.join(SPLITS)}")
-    points = divided(opened_table(path, schemas.DATASET, "say --dataset FILE"), split, path)[0]
+    table = opened_table(path, schemas.DATASET, "say --dataset FILE")
+    points = table if split == "all" else divided(table, split, path)[0]
     if points.empty:
         raise BadInput(path, split, "has no points: the strings have too few strokes", "say --split with another")
     if not about(name).each_string_apart:

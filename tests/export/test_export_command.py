@@ -14,6 +14,7 @@ import numpy as np
 import onnx
 import onnxruntime
 import pandas as pd
+import programs
 import pytest
 import yaml
 from compiled import ROOT, need
@@ -289,6 +290,15 @@ def test_the_model_fitted_to_all_points_can_be_exported(tmp_path: Path) -> None:
     text = said_of((file.parent / "tsa.h").read_text())
     assert "Errors on blocks inside strokes that the fit left out" in text and "by a fit of this model without" in text
     assert "may differ from these" not in text and "--saved" in done.stdout and "all-0.model" in done.stdout
+
+
+def test_a_model_without_ranges_of_its_own_is_asked_after_it_was_fitted_to_all_points(tmp_path: Path) -> None:
+    file = saved("traditional", "one", tmp_path)
+    assert export(file, "--format", "c", "--all-points").returncode == 0
+    (tmp_path / "q.csv").write_text("stroke,direction,motor_turns\n1,1,5\n")
+    words = ("--saved", file.with_name("all-0.model"), "--out", tmp_path / "a.csv")
+    done = programs.run("pipeline.predict", tmp_path / "dataset.parquet", tmp_path / "q.csv", *words)
+    assert done.returncode == 0 and len(pd.read_csv(tmp_path / "a.csv")) == 1, done.stderr
 
 
 def test_header_and_graphs_say_what_the_model_errs_on_what_it_has_not_seen(tmp_path: Path) -> None:
