@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from ..ground.command import command
+from ..ground.command import command, program_name
 from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write, folder_to_write
@@ -45,7 +45,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--model", help="the model's name; otherwise its folder's")
     parser.add_argument("--dataset", type=Path, help="for models that keep no ranges; otherwise the one beside them")
     parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
-    anew = "fit the model once more, to all points, and export that: the answers of pipeline.predict without --saved"
+    anew = f"fit it anew to all points, and export that: the answers of {program_name('predict')} without --saved"
     parser.add_argument("--all-points", action="store_true", help=anew)
     parser.add_argument("--string", help="which of a calibrated model's strings")
     return parser.parse_args(words)

@@ -10,6 +10,7 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from ..ground.command import program_name
 from ..models.interface import Model, make_model
 from ..models.parts.foreseen import MAPS
 
@@ -19,8 +20,8 @@ LEFT_OUT = {
     "later": "whole last strokes that the fit left out",
 }
 ANEW = (
-    "pipeline.predict without --saved fits the model anew, to all points: its answers may differ from these by about "
-    "as much as these errors, which can be more than its interval."
+    f"{program_name('predict')} without --saved fits the model anew, to all points: its answers may differ from these "
+    "by about as much as these errors, which can be more than its interval."
 )
 UNKNOWN = (
     "How large the errors are was not measured: no dataset with points that the fit left out lies beside the model."
