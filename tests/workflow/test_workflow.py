@@ -44,8 +44,11 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     index = (reports / "index.html").read_text()
     assert "synthetic/models.html" in index and "synthetic/figure_leak.png" in index
     assert index.index("At a glance") < index.index("<details") < index.index("Table I: forward")
-    verdict = json.loads((reports / "diagnosis" / "synthetic-01" / "diagnosis.json").read_text())["verdict"]
-    assert f"synthetic-01: {verdict}" in printed and f'<span class="verdict {verdict}">' in index
+    content = json.loads((reports / "diagnosis" / "synthetic-01" / "diagnosis.json").read_text())
+    verdict, harms = content["verdict"], "explained" in content["fit"].get("worse_than_nominal", [])
+    assert f"synthetic-01: {verdict}" in printed
+    assert (", but worse on unseen strokes: do not adopt</span>" in index) == harms
+    assert f'<span class="verdict {"unknown" if harms else verdict}">' in index
     assert (
         "diagnosis/synthetic-01/diagnosis.png" in index and (reports / "diagnosis/synthetic-01/diagnosis.png").is_file()
     )
