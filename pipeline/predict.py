@@ -37,11 +37,10 @@ from .models.parts.questions import ASKED, EITHER, Questions, by_known, read_que
 from .models.parts.recorded_pairs import pairs_of
 from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
+from .models.parts.thinned import thinned
 from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
 from .string.jump_notes import NAME, read_jumps
-
-MOST_POINTS = 5000  # evenly thinned; more tell no more, and cost minutes
 
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
@@ -137,7 +136,7 @@ def main() -> None:
         intervals = Intervals(lambda: configured(arguments.model, arguments.settings))
         try:
             with fitting(arguments.model):
-                intervals.fit(dataset.iloc[:: -(-len(dataset) // MOST_POINTS)].reset_index(drop=True), arguments.seed)
+                intervals.fit(thinned(dataset), arguments.seed)
                 table = beside_questions(
                     questions, lambda part, known: answers(intervals, part, known, arguments.level)
                 )

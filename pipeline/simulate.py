@@ -11,7 +11,7 @@ import pandas as pd
 
 from .diagnosis.content import Verdict
 from .diagnosis.home import homed
-from .diagnosis.later_run import predicted_after, said_of, simulated_before
+from .diagnosis.later_run import before_of, predicted_after, said_of, simulated_before
 from .diagnosis.own_rate import at_own_rate
 from .diagnosis.planned_motion import Plan, expected_error, recorded_beside, tied_with
 from .diagnosis.prediction_band import adopted_diagnosis
@@ -77,7 +77,7 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     content = read_diagnosis(source) if arguments.simulation else of_run(run)
     tied = tied_with(run, content, arguments.simulation is None)
     beside = recorded_beside(arguments.run_dir, run, content, arguments.simulation is None) if recorded else []
-    before = simulated_before(content, run.run, arguments.run_dir) if arguments.after_recording else []
+    before = before_of(content, run.run, beside) if arguments.after_recording else []
     return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied, beside, before)
 
 

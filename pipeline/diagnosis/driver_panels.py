@@ -89,8 +89,8 @@ def by_stroke(
     if not len(where):
         return False
     order = np.argsort(where, kind="stable")
-    begins = drivers.elapsed_s[drivers.first == 0][1:] if label == TIME else []
-    breaks = np.searchsorted(where[order], begins)  # no line leads from run to run
+    begins = drivers.breaks if label == TIME else drivers.breaks[:0]
+    breaks = np.searchsorted(where[order], drivers.elapsed_s[begins])  # no line leads from run to run
     by_name = {name: np.insert(mean[order], breaks, np.nan) for name, mean in zip(residuals, means, strict=True)}
     _draw(
         axes, np.insert(where[order], breaks, np.nan), by_name, floor, f"{label}, means of whole strokes", label == TIME

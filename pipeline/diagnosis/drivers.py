@@ -99,6 +99,11 @@ class Drivers:
         return grid, np.interp(grid, self.motion[order], np.maximum.accumulate(self.contraction[order]))
 
     @cached_property
+    def breaks(self) -> NDArray[np.intp]:
+        """Where each run after the first begins, as places among the samples, which are indices: shape (runs - 1,)."""
+        return np.flatnonzero(self.first[1:] == 0) + 1
+
+    @cached_property
     def elapsed_s(self) -> Array:
         """Time since the first sample, or since what events are timed from. In s, shape (samples,)."""
         return self.time_s - self.time_s[0] if self.counted_s is None else self.counted_s

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from ..ground.complaint import key_name
 from ..ground.kinematics import Array
@@ -21,16 +22,27 @@ def names_before(content: Simulated, run: str) -> list[str]:
     return together[: together.index(run)] if isinstance(together, list) and run in together else []
 
 
+def places_beside(folder: Path, names: Sequence[Any]) -> list[Path]:
+    """The folders of other runs that lie beside a run's folder and hold a recording, in the order of their names."""
+    beside = (folder.resolve().parent / name for name in names if isinstance(name, str) and RUN_NAME.fullmatch(name))
+    return [place for place in beside if has_recording(place)]
+
+
 def simulated_before(content: Simulated, run: str, folder: Path) -> list[RecordedRun]:
     """The runs before one in its joint diagnosis, as they lie beside its folder; none unless all of them do.
 
     Raises BadInput for a recording that cannot be read.
     """
     names = names_before(content, run)
-    beside = [folder.resolve().parent / name for name in names if RUN_NAME.fullmatch(str(name))]
-    if len(beside) < len(names) or not all(has_recording(place) for place in beside):
-        return []
-    return [RecordedRun(*read_strokes(place)) for place in beside]
+    places = places_beside(folder, names)
+    return [RecordedRun(*read_strokes(place)) for place in places] if len(places) == len(names) else []
+
+
+def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> list[RecordedRun]:
+    """As `simulated_before`, of the recordings of its joint diagnosis that were read `beside` it."""
+    held = {each.run.run: each for each in beside}
+    names = names_before(content, run)
+    return [held[name] for name in names] if all(name in held for name in names) else []
 
 
 def predicted_after(

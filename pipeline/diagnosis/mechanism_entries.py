@@ -124,10 +124,9 @@ def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: st
 
 def recorded_about(drivers: Drivers, at_s: float) -> tuple[float, float]:
     """Begin and end, in s, of the run that a time lies in: nothing is known to happen where nothing was recorded."""
-    begins = np.flatnonzero(drivers.first == 0)
-    run = max(int(np.searchsorted(drivers.elapsed_s[begins], at_s, side="right")) - 1, 0)
-    last = begins[run + 1] - 1 if run + 1 < len(begins) else len(drivers.elapsed_s) - 1
-    return float(drivers.elapsed_s[begins[run]]), float(drivers.elapsed_s[last])
+    run = int(np.searchsorted(drivers.elapsed_s[drivers.breaks], at_s, side="right"))
+    ends = [0, *drivers.breaks, len(drivers.elapsed_s)]
+    return float(drivers.elapsed_s[ends[run]]), float(drivers.elapsed_s[ends[run + 1] - 1])
 
 
 def totals(

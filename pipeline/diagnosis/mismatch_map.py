@@ -40,10 +40,8 @@ def map_of(drivers: Drivers, residual: Array) -> tuple[Array, NDArray[np.intp], 
 
 def begins_of_runs(drivers: Drivers) -> list[int]:
     """The first stroke of each run after the first, as a number."""
-    begins = [place for place in np.flatnonzero(drivers.first == 0) if place]
-    later = (drivers.stroke[place:] for place in begins)
-    return [int(strokes[strokes > drivers.stroke[place - 1]][0]) for place, strokes in zip(begins, later, strict=True)
-            if (strokes > drivers.stroke[place - 1]).any()]  # fmt: skip
+    later = (drivers.stroke[place:][drivers.stroke[place:] > drivers.stroke[place - 1]] for place in drivers.breaks)
+    return [int(strokes[0]) for strokes in later if len(strokes)]
 
 
 def map_signs(drivers: Drivers, residual: Array) -> list[Artist]:

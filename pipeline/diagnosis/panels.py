@@ -44,8 +44,8 @@ def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[s
 
     Each channel has the shape (samples,), in the unit that its label says.
     """
-    show = slice(None, None, max(1, len(drivers.time_s) // 5000))
-    breaks = np.flatnonzero(np.diff(np.cumsum(drivers.first == 0)[show])) + 1  # no line leads from run to run
+    step = max(1, len(drivers.time_s) // 5000)
+    show, breaks = slice(None, None, step), -(-drivers.breaks // step)  # no line leads from run to run
     time_s = np.insert(drivers.elapsed_s[show], breaks, np.nan)
     for name, (values, style) in lines.items():
         axes.plot(time_s, np.insert(values[show], breaks, np.nan), label=name, **style)

@@ -11,14 +11,13 @@ import pandas as pd
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
-from ..ground.names import RUN_NAME
 from ..run.continued import continued
 from ..run.course import Mask, Recorded
 from ..run.description import Run
-from ..run.folder import has_recording
 from ..run.outside import Outside, outside
 from ..run.samples import read_strokes
 from .content import Simulated, Verdict
+from .later_run import places_beside
 from .library import mechanisms
 from .outcome import rms
 from .own_rate import at_own_rate
@@ -145,8 +144,5 @@ def recorded_beside(folder: Path, run: Run, content: Simulated, adopted: bool) -
     `adopted`: those of what the run has adopted last. Raises BadInput for a recording that cannot be read.
     """
     runs: Any = (run.adopted[-1].runs if run.adopted else None) if adopted else content.get("run")
-    names = (
-        [name for name in runs if isinstance(name, str) and RUN_NAME.fullmatch(name)] if isinstance(runs, list) else []
-    )
-    others = [folder.resolve().parent / name for name in names if name != run.run] if run.run in names else []
-    return [RecordedRun(*read_strokes(other)) for other in others if has_recording(other)]
+    others = [name for name in runs if name != run.run] if isinstance(runs, list) and run.run in runs else []
+    return [RecordedRun(*read_strokes(place)) for place in places_beside(folder, others)]

@@ -62,18 +62,13 @@ def slips(drivers: Drivers) -> list[Nonlinear]:
     return [time | {"within_s": 0.0} for time in at_once] + [time | {"within_s": WITHIN_S} for time in slowly]
 
 
-def begins(drivers: Drivers, samples: int) -> list[int]:
-    """Places among the first `samples` at which a run after the first begins."""
-    return [int(place) for place in np.flatnonzero(drivers.first[:samples] == 0) if place]
-
-
 def happens_within(drivers: Drivers, nonlinear: Nonlinear) -> bool:
     """Whether a slip lies within a run, with samples of it on both sides: what changed in a break a person may change.
 
     A slip at every stroke does.
     """
     at_s, last = nonlinear["at_s"], len(drivers.elapsed_s) - 1
-    near = ((max(begin - 1 - BESIDE, 0), min(begin + BESIDE, last)) for begin in begins(drivers, last + 1))
+    near = ((max(begin - 1 - BESIDE, 0), min(begin + BESIDE, last)) for begin in drivers.breaks)
     return not any(drivers.elapsed_s[before] < at_s < drivers.elapsed_s[after] for before, after in near)
 
 
@@ -84,7 +79,7 @@ def jumps(drivers: Drivers, residual: Array) -> Array:
     """
     size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
     size[:BESIDE] = size[len(size) - BESIDE :] = 0.0
-    for begin in begins(drivers, len(residual)):
+    for begin in drivers.breaks[drivers.breaks < len(residual)]:
         size[max(begin - BESIDE, 0) : begin + BESIDE] = 0.0
     return np.abs(size)
 

@@ -143,11 +143,13 @@ def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
     Of several runs the zero is that of the last, which is the run's. Shape (samples,), in the channel's unit.
     """
     predicted = simulated(problem, content, path, run)
-    if has_zero(content, problem.system, run, problem.runs):
-        return predicted + value_of(content, zero_name(content, problem.system, run, problem.runs), path, 0.0)
+    name = zero_name(content, problem.system, run, problem.runs)
+    if name in content["parameters"]:
+        return predicted + value_of(content, name, path, 0.0)
+    if not problem.system.free_zero:
+        return predicted
     own = problem.record.run_index == problem.runs - 1
-    first = tare(predicted[own], problem.measured[own], problem.record.time_s[own])
-    return predicted + first if problem.system.free_zero else predicted
+    return predicted + tare(predicted[own], problem.measured[own], problem.record.time_s[own])
 
 
 def at_its_best_zero(problem: Problem, content: Simulated, path: Path, run: str) -> Array:

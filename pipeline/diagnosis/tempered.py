@@ -71,6 +71,6 @@ def _spreads(problem: Problem, noise: Noise, state: State) -> dict[str, float]:
     linear = Linear(problem, state, noise, acts)
     columns = linear.columns_of(tuple((id_, number) for id_, sets in acts.items() for number in range(len(sets))))
     gram = linear.gram[np.ix_(columns, columns)]
-    variances = np.diag(np.linalg.pinv(gram, hermitian=True))[problem.runs :]
-    names = [problem.parameters[index].name for index in problem.movable]
-    return {name: float(np.sqrt(max(variance, 0.0))) for name, variance in zip(names, variances, strict=False)}
+    sigma = np.sqrt(np.maximum(np.diag(np.linalg.pinv(gram, hermitian=True)), 0.0))
+    places = enumerate(problem.movable, start=problem.runs)  # behind the zeros
+    return {problem.parameters[index].name: float(sigma[place]) for place, index in places}

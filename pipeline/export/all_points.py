@@ -1,29 +1,27 @@
 """A saved model fitted once more, with its own settings, to all points of its dataset: none is left to test it on."""
 
 import json
-import os
 from pathlib import Path
 
 from ..ground import schemas
 from ..ground.given_table import opened as opened_table
 from ..models.interface import settings_of
 from ..models.parts.settings import values
+from ..models.parts.thinned import thinned
 from ..stages.train import configured, fitting
-from .source import Beside, opened
+from .source import Beside, dataset_of, opened
 
 STEM = "all-0"  # of the file that is written beside the saved model
-MOST_POINTS = 5000  # evenly thinned, as pipeline.predict does
 
 
 def fitted_to_all(file: Path, name: str | None, beside: Beside) -> Path:
     """The file of the model that was fitted to all points; raises BadInput as the export of the saved one does."""
     source = opened(file, name, beside)
-    dataset = beside.dataset or Path(os.path.abspath(file)).parent.parent / "dataset.parquet"
-    points = opened_table(dataset, schemas.DATASET, "say --dataset FILE")
+    points = thinned(opened_table(dataset_of(file, beside), schemas.DATASET, "say --dataset FILE"))
     settings = values(source.model.settings) if settings_of(source.name) else {}
     model = configured(source.name, json.dumps(settings))
     with fitting(source.name):
-        model.fit(points.iloc[:: -(-len(points) // MOST_POINTS)].reset_index(drop=True), 0)
+        model.fit(points, 0)
     out = file.with_name(f"{STEM}{file.suffix}")
     model.save(out)
     return out

@@ -13,8 +13,8 @@ import pyarrow.parquet as pq
 from ..ground.command import program_name
 from ..models.interface import Model, make_model
 from ..models.parts.foreseen import MAPS
+from ..models.parts.thinned import thinned
 
-MOST_POINTS = 5000  # evenly thinned; more tell no more
 LEFT_OUT = {
     "within": "blocks inside strokes that the fit left out",
     "later": "whole last strokes that the fit left out",
@@ -73,4 +73,4 @@ def _held_out(dataset: Path, split: str, string: str | None) -> pd.DataFrame:
     except (OSError, pa.ArrowException, KeyError, ValueError):
         return pd.DataFrame()
     points = points if string is None else points[points["string"].astype(str) == string]
-    return points.iloc[:: -(-len(points) // MOST_POINTS) or 1].reset_index(drop=True)
+    return thinned(points)

@@ -1,6 +1,7 @@
 """What an exporter of a model is: a file of `exporters/` with the model's name, found by being there."""
 
 import importlib
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -21,8 +22,8 @@ class Source:
     As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
     recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
     errors are measured. `pairs` are the twists that were recorded around each condition, and `trained` says which
-    recordings these are; `errors` what the model errs on points that it has not seen. Of what is in `deaf` no answer
-    depends.
+    recordings these are; `on_unseen` tells, when asked, what the model errs on points that it has not seen. Of what is
+    in `deaf` no answer depends.
     """
 
     name: str
@@ -35,7 +36,12 @@ class Source:
     deaf: tuple[str, ...] = ()
     pairs: tuple[Paired, ...] | None = None
     trained: str = ""
-    errors: str = ""
+    on_unseen: Callable[[], str] = str
+
+    @property
+    def errors(self) -> str:
+        """What the model errs on points that it has not seen, in a sentence."""
+        return self.on_unseen()
 
 
 class Exporter(Protocol):

@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import dataclass, replace
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -80,12 +81,12 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         inputs = Inputs.of(box, exporter(name).READS, *varying)
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
-    dataset = _dataset(file, beside)
+    dataset = dataset_of(file, beside)
     last, foreseen = inputs.last_stroke, strokes_foreseen(dataset)
     points, trained = twists_recorded(dataset, last), trained_on(dataset, last)
     values, pairs = values_recorded(points), pairs_recorded(points)
     string = beside.string if about(name).each_string_apart else None
-    errors = errors_of(file, name, model, dataset, string)
+    errors = cache(partial(errors_of, file, name, model, dataset, string))
     return Source(
         name,
         model,
@@ -96,7 +97,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         foreseen,
         pairs=pairs,
         trained=trained,
-        errors=errors,
+        on_unseen=errors,
     )
 
 
@@ -123,14 +124,14 @@ def _deaf(source: Source) -> tuple[str, ...]:
     return tuple(deaf)
 
 
-def _dataset(file: Path, beside: Beside) -> Path:
+def dataset_of(file: Path, beside: Beside) -> Path:
     """The dataset that a model was fitted to: the one that is named, or where the pipeline puts it."""
     return beside.dataset or file.resolve().parent.parent / "dataset.parquet"
 
 
 def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tuple[Box, float]:
     """The box of a model that keeps none: that of its training points; and the zero of a string of its own, in mm."""
-    path = _dataset(file, beside)
+    path = dataset_of(file, beside)
     split = beside.split or file.name.split("-")[0]
     if not path.is_file():
         raise BadInput(file, "ranges", f"a {name} keeps none and there is no {path}", "say --dataset FILE")

@@ -8,6 +8,7 @@ import pandas as pd
 
 from ..diagnosis.content import Simulated
 from ..diagnosis.home import homed
+from ..diagnosis.homes import one_string
 from ..diagnosis.own_rate import at_own_rate
 from ..diagnosis.problem import Problem
 from ..diagnosis.recorded_run import RecordedRun
@@ -41,8 +42,7 @@ class About:
     @property
     def homes(self) -> bool:
         """Whether its motor may count its turns from elsewhere: one that shifts the motion, of a string without id."""
-        named = self.run.string is not None and self.run.string.id is not None
-        return self.run.system.homed is not None and not named
+        return self.run.system.homed is not None and not one_string([self.run])
 
     def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
         """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.

@@ -18,7 +18,7 @@ def lacking(arguments: argparse.Namespace) -> str:
     names = [f"--{name}" for name in needed if getattr(arguments, name.replace("-", "_")) is None]
     if not names:
         return ""
-    pair = "; a rig without a separator: --actuator twisted_pair" if set(names) & {"--torsion-zone-mm"} else ""
+    pair = "; a rig without a separator: --actuator twisted_pair" if "--torsion-zone-mm" in names else ""
     return f"the following arguments are required without --like: {', '.join(names)}{pair}"
 
 

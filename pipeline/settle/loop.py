@@ -73,8 +73,8 @@ class Loop:
                 if approved_step is not None:
                     steps[-1] = approved_step
                 elif not self.answers.stopped():
-                    verdict = so_far(step, self.place)
-                    print(f"step {step.number}: not approved: nothing was moved; started again it asks again{verdict}")
+                    end = "not approved: nothing was moved; started again it asks again"
+                    print("; ".join(filter(None, (f"step {step.number}: {end}", so_far(step, self.place)))))
                     return DONE
             else:
                 steps[-1], status = self._recorded(step)

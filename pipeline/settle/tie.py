@@ -29,7 +29,7 @@ def tie(step: Step, place: Place) -> list[str]:
 
     Nothing of a first recording, before which there is no verdict.
     """
-    path = so_far(step, place).removeprefix("; ")
+    path = so_far(step, place)
     if not path:
         return []
     try:
@@ -46,6 +46,6 @@ def tie(step: Step, place: Place) -> list[str]:
 
 
 def so_far(step: Step, place: Place) -> str:
-    """Where the verdict stands that a step's run follows, to be put behind a sentence; empty before the first one."""
+    """Where the verdict stands that a step's run follows; empty before the first one."""
     path = place.folder(step.number - 1) / "verdict.txt"
-    return f"; the verdict so far: {path}" if step.number and path.is_file() else ""
+    return f"the verdict so far: {path}" if step.number and path.is_file() else ""

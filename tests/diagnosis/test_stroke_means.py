@@ -20,9 +20,7 @@ def strokes(count: int, seed: int = 1) -> SimpleNamespace:
             phases += [PHASES.index(phase)] * length
             numbers += [number] * length
     time_s = 0.1 * np.arange(len(phases))
-    return SimpleNamespace(
-        phase=np.array(phases), stroke=np.array(numbers), elapsed_s=time_s, first=np.arange(len(time_s))
-    )
+    return SimpleNamespace(phase=np.array(phases), stroke=np.array(numbers), elapsed_s=time_s, breaks=np.zeros(0, int))
 
 
 def loop(drivers: SimpleNamespace) -> np.ndarray:

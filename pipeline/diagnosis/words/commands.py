@@ -71,7 +71,6 @@ def remark(old: Path) -> str:
 def block(commands: list[str], old: Path, twisted: bool) -> list[str]:
     """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
     taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old.name}"
-    taken = (
-        f"the mapping{' and the string id are' if twisted else ' is'} those of {old.name}" if mapping_of(old) else taken
-    )
+    if mapping_of(old):
+        taken = f"the mapping {'and the string id are those' if twisted else 'is that'} of {old.name}"
     return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), remark(old)]

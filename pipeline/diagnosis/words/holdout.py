@@ -35,6 +35,12 @@ def other_name(content: Verdict) -> str:
     return " + ".join(sorted(set(chosen))) or NO_EFFECT
 
 
+def of_other(content: Verdict) -> str:
+    """As `other_name`, of which the error on those strokes is; nothing where no effect was named without them."""
+    other = other_name(content)
+    return f"{other} (what the procedure names without these strokes)" if other not in ("", NO_EFFECT) else ""
+
+
 def strokes(content: Verdict) -> str:
     """What the held-out strokes are called: unseen only where no fit has seen them."""
     return "unseen strokes" if status(content) == UNSEEN else "last strokes"

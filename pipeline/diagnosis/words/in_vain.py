@@ -58,8 +58,7 @@ def too_small(content: Verdict, words: Vocabulary) -> bool:
 
 def tried(content: Verdict) -> str:
     """What was tried on the strokes that no fit has seen: the explanation, or what was named without them."""
-    other = holdout.other_name(content)
-    return f"{other} (what the procedure names without these strokes)" if other else "the explanation"
+    return holdout.of_other(content) or "the explanation"
 
 
 def unsettled(content: Verdict, words: Vocabulary) -> list[str]:

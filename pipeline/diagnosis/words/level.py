@@ -17,7 +17,7 @@ def beaten(content: Verdict, words: Vocabulary) -> list[str]:
     if errors is None or content["verdict"] == "unknown" or errors[1] > BETTER * errors[0]:
         return []
     who = "the explanation" if content["verdict"] in ("explained", "ambiguous") else "the calibrated simulator"
-    who = _of_other(content) or who
+    who = holdout.of_other(content) or who
     own, without = (f"{size(error, words.unit)} rms" for error in errors)
     floor = content["fit"][f"noise_floor_{words.ending}"]
     noise = f" So it is partly counted in the noise of {size(floor, words.unit)}." if errors[1] < floor else ""
@@ -44,18 +44,11 @@ def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
     if errors is None:
         return []
     own, without = (f"{size(error, words.unit)} rms" for error in errors)
-    errs = (
-        f"{METHOD} errs by {without} on the {holdout.strokes(content)}, {_of_other(content) or 'calibration'} by {own}"
-    )
+    who = holdout.of_other(content) or "calibration"
+    errs = f"{METHOD} errs by {without} on the {holdout.strokes(content)}, {who} by {own}"
     if errors[1] > NO_BETTER * errors[0]:
         return [f"{errs}: what is left there follows none of these as it did before."]
     return [f"{errs}. That is the level which physics still has to reach: {_where(content, words)}."]
-
-
-def _of_other(content: Verdict) -> str:
-    """Whose error on unseen strokes a verdict holds, where it is of other effects than it names; else nothing."""
-    other = holdout.other_name(content)
-    return f"{other} (what the procedure names without these strokes)" if other not in ("", holdout.NO_EFFECT) else ""
 
 
 def _errors(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:

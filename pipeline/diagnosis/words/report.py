@@ -90,19 +90,15 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
     sizes, constants = [], []
     all_in_part = len(entries) > 1 and all(own_size.own_part(entry, content, words) for entry in entries)
     for entry in entries:
-        if own_size.own_part(entry, content, words):
-            part = f", {own_size.PART}" * (not all_in_part)
-            sizes.append(f"{entry['id']} {own_size.own_with_interval(entry, content, words)}{part}")
-            continue
-        sizes.append(f"{entry['id']} {own_size.with_interval(entry, words)}")
-        constants += [entry["id"]] if effects.has_constants(entry) else []
+        size = own_size.own_with_interval if all_in_part else _size
+        sizes.append(f"{entry['id']} {size(entry, content, words)}")
+        if not own_size.own_part(entry, content, words) and effects.has_constants(entry):
+            constants.append(entry["id"])
     also = f", and the constants of {listing(constants)} above" if constants else ""
     of_each = f", of each {own_size.PART}" if all_in_part else ""
     best = rivals.called([entry["id"] for entry in content["mechanisms"]])
     provided = f", if {best} is right" if content["alternatives"] else ""
-    vain = in_vain.said(content, words)
-    head = ONLY_WITH.format(vain) if vain else TO_REPORT
-    return [f"{head}: {'; '.join(sizes)}{of_each} (rms, 90 % interval){also}{provided}"]
+    return [f"{_head(content, words)}: {'; '.join(sizes)}{of_each} (rms, 90 % interval){also}{provided}"]
 
 
 def _open(content: Verdict, words: Vocabulary) -> list[str]:
@@ -111,9 +107,13 @@ def _open(content: Verdict, words: Vocabulary) -> list[str]:
         f"{entry['id']} {_size(entry, content, words)}, or 0 if it is not at work"
         for entry in _to_report(content, words, is_open=True)
     ]
+    return [f"{_head(content, words)}, of what is open: {'; '.join(most)} (rms, 90 % interval)"] if most else []
+
+
+def _head(content: Verdict, words: Vocabulary) -> str:
+    """What a line of sizes begins with: with which words alone they may be reported, where they improve nothing."""
     vain = in_vain.said(content, words)
-    head = ONLY_WITH.format(vain) if vain else TO_REPORT
-    return [f"{head}, of what is open: {'; '.join(most)} (rms, 90 % interval)"] if most else []
+    return ONLY_WITH.format(vain) if vain else TO_REPORT
 
 
 def _size(entry: Part, content: Verdict, words: Vocabulary) -> str:
