@@ -77,7 +77,7 @@ class Unseen(TypedDict):
 
 
 class Verdict(Simulated, total=False):
-    """All of it, as docs/diagnosis.md describes it; a file may lack anything but what is simulated."""
+    """All of it, as docs/diagnosis_json.md describes it; a file may lack anything but what is simulated."""
 
     verdict: str  # consistent, parameters, explained, ambiguous or unknown
     mismatch: Part | None

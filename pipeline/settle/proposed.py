@@ -33,7 +33,7 @@ class Pair(TypedDict):
 
 
 class ProposedRun(_Begins, total=False):
-    """A run of `next_runs.json`, as docs/diagnosis.md describes `next_run`; of step 0 also `runs`, what was there."""
+    """A run of `next_runs.json`, as docs/diagnosis_json.md has `next_run`; of step 0 also `runs`, what was there."""
 
     title: str
     legs: list[LegJson]

@@ -793,7 +793,7 @@ def test_the_verdict_explains_its_own_words_last_a_line_each():
 
 def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
     docs = Path(__file__).parents[2] / "docs"
-    page, physics = ((docs / name).read_text(encoding="utf-8") for name in ("diagnosis.md", "physics.md"))
+    page, physics = ((docs / name).read_text(encoding="utf-8") for name in ("diagnose.md", "physics.md"))
     for word in ["consistent", "parameters", "explained", "ambiguous", "unknown"]:
         assert f"- `{word}`: {MEANING[word]}" in page, word
     for id_, mechanism in mechanisms().items():

@@ -62,6 +62,14 @@ def test_readme_is_short_and_its_commands_are_the_two():
         assert path.with_suffix(".py").is_file() or (path / "__main__.py").is_file(), program
 
 
+def test_readme_has_short_lines_and_each_link_leads_to_a_file():
+    text = (ROOT / "README.md").read_text()
+    long = [line for line in text.splitlines() if len(line) > 120 and not line.lstrip("<").startswith(("img", "src"))]
+    assert not long
+    links = re.findall(r"\]\(([^)#:]+)\)", text)
+    assert len(links) > 10 and not [link for link in links if not (ROOT / link).is_file()]
+
+
 def test_the_lock_pins_everything_that_the_project_names():
     def names(file):
         lines = [line.split("#")[0].strip() for line in (ROOT / "env" / file).read_text().splitlines()]
