@@ -28,7 +28,7 @@ FITS = {
     "traditional": (0.7, 2),
 }
 PAGES_S = {"dataset": 1.8, "floor": 1.3, "evaluate": 0.9, "table": 0.8, "comparison": 0.8, "models": 0.9}
-PAGES_S |= {"figures": 4.4, "croissant": 0.6}
+PAGES_S |= {"figures": 4.4, "croissant": 0.6, "material_page": 0.6}
 # Bytes: of a run its recording 0.66, samples and strokes 0.26, diagnosis 0.90; of each run in its material its part of
 # the dataset 0.24, and of the predictions of each fit and floor 0.066; of a material its pages 0.9
 RUN_MB, DATASET_MB, PREDICTIONS_MB, PAGES_MB, FLOORS = 1.8, 0.24, 0.066, 0.9, 4

@@ -1,6 +1,6 @@
 """A material's part of the pages: its tables, its figures, its runs, and the ways to its other pages."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -25,6 +25,7 @@ FIGURES = {
     " small error, and where θ had to pass through that output, the inverse magnifies it. Whether a change is a remedy"
     " on these data stands beneath the figure.",
 }
+OF_EVERY = ("figure_4", "figure_5")  # the figures that every material has
 PAGES = {
     "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",
     "comparison.html": "beside the paper's numbers, with the spread over the seeds, and later strokes",
@@ -45,10 +46,12 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
     return table(head, rows, words, (0, 1)) + files_line
 
 
-def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") -> Markup:
+def part(
+    reports: Path, material: str, runs: Sequence[Text] = (), up: str = "", figures: Iterable[str] = FIGURES
+) -> Markup:
     """The part of one material, with the links to its runs; what was not made is not shown.
 
-    `up` leads from the page to `reports/`.
+    `up` leads from the page to `reports/`; `figures` are those to show.
     """
     folder, parts = reports / material, list[Text]()
     for page, words in PAGES.items():
@@ -57,10 +60,10 @@ def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") 
     for number in paper.TABLES:
         if (folder / f"table_{number}.md").is_file():
             parts.append(html_table(folder, number, up))
-    for stem, words in FIGURES.items():
+    for stem in figures:
         if (folder / f"{stem}.png").is_file():
             source, target = (up + link(material, f"{stem}.{suffix}") for suffix in ("png", "pdf"))
-            parts.append(picture(source, f"{stem.replace('_', ' ')} of {material}", target, words))
+            parts.append(picture(source, f"{stem.replace('_', ' ')} of {material}", target, FIGURES[stem]))
     if not parts:
         parts.append(paragraph("Nothing was made of it."))
     if runs:

@@ -8,7 +8,11 @@ from .diagnoses import verdicts
 from .fitted import lines_at_end
 from .plain_markdown import spoken
 
-PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
+PAGES = {
+    "index.html": "tables and figures on one page",
+    "models.html": "beside the floor",
+    "comparison.html": "beside the paper",
+}
 TABLE_FORMS = ("csv", "md", "tex")
 FIGURES = ("figure_4.png", "figure_5.png")
 WHOLE = {

@@ -124,6 +124,24 @@ rule figures:
         " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
+rule material_page:
+    input:
+        expand("reports/{{material}}/{file}", file=OF_MATERIAL),
+    output:
+        "reports/{material}/index.html",
+    log:
+        "processed/logs/material_page-{material}.log",
+    resources:
+        **NEEDS["material_page"],
+    params:
+        made_by=mark_of_material,
+        code=fingerprint("pipeline.report.material_page", "pipeline.report.web.*"),
+    message:
+        "write the page that shows the tables and figures of {wildcards.material}"
+    shell:
+        "exec python -m pipeline.report.material_page reports/{wildcards.material:q} --made-by {params.made_by:q} > {log:q} 2>&1"
+
+
 rule metrics:
     input:
         expand("processed/{material}/metrics.parquet", material=MATERIALS),

@@ -73,6 +73,7 @@ def reports(tmp_path_factory):
     for stem in ("figure_4", "figure_5"):
         for suffix in ("png", "pdf"):
             (out / f"{stem}.{suffix}").write_bytes(b"")
+    run("material_page", str(out), *mark)
     tied = {**TIED, "next_experiment": f"hold 20 N {HOSTILE}: for 15 minutes"}
     tied["mechanisms"] = [{"id": "creep"}, {"id": HOSTILE}]
     made_verdict(root / "reports" / "diagnosis" / HOSTILE, f"{HOSTILE}: ambiguous", tied)
@@ -92,14 +93,23 @@ def test_no_name_reaches_a_page_unescaped(reports):
     pages = pages_of(reports)
     names = {path.relative_to(reports).as_posix() for path in pages}
     parts = {f"pages/{name}.html" for name in (anchor("run", HOSTILE), "run-it-s-100-1", "run-short")}
-    assert names == {"index.html", f"{MATERIAL}/models.html", f"{MATERIAL}/comparison.html"} | parts | {
-        f"pages/material-{MATERIAL}.html"
-    }
+    parts |= {f"{MATERIAL}/{name}.html" for name in ("index", "models", "comparison")}
+    assert names == {"index.html", f"pages/material-{MATERIAL}.html"} | parts
     for path, text in pages.items():
         seen = Seen(text)
         assert HOSTILE not in text and not seen.handlers, path
         assert html.escape(HOSTILE) in text, path  # the mark of the configuration has it on each page
         assert seen.tags.count("script") == 1 and "x" not in seen.addresses, path
+
+
+def test_the_page_of_a_material_shows_its_tables_and_figures_and_leads_nowhere_else(reports):
+    """The quick reports of a new material have no other page; runs and the index may be there later, or never."""
+    text = (reports / MATERIAL / "index.html").read_text(encoding="utf-8")
+    seen = Seen(text)
+    assert "Table I: forward" in text and "Table II: inverse" in text and seen.tags.count("img") == 2
+    files = {address for address in seen.addresses if not address.startswith("#")}
+    assert {f"../{MATERIAL}/{name}" for name in ("models.html", "comparison.html", "figure_5.png")} <= files
+    assert all(address.startswith(f"../{MATERIAL}/") for address in files)
 
 
 def test_every_link_is_relative_and_leads_to_something_wherever_the_folder_lies(reports, tmp_path):

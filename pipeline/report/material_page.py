@@ -1,0 +1,27 @@
+"""The reports of one material → reports/<material>/index.html, which shows its tables and figures."""
+
+import argparse
+from pathlib import Path
+
+from ..ground.errors import program
+from ..ground.files import write_text
+from .marks import add_mark, mark_from
+from .materials import OF_EVERY, part
+from .web.glossary import glossary
+from .web.page import document, together
+
+
+@program
+def main() -> None:
+    """Write `index.html` into the folder of a material: the quick reports have no other page that leads to all."""
+    parser = argparse.ArgumentParser(prog="python -m pipeline.report.material_page", description=main.__doc__)
+    parser.add_argument("folder", type=Path, help="reports/<material>; a file that is not there is not shown")
+    add_mark(parser)
+    arguments = parser.parse_args()
+    folder: Path = arguments.folder
+    body = together([part(folder.parent, folder.name, up="../", figures=OF_EVERY), glossary()])
+    write_text(folder / "index.html", document(folder.name, body, mark_from(arguments.made_by)))
+
+
+if __name__ == "__main__":
+    main()
