@@ -26,14 +26,18 @@ OUTPUTS = {"slope_b": ("o", "separator b"), "slope_l": ("^", "length l"), "slope
 CHANGES = {"random_both": "both errors", "identity_forward": "as they came"}  # of the training, by their words above
 WITHOUT = "random_forward"
 READING = (
-    "A mark is one training, with shuffles and weights of its own, on held-out points. The first three groups differ "
-    "in nothing but what stands beneath them.",
-    "Between its blocks an INN shuffles its five values (θ, b, l, r, n). They leave it shuffled, so that θ may have to "
-    "pass through a constant's output, or as they came.",
-    "A constant (b, l, r) comes out with a small error. Where θ passes through its output the inverse magnifies that, "
-    "as (c) shows: the leak. The residual comes from the error of x.",
+    "An invertible network (INN) has one set of weights for both ways: twist θ to contraction x, and x back to θ. It "
+    "is given the separator b, the length l, the radius r and the stroke's number n as well, and is to hand them on.",
+    "It hands b, l and r on with a small error. The way back is asked with their true values. What the difference does "
+    "to θ is the leak; (c) shows how strongly θ answers to it. The error of x does the rest: the residual.",
+    "Shuffled: between its blocks the network shuffles its five values, and leaves them so. Then θ may have to pass "
+    "through the output of a constant, and the leak is large. As they came: the shuffles undo each other.",
+    "Forward error: the training sees that of x and of the constants. Both errors: that of θ on the way back too, at "
+    "twice the cost. Dashed: the least error of a model that is not told whether the motor winds or unwinds.",
+    "A mark is one training with shuffles and weights of its own, on points that it has not seen. The first three "
+    "groups differ in nothing but what stands beneath them.",
 )
-BENEATH = -0.24  # of a panel's height: a legend's place
+BENEATH = -0.2  # of a panel's height: a legend's place
 WIDTH = 0.56  # of a group's fits, of the distance between groups
 
 
@@ -84,21 +88,21 @@ def dots(axes: Axes, leak: pd.DataFrame, metric: str, way: str, style: tuple[str
 
 def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Figure:
     """Forward error, inverse error and its parts, and how steeply the inverse answers to constant outputs."""
-    figure, (forward, inverse, steep) = plt.subplots(1, 3, figsize=(10.4, 5.1))
+    figure, (forward, inverse, steep) = plt.subplots(1, 3, figsize=(10.4, 5.5))
     dots(forward, leak, "rmse", "forward", PARTS["rmse"])
-    forward.set_title("(a) error of the forward way", loc="left")
+    forward.set_title("(a) forward, θ to x: error", loc="left")
     forward.set_ylabel("RMSE of x (mm)")
     forward.set_ylim(0.0, 1.1 * float(leak.loc[(leak["map"] == "forward") & (leak["metric"] == "rmse"), "value"].max()))
     for metric, style in PARTS.items():
         dots(inverse, leak, metric, "inverse", style)
-    inverse.set_title("(b) error of the inverse, and its parts", loc="left")
+    inverse.set_title("(b) inverse, x to θ: error, and its parts", loc="left")
     inverse.set_ylabel("RMSE of θ/2π (turns)")
     for axes, way in ((forward, "forward"), (inverse, "inverse")):
         axes.axhline(floor(metrics, way), color="k", ls="--", lw=0.9, label="floor without direction")
     for metric, style in OUTPUTS.items():
         dots(steep, leak, metric, "inverse", style)
-    steep.set_title("(c) what a constant's error does to θ", loc="left")
-    steep.set_ylabel("change of θ per mm of error, rms\n(in standard deviations of θ)")
+    steep.set_title("(c) how θ answers to a wrong constant", loc="left")
+    steep.set_ylabel("change of θ per mm of the constant, rms\n(in standard deviations of θ)")
     for axes in (inverse, steep):
         axes.set_yscale("log")
         axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -112,7 +116,7 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, BENEATH), ncols=2, fontsize=7)  # where no mark can lie
     figure.set_layout_engine("constrained", wspace=0.06)  # a label keeps off the panel beside it
     changes, numbers = outcome(leak)
-    figure.suptitle(f"{material}: what training on the forward error alone does to the inverse of an INN, {changes}")
+    figure.suptitle(f"{material}: an INN trained on its forward error alone can be poor backwards; why, {changes}")
     figure.supxlabel(wrapped(figure, *READING, numbers), fontsize=READING_SIZE, multialignment="left")
     return figure
 

@@ -19,11 +19,9 @@ FIGURES = {
     "figure_5": "Figure 5: models against the measurement, and their errors. The paper's figure has no error rows: a"
     " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out. Beside"
     " the INN stands the other model of the least forward error on this material's held-out points, whichever it is.",
-    "figure_leak": "What training on the forward error alone does to the INN's inverse, by chance of the order in which"
-    " it shuffles its values, and what two changes do: training on the error of both ways, or shuffles that undo each"
-    " other, so that values leave in the order in which they came. A constant input comes out of the network with a"
-    " small error, and where θ had to pass through that output, the inverse magnifies it. Whether a change is a remedy"
-    " on these data stands beneath the figure.",
+    "figure_leak": "An INN that was trained on its forward error alone can be poor backwards, by chance of the order in"
+    " which it shuffles its values. Two changes are tried: training on the error of both ways, and shuffles that undo"
+    " each other. Whether a change is a remedy on these data stands beneath the figure, and so does why.",
 }
 OF_EVERY = ("figure_4", "figure_5")  # the figures that every material has
 PAGES = {

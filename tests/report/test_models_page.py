@@ -208,16 +208,15 @@ def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
             legend = axes.get_legend().get_window_extent()
             assert legend.y1 < axes.get_window_extent().y0 and legend.y0 > figure._supxlabel.get_window_extent().y1
     plt.close(figure)
-    assert figure.get_suptitle().startswith("made: what training on the forward error alone does to the inverse")
+    assert figure.get_suptitle().startswith("made: an INN trained on its forward error alone can be poor backwards")
     assert "\n" not in figure.get_suptitle()
     words = " ".join(figure.get_supxlabel().split())
-    assert "A mark is one training" in words and "the inverse magnifies that, as (c) shows: the leak." in words
-    assert (
-        "an INN shuffles its five values (θ, b, l, r, n)" in words
-        and "The residual comes from the error of x." in words
-    )
+    assert "A mark is one training" in words and "What the difference does to θ is the leak" in words
+    for meaning in ("separator b", "length l", "radius r", "stroke's number n", "twist θ to contraction x"):
+        assert meaning in words, "nobody who has not read the paper knows the letter"
+    assert "the network shuffles its five values" in words and "The error of x does the rest: the residual." in words
     drawn = " ".join([axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes])
-    assert "product" not in drawn and "slope" not in drawn and "change of θ per mm of error" in drawn
+    assert "product" not in drawn and "slope" not in drawn and "change of θ per mm of the constant" in drawn
 
 
 @pytest.mark.parametrize(
