@@ -25,18 +25,11 @@ RAW, SYNTHETIC = Path("raw"), list(config["synthetic"])
 include: "pipeline/rules/plan.smk"
 
 
-TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
-PAGES += ["croissant.json"]
-OF_MATERIAL = [*TABLES, *FIGURES, *PAGES]  # of every material: what its own page shows
-PAGES += ["index.html"]
+PAGES += ["croissant.json", "index.html"]
 STAGES = "marks record ingest dataset train floor evaluate leak report diagnose proof real campaign known said"
-
-# Jobs end with this Snakemake, and say at once what they say. How many threads one has is the package's own rule.
-PREFIX = f"{TO_COPY}export PYTHONPATH={shlex.quote(workflow.basedir)} PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"
-shell.prefix(f"{PREFIX} NOTE_REFUSALS={shlex.quote(os.environ[handed.REFUSALS])}; ")
 
 
 wildcard_constraints:

@@ -40,3 +40,6 @@ MODELS = table_order(config["models"], DEFAULT["models"])
 # a job's raw/, processed/ and reports/ lie.
 NEEDS = Needs(PLAN.materials)
 TO_COPY = f"mkdir -p {shlex.quote(COPY)} && cd {shlex.quote(COPY)} || exit 1; " if COPY else ""
+# Jobs end with this Snakemake, and say at once what they say. How many threads one has is the package's own rule.
+PREFIX = f"{TO_COPY}export PYTHONPATH={shlex.quote(workflow.basedir)} PYTHONUNBUFFERED=1 TWISTBENCH_PARENT=$PPID"
+shell.prefix(f"{PREFIX} NOTE_REFUSALS={shlex.quote(os.environ[handed.REFUSALS])}; ")

@@ -2,6 +2,9 @@ from pipeline.ground.words_by_file import by_file
 from pipeline.report.stale_reports import WORDS
 from pipeline.run.left_out import to_json
 
+TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
+OF_MATERIAL = [*TABLES, *FIGURES, *PAGES[:-1]]  # of every material: what its own page, the last of PAGES, shows
+
 
 # Functions, whose words Snakemake leaves as they are: a folder's name may look like a wildcard.
 def refused_of_material(wildcards):
