@@ -95,6 +95,12 @@ def page(made=None, folders=("raw/nylon-3",), system="mm", out="reports/nylon-3"
     return verdict_text(made, SYSTEMS[system], [Path(f) for f in folders], Path(out) if out else None, doubts)
 
 
+def full(made=None, folders=("raw/nylon-3",), system="mm", out="reports/nylon-3", doubts=()):
+    """The details, line by line as they are printed: each part of the page in full, and its reasons."""
+    made = spoken(made or content(), SYSTEMS[system])
+    return details_text(made, SYSTEMS[system], [Path(f) for f in folders], Path(out) if out else None, doubts)
+
+
 def weighed(*shares, none=0.041, **changes):
     """A verdict with the probability of each explanation of CONTENT from the second on, the best one last."""
     made = content(**changes)

@@ -304,7 +304,7 @@ def test_the_figures_headline_says_that_nothing_is_to_be_adopted_where_the_verdi
     content["fit"]["heldout"] = {"split": "last 2 strokes", **errors}
     said = figures.warning(content, words)
     assert said == "adopt nothing: on the unseen strokes the explanation makes the simulator worse"
-    assert said.capitalize() in " ".join(" ".join(to_do.lines(content, words, [], None)).split())
+    assert said.capitalize() in " ".join(" ".join(to_do.lines(content, words, [], None, short=True)).split())
     unknown = content | {"verdict": "unknown"}
     assert figures.warning(unknown, words) == "adopt nothing: no effect of the library is named"
 

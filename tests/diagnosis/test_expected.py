@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from made_content import SYSTEMS, confident, content, page, spoken, told
+from made_content import SYSTEMS, confident, content, full, page, spoken, told
 
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recorded_run import RecordedRun
@@ -186,18 +186,18 @@ def test_more_strokes_have_a_row_where_an_effect_is_slow():
 
 def test_the_page_of_one_explanation_has_the_table_and_the_details_of_a_tie_have_it():
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
-    text = page(content(**alone, evidence__expected=EXPECTED))
+    text = full(content(**alone, evidence__expected=EXPECTED))
     assert "What to expect of" in text and "new_run nylon-3-next --like raw/nylon-3" in text
-    assert "What to expect of" not in page(content(**alone)) and "What to expect of" not in page()
+    assert "What to expect of" not in full(content(**alone)) and "What to expect of" not in full()
     assert "What to expect of" in told(content(evidence__expected=EXPECTED))
 
 
 def test_the_page_of_a_tie_says_by_how_much_the_readings_part_in_the_run():
     made = content(next_run__apart={"by_mm": 0.31, "motor_turns": 12.3, "first_mm": 31.42, "second_mm": 31.73})
     both = "31.42 mm if it is friction_hysteresis + creep, 31.73 mm if it is friction_hysteresis + thermal."
-    text = " ".join(page(made).split())
+    text = " ".join(full(made).split())
     assert f"two predicted readings differ by up to 0.31 mm, most near 12 turns: {both}" in text
-    assert "predicted readings differ" not in page()
+    assert "predicted readings differ" not in full()
 
 
 def test_a_run_asks_for_another_speed_only_if_it_leaves_those_that_were_recorded():
@@ -251,17 +251,17 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
 
 
 def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
-    text = " ".join(page(content(evidence__covered=COVERED)).split())
+    text = " ".join(full(content(evidence__covered=COVERED)).split())
     known = "0 to 30.7 turns, 1.52 to 2.1 turns/s, 19.9 to 20.1 N, holds of up to 6 s, rests of up to 2 min"
-    wider = "(speeds, holds and rests reach further than recorded):"
-    band = f"like those recorded. A plan has an error band within {known} and reversals near"
+    wider = "(speeds, holds and rests reach further than recorded)."
+    band = f"A plan has an error band within {known} and reversals near"
     assert f"{band} recorded ones {wider}" in text, "an older file"
     turned = {"turned": {"top": [[14.9, 15.1], [30.0, 30.7]], "bottom": [[0.0, 0.0]]}}
-    text = " ".join(page(content(evidence__covered=COVERED | turned)).split())
+    text = " ".join(full(content(evidence__covered=COVERED | turned)).split())
     assert f"{band} 14.9 to 15.1 turns and 30 to 30.7 turns at the top and 0 turns at the bottom {wider}" in text
     assert "creep stays in the string; without --after-recording a plan is of the string as it was before." in text
     assert "--motion PLAN.csv --after-recording --out FILE.csv" in text, "the command can be pasted as it stands"
-    passing = page(content(mechanisms=content()["mechanisms"][:1]))
+    passing = full(content(mechanisms=content()["mechanisms"][:1]))
     assert "--after-recording" not in passing and "--motion PLAN.csv --out FILE.csv" in passing
 
 
@@ -272,7 +272,7 @@ def test_adopting_what_stays_in_the_string_says_how_to_predict_the_string_as_it_
 
 
 def test_a_slow_effect_is_sure_only_with_a_second_load():
-    table = {loaded: page(confident(0.95, 0.9, evidence__loaded=loaded)) for loaded in (True, False)}
+    table = {loaded: full(confident(0.95, 0.9, evidence__loaded=loaded)) for loaded in (True, False)}
     assert re.search(r"creep +sure, 90 %", table[True]) and re.search(r"creep +probable, 90 %", table[False])
     alone = " ".join(table[False].split())
     assert "That something slow acts is sure; its name is not sure." in alone
@@ -290,7 +290,7 @@ def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
     assert missing(content(**alone), WORDS, "jam") == [] == missing(content(), WORDS, "viscous_loss")
     two = {"evidence__loaded": True, "evidence__covered": COVERED | {"speed_per_s": [1.0, 2.0]}}
     assert missing(content(**two), WORDS, "friction_hysteresis") == []
-    text = " ".join(page(confident(0.95, 0.46, **alone)).split())
+    text = " ".join(full(confident(0.95, 0.46, **alone)).split())
     assert (
         "call friction_hysteresis probable, not sure: from 80 % on the word is sure, but no other load and no other"
         in text
@@ -299,9 +299,9 @@ def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
 
 def test_after_adopting_the_page_says_which_sign_of_a_name_is_still_open():
     made = content(evidence__loaded=True, evidence__covered=COVERED)
-    ((head, line, *_),) = of_adopted(made, WORDS, ["viscous_loss", "jam"], [Path("raw/nylon-3")])
+    ((head, line, *_),) = of_adopted(made, WORDS, ["viscous_loss", "jam"], [Path("raw/nylon-3")], short=False)
     assert "no second speed." in head and line == "- viscous_loss: three speeds and small strokes at low twist."
-    assert of_adopted(made, WORDS, ["jam", "gone"], [Path("raw/nylon-3")]) == []
+    assert of_adopted(made, WORDS, ["jam", "gone"], [Path("raw/nylon-3")], short=False) == []
 
 
 @pytest.mark.parametrize(
@@ -311,7 +311,7 @@ def test_wear_says_which_way_it_moves_the_radius_and_the_reading(trend, grows, l
     entry = {"id": "wear", "rms_mm": {"value": 0.1, "low": 0.09, "high": 0.11}, "parameters": {}}
     changes = {"mechanisms": [entry], "evidence__spans_mm": {"wear": 0.3}, "evidence__tops_mm": {"wear": 0.2}}
     changes |= {"evidence__trends_mm": {"wear": trend}} if trend else {}
-    text = " ".join(page(content(**changes)).split())
+    text = " ".join(full(content(**changes)).split())
     assert f"radius {grows} with the distance travelled, which {lowers} the displacement by up to 0.30 mm" in text
     assert "At 30.7 turns that is 0.20 mm more in the last stroke than in the first, which no dimension can do." in text
 

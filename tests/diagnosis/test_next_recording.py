@@ -3,7 +3,7 @@
 import shlex
 
 import pytest
-from made_content import SYSTEMS, content, page
+from made_content import SYSTEMS, content, full, page
 
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recorded_run import RecordedRun
@@ -76,14 +76,14 @@ def test_a_rival_that_is_likelier_than_one_in_the_table_is_said_not_to_be_in_it(
 
 
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
-    text = " ".join(page(rubbing()).split())
+    text = " ".join(full(rubbing()).split())
     assert "It has no second load: 26.4 N, twice, parts friction_hysteresis from backlash most" in text
     assert "So record: the same 12 strokes, 0 to 30.7 turns under 26.4 N, at 1 to 2 turns/s" in text
     assert "--like raw/nylon-3 --load-n 26.4" in text
     near = foretold(0.2, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
     neither = named(["friction_hysteresis"], [near, PLAY], {"backlash": 0.02})
     assert second_load.best(neither, WORDS)[1] < 1.0
-    said = " ".join(page(neither).split())
+    said = " ".join(full(neither).split())
     assert "neither 26.4 N nor 6.6 N parts friction_hysteresis from backlash here by more than the plus-minus" in said
 
 
@@ -105,7 +105,7 @@ LASTING = foretold(0.05, ["plastic_elongation"], loop_as_before=0.0, hold=0.0, r
 
 
 def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows_and_why():
-    text = " ".join(page(named(["creep"], [CREEP, LASTING], {"creep": 0.8}, recorded=0.5)).split())
+    text = " ".join(full(named(["creep"], [CREEP, LASTING], {"creep": 0.8}, recorded=0.5)).split())
     assert (
         "if it is creep, the reading changes by more than 0.050 mm in a hold of 2 min, and at least a part of that "
         "comes back in a rest of 2 min after it; if it is plastic_elongation, it changes by less than 0.050 mm in both."
@@ -142,12 +142,12 @@ def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_ag
     adopted = {"effects": ["friction_hysteresis"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
     made = rubbing(verdict="consistent", mismatch=None, adopted=[adopted], evidence__moved_sigma={})
     made["mechanisms"], made["simulation"] = [], [{"id": "friction_hysteresis", "parameters": {}}]
-    text = page(made)
+    text = full(made)
     removed = [line.strip() for line in text.splitlines() if "adopt --remove" in line]
     assert [shlex.split(line)[-1] for line in removed] == ["raw/nylon-3", "raw/nylon-3-next"]
     assert text.index("new_run nylon-3-next") < text.index("adopt --remove") < text.index("--together")
     assert (
-        "If you have adopted it already, first take it out of each run" in " ".join(page(rubbing()).split())
+        "If you have adopted it already, first take it out of each run" in " ".join(full(rubbing()).split())
         and "not weighed again" in WEIGHED_ANEW
     )
 

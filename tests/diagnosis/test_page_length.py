@@ -1,16 +1,16 @@
-"""The page of a verdict is one printed page, whatever there is to say; what has no room stands in the details."""
+"""The page of a verdict is short, whatever there is to say; the details say each part in full."""
 
 import copy
 from pathlib import Path
 
 import pytest
-from made_content import SYSTEMS, confident, content, page, spoken
+from made_content import SYSTEMS, confident, full, page, spoken
 
-from pipeline.diagnosis.words import brief, verdict
-from pipeline.diagnosis.words.details import details_text
-from pipeline.diagnosis.words.page import CUT, LINES
+from pipeline.diagnosis.words.sections import shortened
+from pipeline.diagnosis.words.verdict import LONG, what_first
+from pipeline.diagnosis.words.vocabulary import Vocabulary
 
-WIDE = 120
+LINES, WIDE = 66, 120  # of a printed page
 ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
 NOTHING = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "mismatch": None}
 UNDER_ANOTHER = {"next_run__title": "one stroke under half the load", "next_run__fixed_load": True}
@@ -107,57 +107,36 @@ def folders(made):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_the_page_is_never_longer_or_wider_than_a_printed_one(case):
+def test_the_page_is_short_and_narrow_whatever_there_is_to_say(case):
     made = CASES[case]()
     text = page(copy.deepcopy(made), folders=folders(made))
     lines = text.splitlines()
-    assert len(lines) <= 66, f"{len(lines)} lines:\n{text}"
+    assert len(lines) <= LINES, f"{len(lines)} lines:\n{text}"
     assert not [line for line in lines if len(line) > WIDE and "python -m" not in line]
     headline = " ".join(text.partition("\n\n")[0].split())
     assert headline.endswith((".", ")")) and "What" not in headline, "reports show what stands before the empty line"
-    assert CUT.strip() not in text, "it fits by being short, not by being cut off"
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_all_that_has_no_room_on_the_page_stands_in_the_details(case):
+def test_the_page_names_each_effect_with_how_sure_it_is_and_how_large_and_the_details_say_what_it_does(case):
     made = CASES[case]()
-    said = (spoken(made, SYSTEMS["mm"]), SYSTEMS["mm"], [Path(folder) for folder in folders(made)], Path("reports/n"))
-    both = " ".join(f"{verdict.verdict_text(*said)} {details_text(*said)}".split())
-    for head, lines in verdict._sections(*said, (), brief.FULL):
-        lost = [line for line in lines if " ".join(line.split()) not in both]
-        assert not lost, f"{head}: {lost}"
-
-
-@pytest.mark.parametrize("case", CASES)
-def test_names_percentages_and_sizes_stay_on_a_page_that_is_shortened(case):
-    made = CASES[case]()
-    text = page(copy.deepcopy(made), folders=folders(made))
-    for entry in made["mechanisms"]:
+    text, more = (show(copy.deepcopy(made), folders=folders(made)) for show in (page, full))
+    for entry in spoken(made, SYSTEMS["mm"])["mechanisms"]:
         row = next(line for line in text.splitlines() if line.strip().startswith(f"{entry['id']} "))
         assert f"{round(100 * entry['confidence'])} %" in row and " mm (" in row
+        assert entry["sentence"] in " ".join(more.split())
     known = {explanation.get("probability") for explanation in made["evidence"]["explanations"]} - {None}
     if made["mechanisms"] and known:
-        assert "physics that the library lacks" in text
+        assert "physics that the library lacks" in more
     assert "unseen strokes" in text or "last 30 % of strokes" in text
 
 
-def test_a_page_with_room_says_all_and_names_no_lack_of_it():
-    text = page(content(**ALONE))
-    assert len(text.splitlines()) < LINES and "no room" not in text and "\n\nWhat to do" in text
-    said = (spoken(content(**ALONE), SYSTEMS["mm"]), SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/n"))
-    assert not verdict.without_room(*said) and "no room" not in details_text(*said)
-
-
-def test_what_still_has_room_is_said_in_full_again():
-    every = list(brief.briefs())[-1]
-    assert brief.longest(every, lambda _: True) == brief.FULL and brief.longest(every, lambda _: False) == every
-    last = brief.longest(every, lambda longer: longer.tight == every.tight and longer.effects > 1)
-    assert (last.measure, last.doubts, last.effects, last.tight) == (0, 0, 2, 1)
-
-
-def test_a_page_that_cannot_be_said_shortly_is_cut_and_says_so_and_the_details_have_the_rest():
-    doubts = [f"Of recording {number} the log {'lacks a column and ' * 8}ends early." for number in range(60)]
-    text = page(two(), doubts=doubts)
-    assert len(text.splitlines()) <= LINES and CUT.strip() in text
-    said = (spoken(two(), SYSTEMS["mm"]), SYSTEMS["mm"], [Path("raw/nylon-3")], None, doubts)
-    assert "Of recording 59 the log" in details_text(*said)
+def test_a_doubt_is_told_by_its_first_sentences_on_the_page_and_whole_in_the_details():
+    line = f"First {40 * 'word '}ends. Second {20 * 'word '}ends. Third ends."
+    first, second, _ = line.split(". ")
+    assert shortened(line, 10) == f"{first}.", "the first one in any case"
+    assert shortened(line, 330) == f"{first}. {second}." and shortened(line, 400) == line
+    made = missing(**ALONE)
+    for doubt in what_first(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"])):
+        assert doubt in " ".join(full(copy.deepcopy(made)).split())
+        assert shortened(doubt, LONG) in " ".join(page(copy.deepcopy(made)).split())

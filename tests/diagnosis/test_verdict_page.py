@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from made_content import SYSTEMS, confident, content, page, spoken, told, weighed
+from made_content import SYSTEMS, confident, content, full, page, spoken, told, weighed
 
 from pipeline.diagnosis import figures
 from pipeline.diagnosis.words import advice
@@ -32,6 +32,16 @@ def under(heading, text):
 def steps(made=None, **others):
     """What to do, on one line."""
     return " ".join(" ".join(under(STEPS, page(made, **others))).split())
+
+
+def full_steps(made=None, **others):
+    """What to do as the details say it, on one line."""
+    return " ".join(" ".join(under(STEPS, full(made, **others))).split())
+
+
+def reported(made=None, **others):
+    """What can be reported, as the details say it, on one line."""
+    return " ".join(" ".join(under("To report it", full(made, **others))).split())
 
 
 def test_the_verdict_is_one_page_wide_and_long_and_says_where_the_rest_is():
@@ -75,14 +85,14 @@ def test_no_command_is_printed_twice():
         {"ids": ["friction_hysteresis", "thermal"], **hold, "hold_mm": 0.001, "rest_mm": 0.001},
     ]
     made["evidence"]["expected"] = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": columns}
-    text = page(made)
+    text = full(made)
     commands = [line.strip() for line in text.splitlines() if "python -m" in line]
     assert len(commands) == len(set(commands)) and sum("pipeline.new_run" in line for line in commands) == 1
     assert "diagnose the runs together (commands: the step before)." in " ".join(text.split())
 
 
 def test_each_effect_has_a_row_with_how_sure_it_is_its_size_and_what_it_does():
-    rows = under("What acts, by the library's names", page(confident(0.93, 0.46)))
+    rows = under("What acts, by the library's names", full(confident(0.93, 0.46)))
     assert rows[0].split("   ")[0].strip() == "effect"
     assert rows[1].split() == ["friction_hysteresis", "sure,", "93", "%", "0.082", "mm", "(0.074", "to", "0.090", "mm)"]
     assert rows[2].strip().startswith("Friction makes the displacement of winding differ from that of unwinding")
@@ -103,12 +113,12 @@ def test_without_probabilities_an_effect_says_in_how_many_explanations_it_is():
 
 def test_a_size_with_a_wide_interval_or_far_above_what_is_missing_says_so():
     made = confident(0.93, 0.96)
-    assert "oorly known" not in page(made) and "ostly hidden" not in page(made)
+    assert "oorly known" not in full(made) and "ostly hidden" not in full(made)
     made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    assert "0.20 mm (0 to 0.40 mm), poorly known" in page(made) and "Poorly known: " in page(made)
+    assert "0.20 mm (0 to 0.40 mm), poorly known" in full(made) and "Poorly known: " in full(made)
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
-    assert "1.5 mm (1.4 to 1.6 mm), poorly known: mostly hidden" in page(made)
-    assert "far larger than the 0.44 mm that is missing" in page(made)
+    assert "1.5 mm (1.4 to 1.6 mm), poorly known: mostly hidden" in full(made)
+    assert "far larger than the 0.44 mm that is missing" in full(made)
 
 
 def test_the_errors_are_a_table_whose_rows_say_what_they_are_of():
@@ -120,17 +130,17 @@ def test_the_errors_are_a_table_whose_rows_say_what_they_are_of():
 
 
 def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then():
-    text = page()
+    text = full()
     table = under(STEPS, text)
     assert table[0].strip() == "1. Measure again what calibration moved far:"
     assert table[2].split() == ["radius", "0.55", "mm", "–", "0.5612", "mm", "0.0037", "mm", "or", "better"]
     assert "a caliper at ten places" in table[3]
-    said = steps()
+    said = full_steps()
     assert "- If you find another value: write it into run.yaml, and diagnose again;" in said
     assert "known better than its tolerance: say how well (`tolerance: {radius: …}`) and diagnose again;" in said
     assert "- if the same, no better known: go on with step 2. The percentages do not hold" in said
     assert "three is the most that it may" in text and "provisional" in text
-    near = page(content(evidence__moved_sigma=NEAR))
+    near = full(content(evidence__moved_sigma=NEAR))
     assert "Measure again" not in near and "provisional" not in near
 
 
@@ -150,9 +160,10 @@ def test_every_dimension_of_a_string_says_how_it_is_measured():
 )
 def test_a_run_is_a_step_as_far_as_it_decides(then, said):
     made = content(next_run__gap_then=then)
-    assert said in steps(made)
-    where = "details.txt under The run to make next; they take"
-    assert (where in steps(made)) is (then > 6.0)
+    assert said in full_steps(made)
+    run = "A hold at full twist, then a rest: 3.5 min in all. Steps and commands: "
+    assert (f"{run}The run to make next." in full_steps(copy.deepcopy(made))) is (then > 6.0)
+    assert (f"{run}details.txt, The run to make next." in steps(made)) is (then > 6.0)
 
 
 def test_prediction_and_adopting_come_with_their_commands_after_what_is_to_be_measured():
@@ -174,20 +185,20 @@ def test_a_command_stays_on_one_line_and_a_numbered_step_hangs():
 
 
 def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
-    said = steps(content(evidence__nominal_mm=1.4))
+    said = reported(content(evidence__nominal_mm=1.4))
     missing = "0.44 mm rms is missing after calibration, noise taken off; the errors on the unseen strokes above"
     assert f"You can report, if measuring again changed nothing: - {missing}" in said
     assert (
         "Do not report how much an effect does alone, its constants (loop, times, corners), or calibrated dim" in said
     )
     near = content(evidence__moved_sigma=NEAR)
-    assert f"You can report: - {missing};" in steps(near)
+    assert f"You can report: - {missing};" in reported(near)
     fitted = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
-    assert steps(near).endswith(fitted)
+    assert reported(near).endswith(fitted)
     near["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    assert "Do not report how much creep does alone." in steps(near)
+    assert "Do not report how much creep does alone." in reported(near)
     sure = "- at work: friction_hysteresis (sure, 93 %);"
-    assert sure in steps(confident(0.93, 0.46)), "creep is not sure"
+    assert sure in reported(confident(0.93, 0.46)), "creep is not sure"
 
 
 @pytest.mark.parametrize(
@@ -279,12 +290,12 @@ def test_a_tolerance_that_nobody_gave_is_called_the_default_and_what_moved_besid
     moved = {"radius_mm": 2.9, "length_mm": -2.2, "separator_mm": 1.9}
     made = content(evidence__moved_sigma=moved, evidence__tolerance=sigmas)
     made["parameters"] |= {name: {"nominal": 300.0, "value": 295.6} for name in ("length_mm", "separator_mm")}
-    said = steps(made)
+    said = full_steps(made)
     assert "mm (3 %, default) 0.56" in said and "length 300 mm 2 mm (default) 295.6 mm" in said
     assert "separator 300" not in said, "it moved by less than 2 tolerances"
     assert "`tolerance: {radius: …, length_mm: …}`" in said
     made["evidence"]["moved_sigma"]["radius_mm"] = 2.4
-    assert "Measure again" not in steps(made), "none moved far"
+    assert "Measure again" not in full_steps(made), "none moved far"
 
 
 def test_an_explanation_that_foretells_unseen_strokes_badly_is_named_in_part():
@@ -298,16 +309,16 @@ def test_a_single_explanation_is_reported_with_its_probability():
     made = weighed(0.004, 0.06, 0.01, 0.02, 0.73, none=0.22, verdict="explained", alternatives=[], next_run=None)
     made["evidence"]["explanations"][3]["standing"] = "beaten"
     best = "- the recording agrees best with friction_hysteresis + creep"
-    assert f"{best} (73 %); no other is excluded" in steps(made), "how probable the others are stands in the table"
-    assert "named; the explanation has a probability of 73 %" in page(made)
-    assert f"{best} (52 %); no other is excluded" in steps(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
-    assert "agrees best" not in steps(), "no probability is known"
+    assert f"{best} (73 %); no other is excluded" in reported(made), "how probable the others are stands in the table"
+    assert "named; the explanation has a probability of 73 %" in full(made)
+    assert f"{best} (52 %); no other is excluded" in reported(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
+    assert "agrees best" not in reported(), "no probability is known"
 
 
 def test_the_page_tells_how_probable_each_explanation_is_and_on_which_tolerances_that_stands():
     made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, none=0.04)
     made["evidence"]["tolerance"] = {"radius_mm": 0.004}
-    rows = under("How probable each explanation is", page(made))
+    rows = under("How probable each explanation is", full(made))
     assert [row.split() for row in rows[:5]] == [
         ["friction_hysteresis", "+", "creep", "52", "%", "the", "best", "one"],
         ["friction_hysteresis", "+", "thermal", "31", "%"],
@@ -317,20 +328,20 @@ def test_the_page_tells_how_probable_each_explanation_is_and_on_which_tolerances
     ], "together they are everything"
     assert rows[5].strip() == "All this stands on the tolerances of step 1.", "its table has them"
     made["evidence"]["moved_sigma"] = {"radius_mm": 1.9}
-    assert "All this stands on these tolerances: radius 0.004 mm (0.727 %). Know one better" in page(made)
+    assert "All this stands on these tolerances: radius 0.004 mm (0.727 %). Know one better" in full(made)
     made["evidence"]["moved_sigma"] = {"radius_mm": 0.9}
-    assert "stands on these tolerances" not in page(made)
-    assert "How probable each explanation is" not in page(), "no probability is known"
+    assert "stands on these tolerances" not in full(made)
+    assert "How probable each explanation is" not in full(), "no probability is known"
 
 
 def test_an_effect_larger_than_what_is_missing_says_where_the_rest_is():
     made = confident(0.93, 0.96)
-    assert "artly hidden" not in page(made)
+    assert "artly hidden" not in full(made)
     made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
-    assert "0.60 mm (0.55 to 0.65 mm), partly hidden" in page(made)
+    assert "0.60 mm (0.55 to 0.65 mm), partly hidden" in full(made)
     made["evidence"]["moved_sigma"] = NEAR
-    assert "Do not report how much creep does alone." in steps(made)
-    assert "it is more than the 0.44 mm that is missing" in page(made)
+    assert "Do not report how much creep does alone." in reported(made)
+    assert "it is more than the 0.44 mm that is missing" in full(made)
 
 
 def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_is_what_fails():
@@ -370,8 +381,8 @@ def test_what_is_worse_than_the_nominal_simulator_is_not_to_be_adopted():
 
 
 def test_of_a_tie_the_program_is_named_that_makes_the_run_and_weighs_it():
-    assert "for you: python -m pipeline.settle RUN" in steps(confident(0.93, 0.38))
-    assert "pipeline.settle RUN" not in steps(content(**ALONE))
+    assert "for you: python -m pipeline.settle raw/nylon-3 --port PORT" in steps(confident(0.93, 0.38))
+    assert "pipeline.settle" not in steps(content(**ALONE))
 
 
 def test_two_recordings_are_not_called_this_recording():
@@ -421,65 +432,65 @@ ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
 
 
 def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
-    assert "too much for your use" not in steps(content(**ALONE))
-    changes = steps(content(**ALONE, fit__heldout__explained_mm=0.06))
+    assert "too much for your use" not in full_steps(content(**ALONE))
+    changes = full_steps(content(**ALONE, fit__heldout__explained_mm=0.06))
     assert "If what is still missing is too much for your use: record as many strokes again" in changes
     assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3" in changes
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out reports/nylon-3-next" in changes
     made = content(**ALONE, fit__heldout__explained_mm=0.06)
     made["evidence"]["explanations"][-1]["left_mm"] = 0.058
-    alike = steps(made)
+    alike = full_steps(made)
     assert "Leave what is still missing, unless it is too much for your use" in alike and "-next" not in alike
 
 
 def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_adopted():
-    assert "too much for your use" not in steps()
-    changes = steps(content(fit__heldout__explained_mm=0.06))
+    assert "too much for your use" not in full_steps()
+    changes = full_steps(content(fit__heldout__explained_mm=0.06))
     many = "record as many strokes again in the same way, and diagnose the runs together"
     assert f"{many} (commands: details.txt, The run to make next). If the error" in changes
     assert "-next" not in changes, "no command is printed twice"
-    without = steps(content(fit__heldout__explained_mm=0.06, next_run=None))
+    without = full_steps(content(fit__heldout__explained_mm=0.06, next_run=None))
     assert f"{many}. If the error" in without and "new_run nylon-3-next --like raw/nylon-3" in without
     idle = content(fit__heldout__explained_mm=0.06, next_run__gap_then=5.1)
-    assert "new_run nylon-3-next --like raw/nylon-3" in steps(idle), "a run that decides nothing has no commands"
+    assert "new_run nylon-3-next --like raw/nylon-3" in full_steps(idle), "a run that decides nothing has no commands"
     made = content(fit__heldout__explained_mm=0.06)
     made["evidence"]["explanations"][-1]["left_mm"] = 0.058
-    assert "Leave what is still missing, unless it is too much for your use. The best explanation" in steps(made)
+    assert "Leave what is still missing, unless it is too much for your use. The best explanation" in full_steps(made)
     tied = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
     adopted = content(**NOTHING, mismatch=None, adopted=[tied], simulation=[{"id": "creep", "parameters": {}}])
     adopted["evidence"]["moved_sigma"] = NEAR
     adopted["evidence"]["calibrated_mm"] = 0.031
-    assert "Leave what is still missing" not in steps(adopted)
+    assert "Leave what is still missing" not in full_steps(adopted)
     adopted["evidence"]["calibrated_mm"] = 0.06
-    assert "Leave what is still missing, unless it is too much for your use. No effect" in steps(adopted)
+    assert "Leave what is still missing, unless it is too much for your use. No effect" in full_steps(adopted)
 
 
 def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_recording_holds():
     covered = {"load": [24.8, 36.9], "speed_per_s": [1.9, 5.8], "longest_hold_s": 3.7, "longest_rest_s": 6.5}
     timeless = [entry | {"parameters": {}} for entry in content()["mechanisms"]]
-    said = steps(content(**ALONE, mechanisms=timeless, evidence__covered=covered))
+    said = full_steps(content(**ALONE, mechanisms=timeless, evidence__covered=covered))
     holds = "holds of up to 3.7 s and rests of up to 6.5 s under 24.8 N or more."
     assert f"Recorded so far: loads of 24.8 to 36.9 N, speeds of 1.9 to 5.8 turns/s, {holds}" in said
     assert "Optional, to be surer of a name, after step 1: before adopting, record what tells" in said
     assert "record what tells the effect from others: - friction_hysteresis: " in said
     assert "- creep: a hold under load, then a rest without it" in said
     covered["speed_per_s"] = [5.0, 5.8]
-    under_one = steps(content(**ALONE, mechanisms=timeless, evidence__loaded=False, evidence__covered=covered))
+    under_one = full_steps(content(**ALONE, mechanisms=timeless, evidence__loaded=False, evidence__covered=covered))
     assert "Recorded so far: one load, one speed, 5.8 turns/s, holds of up to" in under_one
     longest = "(13 s or longer each, twice the longest one here, under 36.9 N as recorded here)."
     assert longest in under_one and longest.replace("36.9", "24.8 to 36.9") in said
     made = content(**ALONE, evidence__covered=covered)
-    assert "(2 min or longer each, twice its longest time constant, under 24.8 to 36.9 N as" in steps(made)
+    assert "(2 min or longer each, twice its longest time constant, under 24.8 to 36.9 N as" in full_steps(made)
     assert "Its speeds count as two: the fastest is 3.1 times the slowest. Its loads count as more than one." in said
     assert "no second speed: 2.9 or 11.6 turns/s, half or twice, would do. It has no second load: 18.4 or" in under_one
-    assert "what tells the effect from others" not in steps(), "where explanations tie a run is proposed"
+    assert "what tells the effect from others" not in full_steps(), "where explanations tie a run is proposed"
 
 
 def test_what_improves_nothing_on_unseen_strokes_is_no_number_to_report_without_that():
     """A page said "may be no more than a good fit", and then "sure" and TO REPORT."""
     shares = {"evidence__moved_sigma": NEAR, "fit__heldout__explained_mm": 0.80}
     firm = confident(0.9, 0.85, **ALONE, **shares)
-    text = " ".join(page(firm).split())
+    text = " ".join(full(firm).split())
     nothing = "on the unseen strokes the explanation improves nothing"
     assert "probable, 90 %" in text and "sure, 90 %" not in text
     assert f'TO REPORT only with the words "{nothing}": friction_hysteresis' in text and "TO REPORT:" not in text
@@ -487,10 +498,10 @@ def test_what_improves_nothing_on_unseen_strokes_is_no_number_to_report_without_
     small = firm | {"mismatch": firm["mismatch"] | {"rms_mm": 0.1}}
     for entry in small["mechanisms"]:
         entry["rms_mm"] = {"value": 0.09, "low": 0.08, "high": 0.1}
-    text = " ".join(page(small).split())
+    text = " ".join(full(small).split())
     assert f'TO REPORT only with the words "{nothing}, and is too small to show there"' in text
     assert "so they say nothing of it" in text and "good fit" not in text and "Make sure of the name" not in text
-    better = " ".join(page(confident(0.9, 0.85, **ALONE, evidence__moved_sigma=NEAR)).split())
+    better = " ".join(full(confident(0.9, 0.85, **ALONE, evidence__moved_sigma=NEAR)).split())
     assert "- TO REPORT: friction" in better and "Optional, to be surer of a name: before adopting, record" in better
 
 
@@ -500,11 +511,11 @@ def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_
         "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.41 mm (0.37 to 0.45 mm) (rms, 90 % "
         "interval), and the constants of friction_hysteresis above"
     )
-    assert said in steps(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in page(firm)
+    assert said in reported(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in full(firm)
     firm["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    only = steps(firm)
+    only = reported(firm)
     assert "- TO REPORT: creep 0.41 mm (0.37 to 0.45 mm) (rms" in only and "constants" not in only
-    assert "TO REPORT" not in steps(content(**ALONE)), "a dimension moved far"
+    assert "TO REPORT" not in reported(content(**ALONE)), "a dimension moved far"
 
 
 def test_an_effect_that_is_surer_than_its_explanation_says_why():
@@ -558,12 +569,12 @@ def test_what_was_adopted_keeps_its_table_with_the_sizes_that_it_has_here():
 def test_a_sure_effect_whose_interval_reaches_0_says_why_both_hold():
     made = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
     made["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    said = " ".join(page(copy.deepcopy(made)).split())
+    said = " ".join(full(copy.deepcopy(made)).split())
     assert "sure, 93 %" in said and "friction_hysteresis is sure though the interval reaches 0, and both hold" in said
     made["mechanisms"][0]["rms_mm"]["low"] = 0.1
-    assert "both hold" not in page(copy.deepcopy(made))
+    assert "both hold" not in full(copy.deepcopy(made))
     made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    assert "both hold" not in page(made), "creep is not sure"
+    assert "both hold" not in full(made), "creep is not sure"
 
 
 def test_a_temperature_that_was_logged_and_is_not_needed_is_said_in_one_sentence():
@@ -572,18 +583,18 @@ def test_a_temperature_that_was_logged_and_is_not_needed_is_said_in_one_sentence
     covered |= {"longest_hold_s": 2.0, "longest_rest_s": 3.0}
     logged = content(**alone, evidence__covered=covered)
     sentence = "The logged temperature (21 to 25.5 °C) was not needed"
-    assert f"{sentence}." in " ".join(page(logged).split())
+    assert f"{sentence}." in " ".join(full(logged).split())
     logged["fit"]["detectable_mm"]["thermal"] = 0.03
-    assert f"{sentence}; an effect of it would be seen from 0.030 mm rms on." in " ".join(page(logged).split())
-    assert "logged temperature" not in page(content(**alone))
+    assert f"{sentence}; an effect of it would be seen from 0.030 mm rms on." in " ".join(full(logged).split())
+    assert "logged temperature" not in full(content(**alone))
     logged["alternatives"] = [["thermal"]]
-    assert "logged temperature" not in page(logged), "something that ties may follow it"
+    assert "logged temperature" not in full(logged), "something that ties may follow it"
     for verdict in ("consistent", "parameters"):
         made = content(
             **NOTHING | {"verdict": verdict}, mismatch=None, evidence__covered={"temperature_c": [21.0, 25.5]}
         )
         made["evidence"]["explanations"], made["simulation"] = [], []
-        assert sentence in " ".join(page(made).split()), verdict
+        assert sentence in " ".join(full(made).split()), verdict
 
 
 AT_LIMIT = {"evidence__moved_sigma": {"radius_mm": 3.0, "torsion_zone_mm": 3.0, "scale": -3.0}}
@@ -609,7 +620,6 @@ def test_a_dimension_at_its_limit_is_measured_for_a_gross_error_not_to_the_toler
     assert any("torsion zone" in row and "1 mm is enough" in row for row in table)
     assert any("gain" in row and "0.005 or better" in row for row in table), "nobody has measured it"
     off = "three tolerances away, 0.035 mm for the radius and 3 mm for the torsion zone."
-    assert "Where it says enough, look for a gross error: another spool, another place, a mis" in steps(at_limit())
     assert f"look for a gross error: what fits best is {off}" in " ".join(details(at_limit()).split())
     assert "Measure the radius again (0.012 mm is enough): run.yaml says" in told(at_limit())
     near = under(STEPS, page(at_limit(2.8)))
@@ -634,7 +644,7 @@ def test_dimensions_that_take_each_others_place_in_the_fit_are_measured_in_one_g
 
 
 def test_no_effect_is_called_sure_while_a_dimension_stands_at_its_limit():
-    text = " ".join(page(at_limit()).split())
+    text = " ".join(full(at_limit()).split())
     limit = "the radius, the torsion zone and the gain of the displacement sensor stand at their limit"
     assert "friction_hysteresis probable, 93 %" in text and "sure, 9" not in text
     write = (
@@ -643,7 +653,7 @@ def test_no_effect_is_called_sure_while_a_dimension_stands_at_its_limit():
     assert write in text and "- at work: friction_hysteresis (probable, 93 %) and creep (probable, 96 %);" in text
     details = told(at_limit())
     assert f"Probable while {limit}: " in details and write in " ".join(details.split())
-    assert "In a paper" not in page(confident(0.93, 0.96)), "the words say it themselves"
+    assert "In a paper" not in full(confident(0.93, 0.96)), "the words say it themselves"
     assert "None is needed before dimensions are measured again" in details
     near = told(confident(0.93, 0.96, **ALONE, evidence__moved_sigma=NEAR))
     assert "None is needed: no other explanation" in near and "Sure (80 % or more): " in near
@@ -664,13 +674,14 @@ def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_
         "moved_sigma": {"radius_mm": 2.9, "scale": -1.0, "length_mm": 0.1},
         "moved_alone_sigma": {"radius_mm": 1.0, "scale": 1.6, "length_mm": 0.3},
     }
-    text = " ".join(page(copy.deepcopy(made)).split())
+    made["parameters"] |= {name: {"nominal": 1.0, "value": 0.995} for name in ("scale", "length_mm")}
+    text = " ".join(full(copy.deepcopy(made)).split())
     assert "The table has the part of creep that no dimension could do. In all it does 1.5 mm (1.4 to 1.6 mm), " in text
     assert "but a slightly different gain of the displacement sensor and radius could do much of that as well." in text
     assert "far larger than the" not in text and "all of it except" not in text, "rms sizes do not subtract"
     made["evidence"]["beyond_dimensions_mm"]["friction_hysteresis"] = 0.02
     both = "In all creep does 1.5 mm (1.4 to 1.6 mm) and friction_hysteresis does 0.082 mm (0.074 to 0.090 mm), but a"
-    assert both in " ".join(page(made).split())
+    assert both in " ".join(full(made).split())
 
 
 def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page_where_they_are_many():
@@ -701,7 +712,7 @@ def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
     (folder / "recording.csv").write_text("time_s\n")
     of_a_file, text = typed()
     assert of_a_file[0] == f"python -m pipeline.new_run nylon-3-next --like {folder} --recording FILE.csv"
-    assert len(of_a_file) == 2 and "FILE.csv is the new file of your logger" in text and "PORT" not in text
+    assert len(of_a_file) == 2 and "FILE.csv is the new file of your logger" in text and "capture PORT" not in text
     through = f"# imported from 'a.mat', sha256 {64 * 'a'}\n# through the mapping 'my map.yaml', sha256 {64 * 'b'}\n"
     (folder / "run.yaml").write_text(f"{through}run: nylon-3\n")
     imported, text = typed()
@@ -771,9 +782,9 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
         return known | {"verdict": "explained"}
 
     text, more = (" ".join(show(made("wear")).split()) for show in (page, details))
+
     assert "look alike: what is called creep here can be wear. That something slow acts is" in text
-    assert "Excluded in its place, by what goes on while the motor stands: plastic_elongation, sensor_drift" in text
-    assert "(creep as the library's name for a slow effect: one load cannot tell it from wear)" in text
+    assert "(creep as the library's name for a slow effect: one load cannot tell it from wear)" in more
     by_standing = "excluded in the place of creep by this recording: while the motor stands it is wrong by 0.068 mm"
     assert more.count(by_standing) == 3 and f"- sensor_drift: {by_standing} in a hold." in more
     assert "- wear: open: the library's formula of it leaves 0.45 mm (15 times the noise), but another law" in more
@@ -781,16 +792,17 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
     text, more = (" ".join(show(made()).split()) for show in (page, details))
     assert "look alike" not in text and ": open" not in more and more.count(by_standing) == 4
     out = "not plastic_elongation, sensor_drift, stiffening or wear in its place"
-    assert f"{out}, which are wrong while the motor stands (details.txt)" in text
+    assert f"{out}, which are wrong while the motor stands" in more
     text, more = (" ".join(show(made(*slow)).split()) for show in (page, details))
     assert "can be plastic_elongation, sensor_drift, stiffening or wear." in text and "xcluded in" not in text + more
 
 
 def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no_dimension_could_do():
     made = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
-    text = page(copy.deepcopy(made))
+    text = full(copy.deepcopy(made))
     assert "0.031 mm (0.028 to 0.034 mm), in all 0.41 mm" in text and "0.082 mm (0.074 to 0.090 mm)" in text
-    assert "No dimension could do 0.031 mm (0.028 to 0.034 mm) rms of it. 90 % interval" in details(copy.deepcopy(made))
+    row = next(line for line in page(copy.deepcopy(made)).splitlines() if line.strip().startswith("creep "))
+    assert "0.41 mm (0.37 to 0.45 mm)" in row and row.endswith("0.031 mm"), "the page: all of it, then that part"
     assert "TO REPORT" not in text, "a dimension moved far"
     made["evidence"]["moved_sigma"] = NEAR
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
@@ -798,7 +810,7 @@ def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no
         "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.031 mm (0.028 to 0.034 mm), the part "
         "that no dimension could do (rms, 90 % interval), and the constants of friction_hysteresis above"
     )
-    text = " ".join(page(copy.deepcopy(made)).split())
+    text = " ".join(full(copy.deepcopy(made)).split())
     assert said in text and text.count("TO REPORT") == 1
     only = (
         "Of creep only that part may be reported, not what it does in all nor its constants (loop, times): calibrated "
@@ -806,9 +818,9 @@ def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no
     assert f"{only}dimensions could make the rest." in text and "Of friction_hysteresis" not in text
     assert "do not report its sizes" not in text and "of its sizes" not in text
     made["evidence"].pop("beyond_dimensions_mm")
-    text = " ".join(page(copy.deepcopy(made)).split())
+    text = " ".join(full(copy.deepcopy(made)).split())
     assert "TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm) (rms" in text, "an older file"
-    assert "Do not report how much creep does alone." in text and "No dimension could do" not in details(made)
+    assert "Do not report how much creep does alone." in text and "no dimension could do" not in page(made)
 
 
 def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it_follows():
@@ -819,31 +831,29 @@ def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it
         evidence__left_of_unseen={"location": box, "driver": "direction"},
         evidence__pattern={"location": box | {"strokes": [4, 6]}, "driver": ["time"], "rms_mm": 0.021},
     )  # fmt: skip
-    text = " ".join(page(copy.deepcopy(made)).split())
+    text = " ".join(full(copy.deepcopy(made)).split())
     where = "most of it lies in strokes 10 to 12, and it follows the direction of motion."
     assert f"or too few strokes were seen. What a regression without physics foretells of it: {where}" in text
     assert "holds a pattern" not in text and text.count(where) == 1
     assert "0.042 mm (1.34 times the noise)" in text, "1.3 is the limit"
     made["fit"]["heldout"]["without_physics_mm"] = 0.042
-    text = " ".join(page(copy.deepcopy(made)).split())
+    text = " ".join(full(copy.deepcopy(made)).split())
     assert "foretells of it" not in text, "it foretells no more of it"
     assert "pattern of 0.021 mm rms beside the noise. It lies mostly in strokes 4 to 6, and follows the time." in text
     made["fit"]["heldout"]["explained_mm"] = 0.0468
-    assert "(1.5 times the noise)" in page(made)
+    assert "(1.5 times the noise)" in full(made)
 
 
 def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_that_they_alone_count():
     made = confident(0.93, 0.38, evidence__moved_sigma=NEAR)
     merged = "- TO REPORT, of what is open: creep 0.41 mm (0.37 to 0.45 mm), or 0 if it is not at work (rms"
-    assert merged in steps(made) and steps(made).count("creep 0.41 mm") == 1 and "so 0 is" not in steps(made)
-    assert "of what is open" not in steps(confident(0.93, 0.62, evidence__moved_sigma=NEAR)), "creep is probable"
-    assert "of what is open" not in steps(confident(0.93, 0.38)), "a dimension moved far"
+    assert merged in reported(made) and reported(made).count("creep 0.41 mm") == 1 and "so 0 is" not in reported(made)
+    assert "of what is open" not in reported(confident(0.93, 0.62, evidence__moved_sigma=NEAR)), "creep is probable"
+    assert "of what is open" not in reported(confident(0.93, 0.38)), "a dimension moved far"
     made["evidence"]["beyond_dimensions_mm"] = {"creep": 0.2, "friction_hysteresis": 0.04}
-    reported = page(copy.deepcopy(made)).partition("You can report")[2]
-    assert "TO REPORT" in reported and not [
-        line for line in reported.splitlines() if "  " in line.strip() or " ," in line
-    ]
-    text = steps(made)
+    lines = under("To report it", full(copy.deepcopy(made)))
+    assert "TO REPORT" in " ".join(lines) and not [line for line in lines if "  " in line.strip() or " ," in line]
+    text = reported(made)
     assert "0.22 mm), the part that no dimension could do, or 0 if it is not at work" in text
     assert text.count("the part that no dimension could do") == 2, "once for each"
     assert ", the part that no dimension could do (rms, 90 % interval), if friction_hysteresis + creep" in text
@@ -879,11 +889,11 @@ def test_effects_whose_loops_are_far_wider_than_the_recorded_one_are_said_to_can
 
 def test_a_proposed_run_says_which_question_it_answers_and_for_which_probable_name_it_is_not():
     question = "Make the run that can decide which is at work: creep or thermal"
-    said = steps(confident(0.72, 0.46))
+    said = full_steps(confident(0.72, 0.46))
     assert f"{question} (it is not there to make the probable friction_hysteresis surer), if you need to know." in said
     assert "The test of each open or probable effect stands there too." in said
     assert "friction_hysteresis: two loads (" in details(confident(0.72, 0.46)).partition("open effects apart")[2]
-    sure = steps(confident(0.93, 0.46))
+    sure = full_steps(confident(0.93, 0.46))
     assert f"{question}, if you need to know." in sure and "The test of each open effect stands there too." in sure
 
 
@@ -928,7 +938,9 @@ def test_an_effect_that_is_far_smaller_than_the_steps_of_the_sensor_is_not_calle
     made["fit"] |= {"noise_floor_mm": noise, "heldout": None}
     made["evidence"] |= {"resolution_mm": step} if step else {}
     text, why = " ".join(page(made).split()), "0.0012 mm is too small for a sensor that reads in steps of 0.010 mm"
-    assert ("creep sure, 96 %" in text) == sure == (why not in text), text
+    assert ("creep sure, 96 %" in text) == sure == (why not in details(copy.deepcopy(made))), text
     assert "friction_hysteresis sure, 97 %" in text, "0.08 mm is no part of a step"
-    assert sure or f"In a paper call creep probable, not sure: from 80 % on the word is sure, but {why}." in text
+    assert sure or f"In a paper call creep probable, not sure: from 80 % on the word is sure, but {why}." in details(
+        made
+    )
     assert sure or f"Probable while {why}: creep" in details(made)

@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 
 import pytest
-from made_content import page, told, weighed
+from made_content import full, page, told, weighed
 
 from pipeline.diagnosis import kept
 from pipeline.diagnosis.judged import Judged, LeftOut
@@ -60,12 +60,12 @@ def left_out(**changes):
 
 
 def test_an_explanation_that_is_likelier_than_the_best_one_is_named_with_the_rule_that_leaves_it_out():
-    text = " ".join(page(left_out()).split())
+    text = " ".join(full(left_out()).split())
     assert "friction_hysteresis + sensor_drift 40 % left out: see below" in text
     assert f"Left out, however probable: friction_hysteresis + sensor_drift (40 %). The reason: {SAID}" in text
     assert "the best one that can be named has a probability of 30 %" in text
     assert "of what it can tell from moved dimensions the recording agrees best with" in text
-    assert "less likely" not in text.partition("How probable")[2].partition("How far")[0]
+    assert "less likely" not in text.partition("How probable each")[2].partition("What is missing")[0]
     details = told(left_out())
     assert f"It is left out: {SAID}" in details
     assert "But one of them is left out (40 %), so fewer than 80 % are kept. These 2 have 50 %" in details

@@ -7,7 +7,7 @@ from pathlib import Path
 from ...ground.command import command, program_name
 from ..content import Verdict
 from ..library import mechanisms
-from . import advice, holdout, in_vain, worth
+from . import advice, answered, holdout, in_vain, worth
 from .dimensions import far_moved
 from .prediction import AFTER_RECORDING
 from .quantity import listing
@@ -155,6 +155,8 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     ids = [entry["id"] for entry in content["mechanisms"]]
     lines += [f"  {line}" for line in predictions(source, folders, ids)]
     lines += of_staying(ids)
+    where = answered.within(content, words)
+    lines += [f"A plan has an error band within {where}."] if where else []
     lines.append(advice.of_adopting(content, words))
     lines.append("To put its effects into run.yaml, with the dimensions that fit with them; yours stay as measured:")
     lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]

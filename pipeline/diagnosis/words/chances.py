@@ -10,28 +10,31 @@ from .vocabulary import Vocabulary
 
 HEADING = "How probable each explanation is"
 KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
-KEPT, FEW = 5, 3  # of them by name, and where the page is short; the others are counted
+KEPT, FEW = 5, 3  # of them by name, and on the page; the others are counted
 LEFT_OUT = 3  # of those that are no names, in the table
 WORTH = 0.05  # a probability from which on the next best is named
 OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
 
 
-def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     """The table; nothing where nothing is named or no probability is known.
 
-    `brief` is how short: 1 without the tolerances that it stands on, 2 with fewer explanations by name.
+    `short`: without the tolerances that it stands on, and with fewer explanations by name; nothing where one
+    explanation alone is kept, since the first line has its probability.
     """
     if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
         return []
-    kept = kept_shares(content)
+    kept, out = kept_shares(content), left_out.entries(content)
+    if short and len(kept) < 2 and not out:
+        return []
     rows = [[name, percent(share), "the best one" if place == 0 else ""] for place, (name, share) in enumerate(kept)]
-    by_name = FEW if brief > 1 else KEPT
+    by_name = FEW if short else KEPT
     if len(rows) > by_name:
         rest = kept[by_name - 1 :]
         rows = [*rows[: by_name - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
     none = content["evidence"].get("probability_of_none") or 0.0
     left = max(1.0 - none - sum(share for _, share in kept), 0.0)
-    for entry in left_out.entries(content)[:LEFT_OUT]:
+    for entry in out[:LEFT_OUT]:
         rows.append([rivals.called(entry["ids"]), percent(entry["probability"]), "left out: see below"])
         left = max(left - entry["probability"], 0.0)
     following = next_best(content)
@@ -42,7 +45,7 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
     return [
         *(line.rstrip() for line in aligned(rows)),
         *left_out.lines(content),
-        *([] if brief else _stands_on(content, words)),
+        *([] if short else _stands_on(content, words)),
     ]
 
 

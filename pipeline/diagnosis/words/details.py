@@ -8,11 +8,12 @@ from ..content import Part, Verdict, mismatch_of
 from . import (
     adopted_table,
     adoption,
-    breaks,
     certainty,
+    chances,
     commands,
     deciding_run,
     detection_limits,
+    effect_table,
     effects,
     error_table,
     experiment,
@@ -20,20 +21,20 @@ from . import (
     holdout,
     in_run_yaml,
     level,
+    logged,
     other_effects,
-    own_size,
-    page,
     probability,
     rejected_explanations,
+    report,
     rivals,
     signs,
     slow_look_alikes,
     spikes,
+    to_do,
     to_measure,
     tolerances,
     unexplained_pattern,
     unseen,
-    unseen_doubts,
     verdict,
     worth,
 )
@@ -65,17 +66,16 @@ def details_text(
             DOUBTS,
             [
                 *doubts,
-                *adoption.cautions(content),
-                *breaks.changed(content),
-                *unseen_doubts.cautions(content, words),
+                *verdict.what_first(content, words),
                 *slow_look_alikes.lines(content, words),
-                *tolerances.doubts(content, words),
                 *suspicious(content),
                 *spikes.lines(content, words),
             ],
         ),
+        (effect_table.HEADING, effect_table.lines(content, words, short=False)),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
-        ("What is missing", missing(content, words)),
+        (chances.HEADING, chances.lines(content, words, short=False)),
+        ("What is missing", [*missing(content, words), *logged.temperature(content, words)]),
         (
             "What explains it" if content["verdict"] == "explained" else "The best explanation",
             [
@@ -88,14 +88,15 @@ def details_text(
         ("What is likely beside it", tied(content, words)),
         (error_table.HEADING, error_table.lines(content, words)),
         (rivals.DIMENSIONS, moved(content, words)),
+        (to_do.HEADING, to_do.lines(content, words, folders, out, short=False)),
         ("The run to make next", following(content, words, folders, out)),
         (signs.HEADING, signs.lines(content, words)),
         ("To use it", adoption.how(content, words, folders, out)),
+        (report.HEADING, report.lines(content, words)),
         (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         (other_effects.HEADING, other_effects.lines(content, words)),
         ("What would have been seen", detection_limits.lines(content, words)),
     ]
-    sections.append((page.HEADING, page.unsaid(verdict.without_room(content, system, folders, out, doubts), sections)))
     all_text = "\n".join(line for head, lines in sections for line in (head, *lines))
     return text(sections, last=(WORDS, explained_words.lines(content, all_text, words)))
 
@@ -135,14 +136,12 @@ def follows(content: Verdict) -> str:
 
 
 def named(content: Verdict, words: Vocabulary) -> list[str]:
-    """Each mechanism's sentence and how sure its size is; also of those that only a user's own library knows."""
+    """How sure each mechanism's size is, and the sentences of those that only a user's own library knows."""
     own: list[Part] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
     hidden, lines = rivals.hidden(content, words), []
     for entry in content["mechanisms"]:
         limit = certainty.held_back(content, words, entry["id"])
-        part = own_size.own_part(entry, content, words)
-        first = f"No dimension could do {own_size.own_with_interval(entry, content, words)} rms of it." if part else ""
-        sentences = [entry["sentence"], first, effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
+        sentences = [effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]

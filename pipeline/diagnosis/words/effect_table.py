@@ -5,13 +5,14 @@ from . import cancelling, certainty, probability
 from .dimensions import name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
-from .own_size import HIDDEN, PARTLY, POORLY, own_part, own_size, with_interval
+from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, with_interval
 from .quantity import at, listing, percent, size
 from .vocabulary import Vocabulary
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
+OF_IT = "of it no dimension could do"
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
 TAKEN_BACK = (
@@ -27,49 +28,46 @@ IN_ALL = (
     "The table has the part of {} that no dimension could do. In all {}, but {} could do much of that as well. Sizes "
     "in rms do not subtract."
 )
-IN_ALL_SHORT = "The first size is what no dimension could do; {} could do much of the rest as well."
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
     "its own size stands and falls with them."
 )
 
 
-def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     """The effects of the best explanation, then those that only another likely one has; nothing where none is named.
 
-    `brief` is how short: 1 without remarks that the table's own words make, 2 without strokes,
-    3 without how to write of it, 4 one line each effect.
+    `short`: a line on each effect, and no more remarks than which effect is open and whose the sizes are.
     """
     if not content["mechanisms"]:
         return []
     shares = certainty.known(content)
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
-    rows = [[entry["id"], how_sure(content, entry["id"], words), own_size(entry, content, words)] for entry in entries]
+    parts = any(own_part(entry, content, words) for entry in entries)
+    sizes = {
+        entry["id"]: in_columns(entry, content, words, parts) if short else [own_size(entry, content, words)]
+        for entry in entries
+    }
+    columns = [*HEAD, *([OF_IT] if short and parts else [])]
+    rows = [[id_, how_sure(content, id_, words), *cells] for id_, cells in sizes.items()]
     elsewhere = only_elsewhere(content)
-    rows += [[id_, how_sure(content, id_, words), NO_SIZE] for id_ in elsewhere]
-    head, *table = aligned([HEAD, *rows])
-    does = {} if brief > 3 else {entry["id"]: entry["sentence"] for entry in entries}
+    rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
+    head, *table = aligned([columns, *rows])
+    does = {} if short else {entry["id"]: entry["sentence"] for entry in entries}
     table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
         what = does.get(id_) or on_rig(meaning(id_), words)
-        if brief and id_ in elsewhere:
-            table_lines.append(f"{row} {what}")
-            continue
-        table_lines += [row, f"    {what}{'' if brief > 1 else _of_strokes(content, id_, words)}"]
+        table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     whose = ["Sizes are those of the best explanation."] if several else []
-    if brief:
-        parts = any(own_part(entry, content, words) for entry in entries)
-        rest = [IN_ALL_SHORT.format(_in_its_place(content))] if parts else []
-        write = [] if brief > 2 else certainty.to_write(content, words)
+    if short:
         against = cancelling.lines(content, entries, words)
-        return [*table_lines, *_in_one([*certainty.needed(content), *whose, *rest, *against]), *write]
+        return [*table_lines, *_in_one([*certainty.needed(content), *whose, *against])]
     return [
         *table_lines,
         *_in_all(content, entries, words),
         *_in_one([*certainty.needed(content), *whose]),
         *cancelling.lines(content, entries, words),
-        *certainty.to_write(content, words),
         *_sure_and_near_0(content, entries, words),
         *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
         *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),

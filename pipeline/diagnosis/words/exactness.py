@@ -13,7 +13,6 @@ from .quantity import listing, quantity
 TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
 ENOUGH_SAID = "is enough"
 ENOUGH = 0.99  # of its tolerance: where no more is asked for, the exactness of the value in run.yaml is enough
-SHORT = "Where it says enough, look for a gross error: another spool, another place, a misread scale."
 NEVER_SAID = ("scale", "angle_turns")  # dimensions that run.yaml has no values of
 TRADES = 0.8  # correlation of two dimensions from which on one of them alone settles little
 

@@ -16,10 +16,10 @@ STAND = ("change in a hold", "change in a rest")  # rows
 INDENT = 5  # of the table on the page
 
 
-def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
+def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) -> list[str]:
     """The table, a line each row, then how to read it; nothing where nobody would see a number of it.
 
-    `brief`: without what the rows and columns are that it leaves out, and what a loop is.
+    `shown`: the keys of the numbers that the recording to make will show; None: of all that are foretold.
 
     The rivals come in the order of their probability, without those that the recorded loop excludes. The row that tells
     most comes first. A row in which the explanations differ by less than their intervals is left out, unless all do:
@@ -32,7 +32,7 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
     first, *others = [each for each in weighed if each not in out]
     tables = []
     for columns in ([first, *others], *([first, other] for other in others), [first]):
-        table, remarks, parted = _table(content, known, columns, words, brief)
+        table, remarks, parted = _table(content, known, columns, words, shown)
         if max(map(len, table), default=0) <= WIDE - INDENT:  # what does not fit on the page cannot tell either
             tables.append(([*table, *remarks], parted))
             if parted:
@@ -63,14 +63,14 @@ def _not_in(content: Verdict) -> list[str]:
 
 
 def _table(
-    content: Verdict, known: Part, columns: list[Part], words: Vocabulary, brief: int
+    content: Verdict, known: Part, columns: list[Part], words: Vocabulary, shown: set[str] | None
 ) -> tuple[list[str], list[str], bool]:
     """The table of some explanations, how to read it, and whether a row tells them apart.
 
     Nothing where nobody would see a number of it.
     """
     limit = SEEN * content["evidence"][f"floor_{words.ending}"]
-    names = _rows(content, known, words)
+    names = {key: row for key, row in _rows(content, known, words).items() if shown is None or key in shown}
     cells = {key: [of_explanation(each, key, content, words) for each in columns] for key in names}
     keys = [
         key
@@ -91,12 +91,10 @@ def _table(
     heads = [_head(content, explanation["ids"], shared) for explanation in columns]
     rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
     remarks = [
-        *([_loop(words)] if not brief and any(map(_is_loop, keys)) else []),
+        *([_loop(words)] if any(map(_is_loop, keys)) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
         *([_spread(keys)] if known_spread else []),
-        *_untelling(
-            alone, [names[key] for key in nothing if not brief], known_spread, size(error(content, words), words.unit)
-        ),
+        *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
     ]
     return aligned([["What to expect of", *heads], *rows]), remarks, bool(telling) and not alone
 

@@ -22,7 +22,7 @@ def beaten(content: Verdict, words: Vocabulary) -> list[str]:
     floor = content["fit"][f"noise_floor_{words.ending}"]
     noise = f" So it is partly counted in the noise of {size(floor, words.unit)}." if errors[1] < floor else ""
     return [
-        f"{METHOD} foretells the {holdout.strokes(content)} better than {who}: it errs by {without}, {who} by {own}. "
+        f"{METHOD} foretells the {holdout.strokes(content)} better than {who}: {without} against {own}. "
         f"What is still missing is systematic: {_where(content, words)}.{noise}"
     ]
 

@@ -20,8 +20,7 @@ NEEDED = "Make sure of the name before you adopt or report it, for {vain}: {reco
 RECORD = "record what tells the effect from others:"
 ALL_HERE = "record again what tells the effect from others, which this recording has:"
 BEFORE = f"If you have adopted it already, first take it out of each run ({program_name('adopt')} --remove)."
-EXPECT = "Which numbers to expect of it: details.txt."
-WHERE = "The {} are in details.txt. {}"
+WHERE = "Its tests, the numbers to expect of it and the commands: {}."
 ANEW = (
     "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
     "diagnose all together:"
@@ -41,7 +40,7 @@ AS_MANY = (
 
 
 def of_what_is_missing(
-    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, brief: int = 0
+    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool
 ) -> list[list[str]]:
     """What to do about what is still missing beside what is named; nothing where nothing is."""
     if not unseen.partly(content, words) or content["verdict"] not in ("explained", "ambiguous"):
@@ -52,12 +51,11 @@ def of_what_is_missing(
     again = commands.lines(folders, out, [""])
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
-    printed = {line.strip() for step in of_names(content, words, folders, out) for line in step}
+    printed = {line.strip() for step in of_names(content, words, folders, out, False) for line in step}
     above = set(again) <= printed  # the step before has them
     where = f" (commands: {DETAILS}, {RUN})" if shown else ABOVE if above else ""
-    if brief > 2:
-        shown, where = True, where if shown else f" (commands: {DETAILS})"
-    if brief > 3:
+    if short:
+        where = where if shown else f" (commands: {DETAILS})"
         return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where)]]
     typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
     return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
@@ -69,17 +67,16 @@ def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:
 
 
 def of_names(
-    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, brief: int = 0
+    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool
 ) -> list[list[str]]:
     """What at the rig shows that the effects of the one explanation are what they are called.
 
-    `brief` is how short: 1 without what this recording holds, 2 without the numbers to expect, 3 without commands,
-    4 without the tests.
+    `short`: the run to record, or the tests where there is none, without numbers to expect and commands.
     """
     if content["verdict"] != "explained":
         return []
-    numbers = expectation.lines(content, words, brief)
     ids = [entry["id"] for entry in content["mechanisms"]] if words.twisted else []
+    numbers = expectation.lines(content, words, recipe.shows(content, words, ids))
     has = {id_ for id_ in ids if recorded(content, words, id_)}
     tests = [
         f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}{HERE if id_ in has else ''}."
@@ -88,20 +85,19 @@ def of_names(
     if ids and has == set(ids) and not in_vain.doubt(content, words):
         return []  # the recording has all that it would ask for
     if not tests:
-        if numbers and brief > 1:
+        if numbers and short:
             return [[f"To make sure of the name, see which numbers the rig shows ({DETAILS})."]]
         return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
-    again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
+    if short and run:
+        return [[_head(content, words, f"record {run.removeprefix(recipe.SO)}"), WHERE.format(DETAILS)]]
     head = _head(content, words, ALL_HERE if has == set(ids) else RECORD)
+    if short:
+        return [[head, *tests, WHERE.format(DETAILS)]]
+    again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
-    if brief > 1:
-        what = "tests, the numbers to expect and the commands" if brief > 3 else "commands"
-        made = made if brief == 2 else [*([run] if run else []), WHERE.format(what, BEFORE)] if made else []
-        numbers = [EXPECT] if numbers and brief < 4 else []
-    tests_shown = [] if brief > 3 else tests
-    return [[head, *tests_shown, *([] if brief and run else held(content, words, tests)), *numbers, *made]]
+    return [[head, *tests, *held(content, words, tests), *numbers, *made]]
 
 
 def _head(content: Verdict, words: Vocabulary, record: str) -> str:
@@ -119,7 +115,7 @@ def _again(old: Path, load: str) -> str:
 
 
 def of_adopted(
-    content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], brief: int = 0
+    content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], short: bool
 ) -> list[list[str]]:
     """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
     lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms()}
@@ -134,7 +130,7 @@ def of_adopted(
     removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
     typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load)]
     run = recipe.sentence(content, words, list(lacking))
-    typed = ["The commands are in details.txt."] if brief > 1 else typed
+    typed = ["The commands are in details.txt."] if short else typed
     return [[f"{head} {lacked}.", *lines, *([run] if run else []), ANEW, *typed]]
 
 
@@ -186,6 +182,6 @@ def held(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
         counts.append(
             "Its loads count as more than one."
             if content["evidence"]["loaded"]
-            else second_load.sentence(content, words, most)
+            else second_load.sentence(content, words)
         )
     return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]

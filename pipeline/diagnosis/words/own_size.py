@@ -23,6 +23,17 @@ def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
     return f"{with_interval(entry, words)}{doubt_of(entry, content, words)}"
 
 
+def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool) -> list[str]:
+    """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one."""
+    known = entry[f"rms_{words.ending}"]
+    if not known["value"]:
+        return ["none", *["–"] * parts]
+    whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
+    doubt = POORLY if certainty.wide(known) or doubt_of(entry, content, words) == HIDDEN else ""
+    own = own_part(entry, content, words) or known["value"]
+    return [f"{whole}{doubt}", *[size(own, words.unit)] * parts]
+
+
 def with_interval(entry: Part, words: Vocabulary, factor: float = 1.0) -> str:
     """All of an effect with its 90 % interval, or a part of it, `factor` of all: 0.25 mm (0.21 to 0.32 mm)."""
     value, low, high = (factor * entry[f"rms_{words.ending}"][end] for end in ("value", "low", "high"))

@@ -51,7 +51,7 @@ def rule(content: Verdict) -> list[str]:
     together = sum(
         explanation.get("probability") or 0.0 for explanation in shown if explanation["standing"] in HELD_STANDINGS
     )
-    none = content["evidence"]["probability_of_none"]
+    none = content["evidence"].get("probability_of_none") or 0.0
     several = content["verdict"] == "ambiguous"
     kept = f"These {1 + len(content['alternatives'])} have" if several else "Here the best one alone has"
     rest = max(1.0 - none - together, 0.0)

@@ -7,6 +7,7 @@ from .missing_signs import missing
 from .quantity import at, duration, ends, number, quantity, span
 from .vocabulary import Vocabulary
 
+SO = "So record: "
 FEWEST = 4  # strokes: of fewer a diagnosis leaves none out
 
 
@@ -17,7 +18,23 @@ def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
         return None
     chosen = second_load.best(content, words)
     share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.HALF
-    return float(f"{share * known['load'][1]:.3g}")
+    return float(f"{share * second_load.base(content):.3g}")
+
+
+def shows(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str] | None:
+    """Which of the numbers that explanations foretell its recording will show, by their keys; None where it has none.
+
+    Under another load the loop under that load alone: at another speed it was foretold under the recorded one.
+    """
+    if not sentence(content, words, ids):
+        return None
+    new_load = load(content, words, ids)
+    if new_load is not None:
+        more = new_load > second_load.base(content)
+        return {second_load.ROWS[second_load.TWICE if more else second_load.HALF]}
+    slower = {"loop_half_speed"} if "speed" in _lacking(content, words, ids) else set()
+    stands = {"hold", "rest"} if _lasting(content, ids) else set()
+    return {"loop_as_before", "top"} | slower | stands
 
 
 def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
@@ -38,7 +55,7 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     count, (slow, fast) = max(last - first + 1, FEWEST), known["speed_per_s"]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     new_load = load(content, words, ids)
-    hung = quantity(known["load"][1] if new_load is None else new_load, words.load_unit, 3)
+    hung = quantity(second_load.base(content) if new_load is None else new_load, words.load_unit, 3)
     under = f" under {hung}" if words.load is not None and known["load"][1] > 0.0 else ""
     speed = ends(slow, fast, f"{words.motion_unit}/s")
     if "speed" in lacking:
@@ -52,7 +69,7 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
         still = ", with the same holds and rests" * stood
     turned = span(low, high, words.motion_unit, high - low)
-    return f"So record: the same {count} strokes, {turned}{under}, at {speed}{still}."
+    return f"{SO}the same {count} strokes, {turned}{under}, at {speed}{still}."
 
 
 def _lasting(content: Verdict, ids: list[str]) -> float:

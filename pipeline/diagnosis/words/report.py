@@ -18,6 +18,7 @@ from .dimensions import far_moved
 from .quantity import listing, percent, size
 from .vocabulary import Vocabulary
 
+HEADING = "To report it"
 TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote stands once
 ONLY_WITH = f'{TO_REPORT} only with the words "{{}}"'  # where nothing that no fit has seen bears the numbers out
 LEAST = 0.01  # a probability that a report names
@@ -26,15 +27,11 @@ ONLY_PART = (
     "Of {} only that part may be reported, not what {} in all nor {} constants (loop, times): calibrated dimensions "
     "could make the rest."
 )
-SLOW_ALONE = "excluded are only slow effects in the place of the named one (details.txt)"
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 
-def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
-    """A line of what can be reported, and one of what cannot; nothing where nothing is named.
-
-    `brief` is how short: 1 without the probability that the page has above, 2 without look-alikes.
-    """
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
     if not content["mismatch"]:
         return []
     left = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
@@ -42,10 +39,10 @@ def lines(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
     missing += _unseen(content, words)
     statements = [
         missing,
-        *_sure(content, words, brief),
+        *_sure(content, words),
         *_own(content, words),
         *_open(content, words),
-        *_best(content, words, brief),
+        *_best(content, words),
     ]
     when = ", if measuring again changed nothing" if far_moved(content) else ""
     return [
@@ -64,13 +61,13 @@ def _unseen(content: Verdict, words: Vocabulary) -> str:
     return f"; the errors on the {holdout.strokes(content)} above"
 
 
-def _sure(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
+def _sure(content: Verdict, words: Vocabulary) -> list[str]:
     """Which effects are at work, where that is sure."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     shares = certainty.known(content)
     word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
     named = listing([f"{id_} ({word[id_]}, {percent(shares[id_])})" for id_ in sure])
-    remark = "" if brief > 1 else slow_look_alikes.remark(content, words, sure)
+    remark = slow_look_alikes.remark(content, words, sure)
     vain = in_vain.said(content, words)
     remark = f", though {vain}{remark}" if vain else remark
     return [f"at work: {named}{remark}"] if sure else []
@@ -130,7 +127,7 @@ def _to_report(content: Verdict, words: Vocabulary, is_open: bool) -> list[Part]
     return [entry for entry in entries if (shares.get(entry["id"], 1.0) < certainty.PROBABLE) == is_open]
 
 
-def _best(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
+def _best(content: Verdict, words: Vocabulary) -> list[str]:
     """How likely the best explanation is, what is not excluded, and physics that the library lacks."""
     none = content["evidence"].get("probability_of_none")
     kept = chances.kept_shares(content)
@@ -139,9 +136,6 @@ def _best(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
     name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
     rest = "beyond these no other is excluded" if slow_look_alikes.excluded(content, words) else "no other is excluded"
-    if brief:
-        slow_alone = brief > 1 and slow_look_alikes.excluded(content, words)
-        return [SLOW_ALONE if slow_alone else rest]
     return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 

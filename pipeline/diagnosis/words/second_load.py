@@ -10,6 +10,12 @@ ROWS = {HALF: "loop_half_load", TWICE: "loop_twice_load"}
 SHARES = {HALF: "half", TWICE: "twice"}
 
 
+def base(content: Verdict) -> float:
+    """The recorded load of which halves and doubles are foretold."""
+    foretold = (content["evidence"].get("expected") or {}).get("load")
+    return float(foretold or content["evidence"]["covered"]["load"][1])
+
+
 def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     """The share of the recorded load that parts the best explanation from its rival more, and how far, as `tells`.
 
@@ -23,9 +29,9 @@ def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     return max(((share, ratio) for share, ratio in known.items()), key=lambda pair: pair[1]) if known else None
 
 
-def sentence(content: Verdict, words: Vocabulary, load: float) -> str:
+def sentence(content: Verdict, words: Vocabulary) -> str:
     """Which second load to hang beside the only one that was recorded, and whether it tells."""
-    chosen = best(content, words)
+    load, chosen = base(content), best(content, words)
     if chosen is None:
         other = f"{number(HALF * load, 3)} or {quantity(TWICE * load, words.load_unit, 3)}"
         return f"It has no second load: {other}, half or twice, would do if the rig bears it."

@@ -5,19 +5,25 @@ import textwrap
 
 from ...ground.command import START
 
-WIDE, WIDEST = 112, 120
+WIDE = 112
 Sections = list[tuple[str, list[str]]]  # each a heading and its lines
 
 
-def text(sections: Sections, last: tuple[str, list[str]], tight: bool = False) -> str:
-    """Sections of a heading and its lines as a text: the first one, all others that have lines, and the last one.
-
-    `tight`: lines as wide as a page can be, and no empty ones between sections, but for that after the first one.
-    """
+def text(sections: Sections, last: tuple[str, list[str]]) -> str:
+    """Sections of a heading and its lines as a text: the first one, all others that have lines, and the last one."""
     first, *others = sections
-    shown = [first, *(part for part in others if part[1]), last]
-    headline, *parts = [section(*part, WIDEST if tight else WIDE) for part in shown]
-    return "\n\n".join([headline, ("\n" if tight else "\n\n").join(parts)])
+    return "\n\n".join(section(*part) for part in [first, *(part for part in others if part[1]), last])
+
+
+def shortened(line: str, most: int) -> str:
+    """The first sentences of a line that have no more than `most` letters together; the first one in any case."""
+    first, *others = re.split(r"(?<=[.:]) (?=[A-Z])", line)
+    kept = first
+    for sentence in others:
+        if len(kept) + 1 + len(sentence) > most:
+            break
+        kept += f" {sentence}"
+    return kept
 
 
 def section(head: str, lines: list[str], wide: int = WIDE) -> str:

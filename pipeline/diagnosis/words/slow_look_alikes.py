@@ -42,7 +42,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     sentences = [f"- {id_}: excluded in the place of {named} by this recording: {why}." for id_, why in out.items()]
     sentences += [f"- {id_}: open{_why_open(content, id_, words)}" for id_ in still_open(content, words)]
     meant = [EXCLUDED.format(named, named)] if out else []
-    return [f"Under one load slow effects look alike. What {named} could be instead:", *sentences, *meant]
+    head = f"Under one load slow effects look alike. {_how_sure(content, slow)} What {named} could be instead:"
+    return [head, *sentences, *meant]
 
 
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:
@@ -50,15 +51,16 @@ def doubts(content: Verdict, words: Vocabulary) -> list[str]:
     slow, may_be = certainty.slow_alike(content, words), still_open(content, words)
     if not slow or not may_be:
         return []
-    surely = not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
-    others = list(excluded(content, words))
-    by_standing = (
-        f" Excluded in its place, by what goes on while the motor stands: {listing(others)}." if others else ""
-    )
     return [
         f"Under one load slow effects look alike: what is called {listing(slow)} here can be {listing(may_be, 'or')}. "
-        f"That something slow acts is {'sure' if surely else 'likely'}; its name is not sure.{by_standing}"
+        f"{_how_sure(content, slow)}"
     ]
+
+
+def _how_sure(content: Verdict, slow: list[str]) -> str:
+    """How sure it is that one of the `slow` effects acts, whichever."""
+    surely = not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
+    return f"That something slow acts is {'sure' if surely else 'likely'}; its name is not sure."
 
 
 def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
@@ -70,7 +72,7 @@ def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
     if may_be:
         rest = f"one load cannot tell it from {listing(may_be, 'or')}"
         return f" ({listing(slow)} as the library's name for a slow effect: {rest})"
-    return f"; not {listing(out, 'or')} in its place, which are wrong while the motor stands (details.txt)"
+    return f"; not {listing(out, 'or')} in its place, which are wrong while the motor stands"
 
 
 def _all(content: Verdict, words: Vocabulary) -> list[str]:

@@ -1,5 +1,8 @@
 """The run to make between explanations that are likely, as a step of the page."""
 
+import shlex
+from pathlib import Path
+
 from ...ground.command import command
 from ..content import NextRun, Verdict
 from . import effect_table, experiment, parting, worth
@@ -8,37 +11,47 @@ from .quantity import listing, quantity
 from .technician import every_load, lasting
 from .vocabulary import Vocabulary
 
-SETTLE = f"To have it proposed, recorded and weighed for you: {command('settle')} RUN"
+LONG = 80  # letters: a title that is told in the details alone
+SETTLE = "To have it proposed, recorded and weighed for you:"
 
 
-def step(content: Verdict, words: Vocabulary, brief: int) -> list[list[str]]:
+def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
     """The run to make between explanations that are likely; that none decides, where none does.
 
-    `brief` is how short: 1 without what it parts and foretells, 2 without what it asks for; the details say both.
+    `short`: what it is, without what it parts and foretells.
     """
     run = content["next_run"]
     if content["verdict"] != "ambiguous":
         return []
     if not run or "parts" not in run:
         return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
-    where = f"Its steps and commands are in {DETAILS} under {RUN}; they take {lasting(run)}"
-    where += "." if brief > 1 else f"{_asks(content, run, words)}. {_own_tests(content, words)} stands there too."
-    differ, parts = ("", "") if brief else (worth.readings(run, words), parting.sentence(content))
-    care = "" if brief > 1 else worth.care(content, words)
-    alone = "" if brief > 1 or not words.twisted else SETTLE
-    question, others = worth.question(content), _not_asked(content, words)
+    title = experiment.title(run, words)
+    which = f"{'It takes ' if len(title) > LONG else f'{title}: '}{lasting(run)} in all{_asks(content, run, words)}."
+    where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}."
+    where = f"{which} {where}" if short else f"{which} {where} {_own_tests(content, words)} stands there too."
+    differ, parts = ("", "") if short else (worth.readings(run, words), parting.sentence(content))
+    care = "" if short else worth.care(content, words)
+    alone = _alone(words, folders)
+    question, others = worth.question(content), "" if short else _not_asked(content, words)
     if worth.decides(run):
         need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
-        return [[" ".join(part for part in (need, parts, differ, care, alone) if part)]]
+        return [[" ".join(part for part in (need, parts, differ, care) if part), *alone]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {question}{hard}: try the run that parts them most{others}."
         tried = "About half of such runs decided in tests."
-        return [[" ".join(part for part in (need, tried, parts, where, alone) if part)]]
+        return [[" ".join(part for part in (need, tried, parts, where) if part), *alone]]
     if parting.some(content):
         best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
         return [[f"No run that was tried decides {question}{others}. {parting.sentence(content)} {best}"]]
     return [[f"Make no other run: none that was tried decides {question}{others}."]]
+
+
+def _alone(words: Vocabulary, folders: list[Path]) -> list[str]:
+    """The command that makes the run for a person; nothing on a rig that `settle` cannot move."""
+    if not words.twisted:
+        return []
+    return [SETTLE, f"  {command('settle')} {shlex.quote(str(folders[-1]))} --port PORT"]
 
 
 def _not_asked(content: Verdict, words: Vocabulary) -> str:
@@ -59,4 +72,4 @@ def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     hung = [load for load in every_load(run, words) if load != usual]
     loads = f"{'other loads' if len(hung) > 1 else 'another load'} ({listing(hung)})" if hung else "another load"
     demands = ["another speed"] * worth.asks_speed(content, words) + [loads] * ("load" in title)
-    return f", and ask for {listing(demands)}" if demands else ""
+    return f"; it asks for {listing(demands)}" if demands else ""

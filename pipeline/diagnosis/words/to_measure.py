@@ -10,7 +10,7 @@ from .tolerances import stem
 from .vocabulary import Vocabulary
 
 HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
-FIRST = 4  # of them, where the page is short
+FIRST = 4  # of them, on the page
 HOW = "How each is measured: details.txt."
 DETAILS = "details.txt"
 BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
@@ -24,13 +24,10 @@ def to_measure(content: Verdict) -> list[str]:
     return sorted(again, key=lambda name: -abs(moved[name]))
 
 
-def table(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
-    """Each dimension to measure again, with how it is measured below it.
-
-    `brief` is how short: 1 with short remarks, 2 without how each is measured, 3 with the first ones alone.
-    """
+def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
+    """Each dimension to measure again, with how it is measured below it; `short`: the first ones, without how."""
     names, rows = to_measure(content), []
-    more = len(names) - FIRST if brief > 2 else 0
+    more = len(names) - FIRST if short else 0
     names = names[:FIRST] if more > 0 else names
     for name in names:
         nominal, value = from_to(content, name)
@@ -41,12 +38,10 @@ def table(content: Verdict, words: Vocabulary, brief: int = 0) -> list[str]:
     measured = [head]
     for name, line in zip(names, lines, strict=True):
         how = words.measured.get(stem(name))
-        measured += [line, *([f"    {how}"] if how and brief < 2 else [])]
-    if brief:
-        gross = [exactness.SHORT] if exactness.mistakes(content, {name: name for name in names}) else []
-        short = [*([HOW] if brief > 1 else []), *gross]
+        measured += [line, *([f"    {how}"] if how and not short else [])]
+    if short:
         rest = [f"And {more} more dimensions: {DETAILS}."] if more > 0 else []
-        return [*measured, *rest, *([" ".join(short)] if short else []), *_together(content, names)]
+        return [*measured, *rest, HOW, *_together(content, names)]
     return [
         *measured,
         *exactness.mistakes(content, {name: name_of(name) for name in names}),
@@ -63,19 +58,20 @@ def _together(content: Verdict, names: list[str]) -> list[str]:
     ]
 
 
-def consequences(content: Verdict, then: str, brief: int = 0) -> list[str]:
-    """What to do with what was measured; `then` is what to do where nothing changed; `brief`: as one paragraph."""
+def consequences(content: Verdict, then: str, short: bool) -> list[str]:
+    """What to do with what was measured; `then` is what to do where nothing changed; `short`: as one sentence."""
     moved = to_measure(content)
     where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))
-    keys = "`tolerance` in run.yaml" if brief else f"`tolerance: {{{where}}}`"
-    exact = f"- if the same, known better than its tolerance: say how well ({keys})"
+    exact = f"- if the same, known better than its tolerance: say how well (`tolerance: {{{where}}}`)"
     scaled = any(stem(name) == "scale" for name in moved)
     gain = " (a gain as `scale`, its inverse: details.txt, Dimensions)" if scaled else ""
-    bullets = [
+    if short:
+        return [
+            f"Write what you measured, or how well, into run.yaml and diagnose again (how: {DETAILS}). If nothing "
+            f"changes, {then}."
+        ]
+    return [
         f"- If you find another value: write it into run.yaml{gain}, and diagnose again;",
         *([f"{exact} and diagnose again;"] if where else []),
         f"- if the same, no better known: {then}. The percentages do not hold where other physics moved it.",
     ]
-    if brief > 2:
-        return [f"Write what you measured, or how well, into run.yaml ({DETAILS}) and diagnose again; else {then}."]
-    return [" ".join(bullet.removeprefix("- ") for bullet in bullets)] if brief else bullets

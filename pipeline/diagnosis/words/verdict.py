@@ -16,7 +16,6 @@ from . import (
     holdout,
     level,
     logged,
-    page,
     rejected_explanations,
     rivals,
     slow_look_alikes,
@@ -27,19 +26,16 @@ from . import (
     unseen,
     unseen_doubts,
 )
-from .brief import FULL, Brief, first_sentence
 from .dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
 from .headline import UNNAMED, headline, kept_times
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times
-from .sections import Sections
+from .sections import shortened, text
 from .vocabulary import Vocabulary
 
 DOUBTS = "What to know first"
-LONG = 200  # letters: a doubt that is told shorter first
-MORE = "More: details.txt (reasons,{run} words), diagnosis.pdf (figures), diagnosis.json (for programs)."
-SHORT = "More: details.txt (what had no room here, reasons,{run} words), diagnosis.pdf, diagnosis.json."
-RUN, TOLERANCES = " the run in steps,", " tolerances,"
+LONG = 200  # letters of a doubt on the page
+MORE = "More: details.txt (reasons, steps in full, what can be reported, words), diagnosis.pdf (figures)."
 
 
 def verdict_text(
@@ -49,60 +45,38 @@ def verdict_text(
 
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
-    return _fitted(content, system, folders, out, doubts)[0]
-
-
-def without_room(
-    content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
-) -> list[str]:
-    """What the page would say if it had no end, of which it has no room."""
-    shown = _fitted(content, system, folders, out, doubts)[1]
-    return page.without_room(_sections(content, system, folders, out, doubts, FULL), shown)
-
-
-def _fitted(
-    content: Verdict, system: System, folders: list[Path], out: Path | None, doubts: Sequence[str]
-) -> tuple[str, Sections]:
-    run = RUN if content["next_run"] else TOLERANCES
-    return page.fitted(
-        lambda brief: _sections(content, system, folders, out, doubts, brief),
-        MORE.format(run=run),
-        SHORT.format(run=run),
-    )
-
-
-def _sections(
-    content: Verdict, system: System, folders: list[Path], out: Path | None, doubts: Sequence[str], brief: Brief
-) -> Sections:
-    """Each heading with its lines, as short as `brief` says."""
     words = Vocabulary.of(system)
     missing, would, temperature = _unknown(content, words), _would(content, words), logged.temperature(content, words)
-    acts = [*effect_table.lines(content, words, brief.effects), *(temperature if brief.effects < 2 else [])]
-    first = [
-        *doubts,
-        *adoption.cautions(content),
-        *breaks.changed(content),
-        *_shorter([*unseen_doubts.cautions(content, words), *_left(content, words)], brief.doubts),
-        *_provisional(content, words, brief.doubts),
-        *spikes.on_page(content, words),
-    ]
-    return [
+    acts = effect_table.lines(content, words, short=True) if content["mechanisms"] else []
+    first = [*what_first(content, words), *slow_look_alikes.doubts(content, words)]
+    first = [shortened(line, LONG) for line in first]
+    sections = [
         (headline(content, words), []),
-        (DOUBTS, first),
-        (effect_table.HEADING, acts if content["mechanisms"] else []),
+        (DOUBTS, [*doubts, *first, *spikes.on_page(content, words)]),
+        (effect_table.HEADING, acts),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
-        (chances.HEADING, chances.lines(content, words, brief.chances)),
+        (chances.HEADING, chances.lines(content, words, short=True)),
         ("What is missing", [*missing, *temperature] if missing else []),
         (error_table.SHORT, error_table.short(content, words)),
         ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
-        (to_do.HEADING, to_do.lines(content, words, folders, out, brief)),
+        (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
+    return text(sections, (MORE, []))
 
 
-def _shorter(lines: list[str], brief: int) -> list[str]:
-    """Doubts as they are, the long ones by their first sentence, or all of them."""
-    return [first_sentence(line) if brief > 1 or (brief and len(line) > LONG) else line for line in lines]
+def what_first(content: Verdict, words: Vocabulary) -> list[str]:
+    """What a reader must know before he trusts a verdict, a line each: what counts most stands in its first sentences.
+
+    Slow effects that look alike are not in it: the page has a line on them, and the details have one on each.
+    """
+    return [
+        *adoption.cautions(content),
+        *breaks.changed(content),
+        *unseen_doubts.cautions(content, words),
+        *_left(content, words),
+        *_provisional(content, words),
+    ]
 
 
 def _left(content: Verdict, words: Vocabulary) -> list[str]:
@@ -113,16 +87,12 @@ def _left(content: Verdict, words: Vocabulary) -> list[str]:
     return unexplained_pattern.remains(content, words, least)
 
 
-def _provisional(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
-    """Why names may not last: dimensions that calibration moved far, slow effects that look alike, odd tolerances."""
+def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
+    """Why names may not last: dimensions that calibration moved far, and odd tolerances."""
     moved = far_moved(content)
     lines = tolerances.doubts(content, words)
     if moved:
-        names = (
-            f"{len(moved)} dimensions"
-            if brief > 1 < len(moved)
-            else listing([f"the {name_of(name)}" for name in moved])
-        )
+        names = listing([f"the {name_of(name)}" for name in moved])
         single = len(moved) == 1
         their, are = ("its", "it is") if single else ("their", "they are")
         below = " (below)" * to_do.asks_to_measure(content, words)
@@ -146,7 +116,7 @@ def _provisional(content: Verdict, words: Vocabulary, brief: int) -> list[str]:
             "Fitted anew, dimensions moved far. That is no reason to measure them again: the dimensions that were "
             "adopted lie within their tolerances, and fit this rig as well."
         )
-    return [*lines, *slow_look_alikes.doubts(content, words)]
+    return lines
 
 
 def _what(content: Verdict) -> str:
